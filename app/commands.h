@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which commands are there? Each is one function in one file, app/<command>.cpp.
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace vandplan {
+
+/// What the shell learns.
+namespace exit_status {
+inline constexpr int done = 0;
+inline constexpr int failed = 1;     ///< no path, or a check failed
+inline constexpr int bad_input = 2;  ///< or wrong usage
+}  // namespace exit_status
+
+/// Adds a command. When it is the one that is called, it runs and sets `status`; it throws
+/// InputError for bad input.
+using AddCommand = void (*)(CLI::App& vandplan, int& status);
+
+void add_check(CLI::App& vandplan, int& status);
+void add_convert(CLI::App& vandplan, int& status);
+void add_draw(CLI::App& vandplan, int& status);
+void add_evaluate(CLI::App& vandplan, int& status);
+void add_plan(CLI::App& vandplan, int& status);
+void add_planners(CLI::App& vandplan, int& status);
+
+/// What `--json` prints instead of a summary.
+void print(const nlohmann::ordered_json& object);
+
+}  // namespace vandplan

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// What does the command line do?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "commands.h"
+#include "vandplan/input_error.h"
+#include "vandplan/version.h"
+
+namespace vandplan {
+namespace {
+
+constexpr AddCommand commands[] = {add_plan,     add_check,   add_draw,
+                                   add_evaluate, add_convert, add_planners};
+
+/// Says on one line what is wrong.
+int complain(std::string problem, int status) {
+  std::replace(problem.begin(), problem.end(), '\n', ' ');
+  fmt::print(stderr, "vandplan: {}\n", problem);
+  return status;
+}
+
+int run(int argc, char** argv) {
+  int status = exit_status::done;
+  CLI::App app("Plans paths for trucks and buses.", "vandplan");
+  app.set_version_flag("--version", fmt::format("vandplan {}", build_info().version));
+  app.require_subcommand(0, 1);
+  app.footer("Exit status: 0 done, 1 no path or a check failed, 2 bad input or usage.");
+  for (const AddCommand add : commands) add(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return complain(error.what(), exit_status::bad_input);
+  }
+  if (!app.get_subcommands().empty()) return status;
+  return complain("a command is missing, see vandplan --help", exit_status::bad_input);
+}
+
+}  // namespace
+
+void print(const nlohmann::ordered_json& object) {
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  fmt::print("{}\n", object.dump(2, ' ', false, replace));
+}
+
+}  // namespace vandplan
+
+int main(int argc, char** argv) {
+  using namespace vandplan;
+  try {
+    const int status = run(argc, argv);
+    if (std::fflush(stdout) == 0) return status;
+    return complain(fmt::format("standard output: cannot write: {}", std::strerror(errno)),
+                    exit_status::bad_input);
+  } catch (const InputError& error) {
+    return complain(error.what(), exit_status::bad_input);
+  } catch (const std::exception& error) {
+    return complain(error.what(), exit_status::failed);
+  }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "progress_bar.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace vandplan {
+namespace {
+
+constexpr int width = 30;
+constexpr double redraw_interval = 0.1;  // [s], on a terminal
+constexpr double line_interval = 15.0;   // [s], elsewhere
+
+std::string text_of(const Progress& progress) {
+  const int finished = progress.kept + progress.done;
+  return fmt::format("{:3.0f} %  {} of {} runs, {} left", 100.0 * finished / progress.total,
+                     finished, progress.total,
+                     progress.done > 0 ? duration_text(progress.left()) : "?");
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_) fmt::print(stderr, "\n");
+}
+
+void ProgressBar::show(const Progress& progress) {
+  const bool finished = progress.kept + progress.done == progress.total;
+  if (progress.elapsed < next_ && !finished) return;
+  next_ = progress.elapsed + (terminal_ ? redraw_interval : line_interval);
+  if (!terminal_) {
+    fmt::print(stderr, "{}\n", text_of(progress));
+    return;
+  }
+  const int filled = width * (progress.kept + progress.done) / progress.total;
+  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\033[K", "", filled, "", width - filled,
+             text_of(progress));
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace vandplan

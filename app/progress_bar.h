@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How far is it, and how long will it take?
+
+#include <string>
+
+#include "evaluation/runner.h"
+
+namespace vandplan {
+
+/// Shows progress on standard error: a bar that is redrawn on a terminal, else a line now and then.
+class ProgressBar {
+ public:
+  ProgressBar();
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void show(const Progress& progress);
+
+ private:
+  bool terminal_;
+  bool drawn_ = false;
+  double next_ = 0.0;  // when to show something again [s]
+};
+
+/// "2 min 05 s".
+[[nodiscard]] std::string duration_text(double seconds);
+
+}  // namespace vandplan

@@ -1,0 +1,25 @@
+# How do others find us after install?
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vandplan)
+
+# One export per component, so that nobody needs the dependencies of what he does not use.
+install(TARGETS vandplan EXPORT vandplan-targets FILE_SET HEADERS)
+install(EXPORT vandplan-targets NAMESPACE vandplan:: DESTINATION ${package_folder})
+foreach(component io draw)
+  if(TARGET vandplan_${component})
+    set_target_properties(vandplan_${component} PROPERTIES EXPORT_NAME ${component})
+    install(TARGETS vandplan_${component} EXPORT vandplan-${component}-targets FILE_SET HEADERS)
+    install(EXPORT vandplan-${component}-targets NAMESPACE vandplan:: DESTINATION ${package_folder})
+    install(FILES cmake/vandplan-${component}.cmake DESTINATION ${package_folder})
+  endif()
+endforeach()
+
+configure_package_config_file(cmake/vandplan-config.cmake.in vandplan-config.cmake
+                              INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(vandplan-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vandplan-config.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/vandplan-config-version.cmake
+        DESTINATION ${package_folder})
+if(TARGET vandplan_cli)
+  install(TARGETS vandplan_cli)
+endif()

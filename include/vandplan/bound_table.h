@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Between which two numbers does a Reeds-Shepp length lie? A look-up that keeps its promise.
+//
+// One table, made for turning radius 1 when the library is built, serves every vehicle and every
+// distance. Why the bounds hold, and how tight they are: docs/algorithms/bound_table.md.
+
+#include <cstddef>
+#include <span>
+
+#include "vandplan/geometry.h"
+
+namespace vandplan {
+
+/// low <= length <= high [m].
+struct LengthBounds {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Bounds of `reeds_shepp_length(from, to, radius)`. `radius` > 0 [m].
+[[nodiscard]] LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) noexcept;
+
+/// Bounds of the length from every node to one sample, in float: low[i] and high[i] belong to node
+/// i; equal sizes. They hold for the sample as rounded to float.
+void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
+                   std::span<float> low, std::span<float> high) noexcept;
+
+/// How the table is made.
+struct BoundTableInfo {
+  int radial_cells, side_cells, turn_cells;
+  std::size_t bytes;
+};
+
+[[nodiscard]] BoundTableInfo bound_table_info() noexcept;
+
+}  // namespace vandplan

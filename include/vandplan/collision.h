@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Is the footprint free of obstacles, and the rear axle inside the bounds?
+//
+// Exact along an edge, without a step size: docs/algorithms/collision.md says how and why no hit
+// is ever missed.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "vandplan/path.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan {
+
+/// Answers collision queries for one footprint in one set of obstacles. Immutable after
+/// construction and safe to share between threads.
+///
+/// Promise: whatever is accepted keeps the closed footprint clear of every closed obstacle and the
+/// rear axle inside the bounds; whatever has a clearance above `tolerance` is accepted.
+class CollisionChecker {
+ public:
+  /// [m]
+  static constexpr double tolerance = 1e-3;
+
+  /// The polygons must be simple (see `World`).
+  CollisionChecker(const Footprint& footprint, const Bounds& bounds,
+                   std::span<const Polygon> obstacles);
+  ~CollisionChecker();
+  CollisionChecker(const CollisionChecker&) = delete;
+  CollisionChecker& operator=(const CollisionChecker&) = delete;
+
+  [[nodiscard]] bool is_free(const Pose& pose) const noexcept;
+
+  /// Everything swept from `from` along `segment`, both ends included.
+  [[nodiscard]] bool is_free(const Pose& from, const Segment& segment) const noexcept;
+
+  /// Everything swept from `from` along the segments, one after the other.
+  [[nodiscard]] bool is_free(const Pose& from, std::span<const Segment> segments) const noexcept;
+
+ private:
+  struct Data;
+  std::unique_ptr<const Data> data_;
+};
+
+}  // namespace vandplan

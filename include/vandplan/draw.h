@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does it look like?
+//
+// One drawing routine for all formats. The picture shows start, goal and path with what stands
+// around them, not the whole of the bounds; axes count metres in the scenario's frame.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "vandplan/path.h"
+#include "vandplan/planner.h"
+#include "vandplan/problem.h"
+
+namespace vandplan {
+
+/// What to draw; everything in the scenario's frame.
+struct Drawing {
+  const Scenario* scenario = nullptr;
+  std::size_t goal = 0;                ///< which of the scenario's goals
+  const Path* path = nullptr;          ///< or none
+  const TreeSnapshot* tree = nullptr;  ///< or none
+  std::string caption = {};            ///< one line above the picture, UTF-8
+};
+
+/// Several drawings side by side, row by row, all of the same size.
+struct ContactSheet {
+  std::vector<Drawing> drawings = {};
+  int columns = 3;           ///< >= 1
+  std::string caption = {};  ///< one line above all of them, UTF-8
+};
+
+enum class PictureFormat { png, svg, pdf };
+
+/// From the ending of a file name. Throws InputError for any other ending.
+[[nodiscard]] PictureFormat picture_format(const std::string& file);
+
+/// The bytes of a picture. `width` in pixels (PNG) or points (SVG, PDF), 50 to 10000; the height
+/// follows. Throws InputError for another width, a scenario that `check_scenario` refuses, no such
+/// goal, a caption that is not UTF-8, and paths and trees with
+/// numbers that are not finite.
+[[nodiscard]] std::string draw(const Drawing& drawing, PictureFormat format, int width);
+[[nodiscard]] std::string draw(const ContactSheet& sheet, PictureFormat format, int width);
+
+}  // namespace vandplan

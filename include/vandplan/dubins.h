@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which forward-only path is shortest on open ground?
+//
+// Dubins 1957: a shortest path of bounded curvature is an arc, a line or arc, and an arc.
+// Derivation and formulas: docs/algorithms/steering.md.
+
+#include <vector>
+
+#include "vandplan/path.h"
+
+namespace vandplan {
+
+/// The shortest path from `from` to `to` driving forward with curvature -1/radius, 0 or 1/radius.
+/// `radius` > 0 [m]. Ties go to the first word of `dubins_words`.
+[[nodiscard]] Piece dubins(const Pose& from, const Pose& to, double radius) noexcept;
+
+/// Length of `dubins(from, to, radius)` [m].
+[[nodiscard]] double dubins_length(const Pose& from, const Pose& to, double radius) noexcept;
+
+/// Every word (LSL, RSR, LSR, RSL, RLR, LRL, in this order) that joins the poses; at most 6.
+[[nodiscard]] std::vector<Piece> dubins_words(const Pose& from, const Pose& to, double radius);
+
+}  // namespace vandplan

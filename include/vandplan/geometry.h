@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What is a point, a pose, a polygon, an angle?
+//
+// Metres and radians everywhere; headings count counter-clockwise from the x axis. All values are
+// plain; frames are named by whoever holds them (docs/conventions.md).
+
+#include <span>
+#include <vector>
+
+namespace vandplan {
+
+/// A position in the plane [m].
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+  bool operator==(const Point&) const = default;
+};
+
+/// Where the midpoint of the rear axle is [m] and where the vehicle points [rad].
+struct Pose {
+  double x = 0.0;
+  double y = 0.0;
+  double heading = 0.0;
+  bool operator==(const Pose&) const = default;
+};
+
+/// Many poses as structure of arrays, in float: what batch queries read. Equal sizes; headings in
+/// [-pi, pi].
+struct PoseColumns {
+  std::span<const float> x;
+  std::span<const float> y;
+  std::span<const float> heading;
+};
+
+/// Corners of a simple polygon in order, convex or concave, either orientation, not closed
+/// (the last corner differs from the first). At least three corners.
+using Polygon = std::vector<Point>;
+
+/// An axis-aligned box; closed: points on its border are inside.
+struct Bounds {
+  double x_min = 0.0;
+  double x_max = 0.0;
+  double y_min = 0.0;
+  double y_max = 0.0;
+  bool operator==(const Bounds&) const = default;
+};
+
+/// The same angle in [-pi, pi).
+[[nodiscard]] double wrap_angle(double angle) noexcept;
+
+/// The pose that `local`, given in the frame of `frame`, has outside of it.
+[[nodiscard]] Pose compose(const Pose& frame, const Pose& local) noexcept;
+
+/// `pose` as seen from `frame`: the inverse of `compose`. The heading is in [-pi, pi).
+[[nodiscard]] Pose relative(const Pose& frame, const Pose& pose) noexcept;
+
+[[nodiscard]] bool contains(const Bounds& bounds, const Point& point) noexcept;
+
+/// The smallest box around the points; all zero for none.
+[[nodiscard]] Bounds bounding_box(std::span<const Point> points) noexcept;
+
+}  // namespace vandplan

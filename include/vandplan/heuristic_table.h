@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How far is it, answered from a table? (the thesis' heuristic look-up table, HLUT)
+//
+// Algorithms 5, 6 and 7 of Guo 2020 as settled in docs/algorithms/heuristic_table.md.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "vandplan/geometry.h"
+
+namespace vandplan {
+
+/// What a table covers. Both ends of every range are grid points.
+struct HeuristicTableOptions {
+  double extent = 10.0;         ///< of |dx| and |dy| [m]; a multiple of `step`
+  double step = 1.0;            ///< of the positions [m]; > 0
+  int heading_cells = 8;        ///< steps of one full turn; >= 1; headings stored: one more
+  double turning_radius = 7.0;  ///< [m]; > 0
+  bool operator==(const HeuristicTableOptions&) const = default;
+};
+
+/// The four tables of the thesis. `number` in 1..4.
+[[nodiscard]] HeuristicTableOptions thesis_table_options(int number);
+
+/// Reeds-Shepp lengths between relative poses on a four-dimensional grid. Immutable; copies share
+/// the entries.
+class HeuristicTable {
+ public:
+  /// Fills the table (Algorithm 6). Throws InputError if an option is out of range.
+  explicit HeuristicTable(const HeuristicTableOptions& options);
+
+  /// Takes entries that were computed before; `entries.size()` must be what the options ask for,
+  /// else InputError.
+  HeuristicTable(const HeuristicTableOptions& options, std::vector<float> entries);
+
+  /// Looks at entries that outlive the table and all its copies: constant data.
+  HeuristicTable(const HeuristicTableOptions& options, std::span<const float> entries);
+
+  /// Position of an entry.
+  struct Cell {
+    int x, y, heading_node, heading_sample;
+    bool operator==(const Cell&) const = default;
+  };
+
+  /// Row-major [ix][iy][i_heading_node][i_heading_sample]; used by fill and look-up alike.
+  [[nodiscard]] std::size_t index_of(const Cell& cell) const noexcept;
+
+  /// Estimated length between a node and a sample [m] for a vehicle of turning radius `radius`
+  /// (Algorithm 7): an entry inside the table, Euclid outside. The table scales with the radius:
+  /// extent and step hold for the table's own.
+  [[nodiscard]] double distance(const Pose& node, const Pose& sample, double radius) const noexcept;
+
+  /// `distance` from every node to one sample, in float: out[i] belongs to node i. Sizes are equal.
+  void distances(const PoseColumns& nodes, const Pose& sample, double radius,
+                 std::span<float> out) const noexcept;
+
+  [[nodiscard]] const HeuristicTableOptions& options() const noexcept { return options_; }
+  [[nodiscard]] std::span<const float> entries() const noexcept { return entries_; }
+
+  /// Grid points along x and along y.
+  [[nodiscard]] int positions() const noexcept { return positions_; }
+  /// Grid points of a heading, both ends of the turn counted.
+  [[nodiscard]] int headings() const noexcept { return options_.heading_cells + 1; }
+
+ private:
+  HeuristicTableOptions options_;
+  int positions_ = 0;
+  std::shared_ptr<const std::vector<float>> storage_;  // empty when the entries are constant data
+  std::span<const float> entries_;
+};
+
+/// One of the four tables of the thesis, turning radius 7 m, computed when the library was built.
+/// `number` in 1..4. Costs nothing to call.
+[[nodiscard]] HeuristicTable thesis_table(int number);
+
+}  // namespace vandplan

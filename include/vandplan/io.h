@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do I read scenarios and results, and write results?
+//
+// Formats: docs/formats.md. Files of users are read here and nowhere else; every error is an
+// InputError "file:line: what is wrong, what was expected". A file that is written is whole or
+// untouched: it is written beside its place and renamed.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+#include "vandplan/problem.h"
+
+namespace vandplan {
+
+/// Reads and checks a scenario file (YAML). "-" is standard input.
+[[nodiscard]] Scenario read_scenario(const std::string& file);
+
+/// The same for the text of a scenario file; `where` stands for the file in errors.
+[[nodiscard]] Scenario scenario_from_yaml(const std::string& text, const std::string& where);
+
+/// A scenario as YAML that `read_scenario` reads back exactly.
+[[nodiscard]] std::string scenario_to_yaml(const Scenario& scenario);
+
+/// Reads a case of the Trajectory Planning Competition for Automated Parking 2022 (CSV).
+[[nodiscard]] Scenario read_tpcap(const std::string& file);
+
+/// One planning run with what is needed to write, judge and draw it.
+struct ResultRecord {
+  std::string scenario;  ///< name of the scenario
+  std::string planner;
+  PlanOptions options;
+  std::optional<double> distance;  ///< of the goal in a row of goals [m]
+  PlanResult result;               ///< path and tree in the scenario's frame
+  PathClaims claims;               ///< what a file that was read says about its path
+};
+
+/// Result file as JSON text: one record for `goal:`, a row of records for `goals:`.
+[[nodiscard]] std::string results_to_json(const Scenario& scenario,
+                                          const std::vector<ResultRecord>& records);
+
+/// Reads a result file written by us or by others. As many records as the scenario has goals.
+[[nodiscard]] std::vector<ResultRecord> read_results(const std::string& file,
+                                                     const Scenario& scenario);
+
+/// All bytes of a file, "-" is standard input. Throws InputError if it cannot be read or holds more
+/// than `largest` bytes.
+[[nodiscard]] std::string read_file(const std::string& file, std::size_t largest);
+
+/// Throws InputError if `write_file` cannot write this file, as far as can be told beforehand.
+void expect_writable(const std::string& file);
+
+/// Writes all of `content`, "-" is standard output, or, if that fails, leaves what was there and
+/// throws InputError.
+void write_file(const std::string& file, std::string_view content);
+
+}  // namespace vandplan

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Is this path really valid?
+//
+// The independent judge: slow and simple, it shares no code with the checker, the planners or the
+// kernels. Its method: docs/algorithms/path_check.md.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vandplan/path.h"
+#include "vandplan/problem.h"
+
+namespace vandplan {
+
+/// Where somebody says that the path is after `s` metres.
+struct StatedPose {
+  double s = 0.0;  ///< [m]
+  Pose pose;
+  std::optional<double> curvature = {};  ///< [1/m]
+  std::optional<int> direction = {};     ///< 1 forward, -1 reverse
+};
+
+/// What somebody says about a path; whatever is stated is checked.
+struct PathClaims {
+  std::optional<double> length = {};  ///< [m]
+  std::optional<int> gear_changes = {};
+  /// From end to end, at most 0.1 m apart, in the frame of the path; none: nothing is said.
+  std::vector<StatedPose> poses = {};
+};
+
+/// The judge's verdict.
+struct PathCheck {
+  bool valid = false;
+  std::string reason;           ///< the first thing found wrong, one line; empty when valid
+  std::optional<PathPoint> at;  ///< where it is wrong, if at a place; in the frame of the world
+  double length = 0.0;          ///< [m]
+  double reverse_length = 0.0;  ///< of it in reverse [m]
+  int gear_changes = 0;
+  /// Least distance between footprint and obstacles, to 1 mm [m]: 0 if they touch, infinity
+  /// without obstacles. None if the path was found wrong before collisions were looked for.
+  std::optional<double> clearance;
+};
+
+/// Judges a path in the frame of the problem's world, in this order: every number is finite, it
+/// begins at the start, every curvature is drivable, the rear axle stays in the bounds, the
+/// footprint touches no obstacle (looked at every millimetre, skipping only what the clearance
+/// proves free), it ends at the goal within 1e-6 m and 1e-6 rad, and what is claimed is true.
+[[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
+                                   const PathClaims& claims);
+
+}  // namespace vandplan

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What is a well-posed planning problem?
+//
+//  Scenario (what a file says, unchecked) --make_problem--> Problem in a World (checked)
+//
+// A world lies near its own origin, the start rounded to whole metres: double resolves no more than
+// a micrometre at 5*10^9 m. A scenario moved by whole metres gives the same problem bit for bit as
+// long as its coordinates have at most 15 digits. Files are written in the scenario's frame.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vandplan/collision.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan {
+
+/// One goal of a scenario, with obstacles that exist for this goal only.
+struct Goal {
+  std::optional<double> distance = {};  ///< how far this goal counts in a row of goals [m]
+  Pose pose;
+  std::vector<Polygon> obstacles = {};
+};
+
+/// Exactly what a scenario file says, unchecked, in the file's own frame.
+struct Scenario {
+  std::string name;
+  std::string description;
+  Vehicle vehicle;
+  Bounds bounds;
+  Pose start;
+  std::vector<Goal> goals;       ///< one for `goal:`, several for `goals:`
+  bool goals_are_a_row = false;  ///< the file says `goals:`, and the furthest one reached counts
+  std::vector<Polygon> obstacles;
+};
+
+/// Where the vehicle may drive: checked, immutable, shared between threads and problems.
+class World {
+ public:
+  /// All in the local frame. Throws InputError naming the key ("bounds.x", "obstacles[2]",
+  /// "vehicle.width") when a number is not finite or out of range, bounds are crossed, or a polygon
+  /// has fewer than three corners, no area, or crosses or touches itself. Repeated corners are
+  /// dropped; a polygon of one repeated corner stands for that point.
+  World(const Vehicle& vehicle, const Bounds& bounds, std::vector<Polygon> obstacles,
+        const Point& origin);
+
+  [[nodiscard]] const Vehicle& vehicle() const noexcept { return vehicle_; }
+  [[nodiscard]] const Bounds& bounds() const noexcept { return bounds_; }
+  [[nodiscard]] const std::vector<Polygon>& obstacles() const noexcept { return obstacles_; }
+  /// Where the origin of the local frame lies in the scenario's frame [m].
+  [[nodiscard]] const Point& origin() const noexcept { return origin_; }
+  [[nodiscard]] const CollisionChecker& checker() const noexcept { return checker_; }
+
+ private:
+  Vehicle vehicle_;
+  Bounds bounds_;
+  std::vector<Polygon> obstacles_;
+  Point origin_;
+  CollisionChecker checker_;
+};
+
+/// One start and one goal in a world, in its local frame; headings in [-pi, pi).
+struct Problem {
+  std::shared_ptr<const World> world;
+  Pose start;
+  Pose goal;
+};
+
+/// Checks a scenario without building a world: the same errors as `make_problem`.
+void check_scenario(const Scenario& scenario);
+
+/// The problem of one goal. A start or goal in collision or outside the bounds is no error: the
+/// planner names it. Throws InputError naming the key that is wrong. `goal` < goals.size().
+[[nodiscard]] Problem make_problem(const Scenario& scenario, std::size_t goal);
+
+/// From the scenario's frame into the world's, heading in [-pi, pi), and back.
+[[nodiscard]] Pose to_local(const World& world, const Pose& pose) noexcept;
+[[nodiscard]] Pose to_scenario(const World& world, const Pose& pose) noexcept;
+
+/// Where samples are drawn; driving is allowed in the bounds either way.
+enum class Region {
+  bounds,  ///< the bounds of the scenario
+  scene,   ///< bounding box of start, goal and obstacles plus 20 m, cut to the bounds
+};
+
+[[nodiscard]] Bounds sampling_region(const Problem& problem, Region region) noexcept;
+
+}  // namespace vandplan

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which path is shortest on open ground for a vehicle that may reverse?
+//
+// Reeds & Shepp 1990: a shortest path is one of 48 words of arcs and at most one line.
+// Derivation, formulas and errata: docs/algorithms/steering.md.
+
+#include <vector>
+
+#include "vandplan/path.h"
+
+namespace vandplan {
+
+/// The shortest path from `from` to `to` with curvature -1/radius, 0 or 1/radius, either gear.
+/// `radius` > 0 [m]. The path from b to a is the path from a to b driven backwards, ties included.
+[[nodiscard]] Piece reeds_shepp(const Pose& from, const Pose& to, double radius) noexcept;
+
+/// Length of `reeds_shepp(from, to, radius)` [m], bit for bit.
+[[nodiscard]] double reeds_shepp_length(const Pose& from, const Pose& to, double radius) noexcept;
+
+/// Every one of the 48 words that joins the poses, shortest or not.
+[[nodiscard]] std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double radius);
+
+}  // namespace vandplan

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// The default planner: a first path at once, then better ones for as long as it may.
+// How it works and what was tried: docs/algorithms/anytime.md.
+
+#include "vandplan/planner.h"
+
+namespace vandplan {
+
+/// Searches and shortens until the budget is spent or the path is proven optimal.
+/// Expects start and goal to be free.
+[[nodiscard]] PlanResult plan_anytime(const Problem& problem, const PlanOptions& options);
+
+}  // namespace vandplan

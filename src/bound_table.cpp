@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/bound_table.h"
+
+#include <cassert>
+#include <iterator>
+
+#include "bound_entries.h"
+#include "simd/bound_kernels.h"
+
+namespace vandplan {
+
+using kernels::bound_entries;
+
+LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) noexcept {
+  // The difference is taken in double, so that poses may be far from the origin.
+  const auto [low, high] = kernels::length_bounds(
+      bound_entries, static_cast<float>(from.x - to.x), static_cast<float>(from.y - to.y),
+      static_cast<float>(wrap_angle(from.heading)), static_cast<float>(wrap_angle(to.heading)),
+      static_cast<float>(radius));
+  return {static_cast<double>(low), static_cast<double>(high)};
+}
+
+void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
+                   std::span<float> low, std::span<float> high) noexcept {
+  assert(nodes.x.size() == low.size() && nodes.y.size() == low.size() &&
+         nodes.heading.size() == low.size() && high.size() == low.size());
+  const kernels::BoundSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
+                                static_cast<float>(wrap_angle(sample.heading))};
+  kernels::length_bounds(bound_entries, nodes.x, nodes.y, nodes.heading, to,
+                         static_cast<float>(radius), low, high);
+}
+
+BoundTableInfo bound_table_info() noexcept {
+  static_assert(std::size(bound_entries) == kernels::bound_cells);
+  return {kernels::radial_cells, kernels::side_cells, kernels::turn_cells, sizeof bound_entries};
+}
+
+}  // namespace vandplan

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which of many boxes overlap this one?
+//
+// A packed R-tree (Kamel and Faloutsos 1993): every block holds eight boxes side by side, a level
+// of blocks is the boxes of the next. No pointers; few boxes are one block, tested at once.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "vandplan/geometry.h"
+
+namespace vandplan {
+
+/// Boxes in a block.
+inline constexpr std::uint32_t box_fan_out = 8;
+
+/// An order of the boxes in which neighbours in the list are neighbours in the plane.
+[[nodiscard]] std::vector<std::uint32_t> spatial_order(std::span<const Bounds> boxes);
+
+/// Boxes in float, rounded outwards: never says that boxes are apart which are not.
+class BoxTree {
+ public:
+  BoxTree() = default;
+  /// Works for boxes in any order, well for boxes in `spatial_order`.
+  explicit BoxTree(std::span<const Bounds> boxes);
+
+  /// Calls `visit(index)` for the boxes that overlap `query`, until a call returns true; says
+  /// whether one did. Boxes that touch overlap. Allocates nothing.
+  template <typename Visit>
+  [[nodiscard]] bool any(const Bounds& query, Visit visit) const {
+    return !levels_.empty() && any_in(levels_.size() - 1, 0, outer(query), visit);
+  }
+
+ private:
+  static constexpr std::uint32_t fan_out = box_fan_out;
+
+  struct Box {
+    float x_min, x_max, y_min, y_max;
+  };
+
+  struct alignas(32) Block {
+    std::array<float, fan_out> x_min, x_max, y_min, y_max;
+
+    /// Bit i: box i overlaps. Written so that compilers turn the loop into vector code.
+    [[nodiscard]] std::uint32_t overlapping(const Box& box) const {
+      std::uint32_t bits = 0;
+      for (std::uint32_t i = 0; i < fan_out; ++i) {
+        const bool overlaps = (x_min[i] <= box.x_max) & (x_max[i] >= box.x_min) &
+                              (y_min[i] <= box.y_max) & (y_max[i] >= box.y_min);
+        bits |= overlaps ? 1U << i : 0U;
+      }
+      return bits;
+    }
+  };
+
+  [[nodiscard]] static Box outer(const Bounds& box);
+
+  template <typename Visit>
+  bool any_in(std::size_t level, std::uint32_t block, const Box& query, Visit& visit) const {
+    std::uint32_t bits = levels_[level][block].overlapping(query);
+    for (std::uint32_t i = block * fan_out; bits != 0; ++i, bits >>= 1) {
+      if ((bits & 1U) == 0) continue;
+      if (level == 0 ? visit(i) : any_in(level - 1, i, query, visit)) return true;
+    }
+    return false;
+  }
+
+  std::vector<std::vector<Block>> levels_;  // the first holds the boxes, the last is one block
+};
+
+}  // namespace vandplan

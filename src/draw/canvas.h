@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does Cairo's paper become bytes, and which colours and words does it take?
+
+#include <cairo.h>
+
+#include <functional>
+#include <string>
+
+#include "vandplan/draw.h"
+
+namespace vandplan::picture {
+
+/// Page units: the picture is laid out for a page of fixed width and scaled to the width asked for.
+struct Size {
+  double width = 0.0;
+  double height = 0.0;
+};
+
+/// A rectangle on the page, y down [page units].
+struct Box {
+  double x = 0.0;
+  double y = 0.0;
+  double width = 0.0;
+  double height = 0.0;
+};
+
+struct Colour {
+  double red, green, blue;  // 0 to 1
+};
+
+/// Colours that stay apart for the colour-blind (Okabe and Ito 2008) and on grey paper.
+namespace colour {
+inline constexpr Colour paper{1.0, 1.0, 1.0};
+inline constexpr Colour ink{0.13, 0.15, 0.18};
+inline constexpr Colour faint_ink{0.42, 0.45, 0.49};
+inline constexpr Colour obstacle{0.35, 0.38, 0.43};
+inline constexpr Colour outside{0.935, 0.932, 0.915};
+inline constexpr Colour tree{0.66, 0.72, 0.79};
+inline constexpr Colour forward{0.0, 0.447, 0.698};
+inline constexpr Colour reverse{0.835, 0.369, 0.0};
+inline constexpr Colour start{0.0, 0.62, 0.451};
+inline constexpr Colour goal{0.70, 0.30, 0.55};
+}  // namespace colour
+
+void set_colour(cairo_t* cairo, const Colour& colour, double alpha);
+
+/// The bytes of a page that `paint` fills, `width` pixels or points wide.
+/// Throws InputError if a text was not UTF-8 and std::runtime_error when Cairo gives up.
+[[nodiscard]] std::string render(PictureFormat format, int width, const Size& page,
+                                 const std::function<void(cairo_t*)>& paint);
+
+enum class Align { left, centre, right };
+
+struct TextStyle {
+  double size = 11.0;
+  Align align = Align::left;
+  Colour colour = colour::ink;
+  bool bold = false;
+};
+
+/// Words on one base line at (x, y).
+void write_text(cairo_t* cairo, const std::string& text, double x, double y,
+                const TextStyle& style);
+
+/// How wide the words are [page units].
+[[nodiscard]] double text_width(cairo_t* cairo, const std::string& text, const TextStyle& style);
+
+}  // namespace vandplan::picture

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What stands where on the page, and what around the picture: axes, scale bar, legend?
+
+#include "draw/canvas.h"
+#include "draw/scene.h"
+
+namespace vandplan::picture {
+
+/// Where everything stands on a page with one picture.
+struct Layout {
+  Size page;
+  View view;
+  Box legend;
+};
+
+[[nodiscard]] Layout layout_of(const Scene& scene, bool has_caption);
+
+/// Lines every 1, 2 or 5 times a power of ten metres, about `wanted` page units apart [m].
+[[nodiscard]] double tick_step(double scale, double wanted);
+
+/// Faint lines across the plot.
+void paint_grid(cairo_t* cairo, const View& view);
+
+/// Ticks with numbers left and below, and a frame.
+void paint_axes(cairo_t* cairo, const View& view);
+
+/// What the axes count, with the origin when it is not zero, and a scale bar.
+void paint_axis_titles(cairo_t* cairo, const Scene& scene, const View& view);
+
+/// What the legend explains beside start and goal.
+struct LegendContent {
+  bool path = false;
+  bool tree = false;
+  bool obstacles = false;
+  bool outside = false;  ///< ground out of bounds
+
+  /// Adds what is seen in one more picture.
+  void add(const Scene& scene, const View& view) noexcept;
+};
+
+/// One row of samples and words, centred in `place`.
+void paint_legend(cairo_t* cairo, const LegendContent& content, const Box& place);
+
+}  // namespace vandplan::picture

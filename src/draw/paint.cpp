@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "draw/paint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "vandplan/reeds_shepp.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan::picture {
+namespace {
+
+// Cairo's coordinates are 24-bit fixed-point: what lies far outside is drawn at the edge of that.
+constexpr double far_outside = 2e5;
+
+void add_corner(cairo_t* cairo, const View& view, const Point& corner) {
+  const Point p = view.on_page(corner);
+  cairo_line_to(cairo, std::clamp(p.x, -far_outside, far_outside),
+                std::clamp(p.y, -far_outside, far_outside));
+}
+
+void add_polygon(cairo_t* cairo, const View& view, std::span<const Point> corners) {
+  cairo_new_sub_path(cairo);
+  for (const Point& corner : corners) add_corner(cairo, view, corner);
+  cairo_close_path(cairo);
+}
+
+void add_line(cairo_t* cairo, const View& view, std::span<const Pose> poses) {
+  cairo_new_sub_path(cairo);
+  for (const Pose& pose : poses) add_corner(cairo, view, {pose.x, pose.y});
+}
+
+void stroke(cairo_t* cairo, double width, const Colour& colour, double alpha) {
+  set_colour(cairo, colour, alpha);
+  cairo_set_line_width(cairo, width);
+  cairo_stroke(cairo);
+}
+
+const Colour& colour_of_gear(int direction) {
+  return direction > 0 ? colour::forward : colour::reverse;
+}
+
+// The ground, and what of it the rear axle must not touch.
+void paint_bounds(cairo_t* cairo, const Scene& scene, const View& view) {
+  const Bounds& b = scene.bounds;
+  const Point box[] = {
+      {b.x_min, b.y_min}, {b.x_max, b.y_min}, {b.x_max, b.y_max}, {b.x_min, b.y_max}};
+  set_colour(cairo, colour::outside, 1.0);
+  cairo_paint(cairo);
+  add_polygon(cairo, view, box);
+  set_colour(cairo, colour::paper, 1.0);
+  cairo_fill(cairo);
+  add_polygon(cairo, view, box);
+  const double dashes[] = {6.0, 4.0};
+  cairo_set_dash(cairo, dashes, 2, 0.0);
+  stroke(cairo, 1.0, colour::faint_ink, 1.0);
+  cairo_set_dash(cairo, nullptr, 0, 0.0);
+}
+
+void paint_obstacles(cairo_t* cairo, const Scene& scene, const View& view) {
+  for (const Polygon& obstacle : scene.obstacles) {
+    add_polygon(cairo, view, obstacle);
+    set_colour(cairo, colour::obstacle, 1.0);
+    cairo_fill_preserve(cairo);
+    stroke(cairo, 0.4, colour::obstacle, 1.0);  // no hairline between neighbours
+  }
+}
+
+double distance(const Bounds& box, const Point& point) {
+  const double dx = point.x - std::clamp(point.x, box.x_min, box.x_max);
+  const double dy = point.y - std::clamp(point.y, box.y_min, box.y_max);
+  return std::hypot(dx, dy);
+}
+
+// Edges are the steering function's paths between parent and child.
+void paint_tree(cairo_t* cairo, const Scene& scene, const View& view) {
+  const TreeSnapshot& tree = scene.tree;
+  const double step = std::max(0.25, 4.0 / view.scale);
+  constexpr int edges_per_stroke = 250;  // few enough to be fast, many enough to be small
+  int count = 0;
+  for (std::size_t i = 1; i < tree.poses.size(); ++i) {
+    const Pose& from = tree.poses[static_cast<std::size_t>(tree.parents[i])];
+    const Piece piece = reeds_shepp(from, tree.poses[i], scene.vehicle.min_turning_radius);
+    if (distance(view.visible, {from.x, from.y}) > piece.length) continue;
+    const Path edge{from, {piece.view().begin(), piece.view().end()}};
+    cairo_new_sub_path(cairo);
+    for (const PathPoint& point : sampled(edge, std::max(step, piece.length / 200))) {
+      add_corner(cairo, view, {point.pose.x, point.pose.y});
+    }
+    if (++count % edges_per_stroke == 0) stroke(cairo, 0.5, colour::tree, 1.0);
+  }
+  stroke(cairo, 0.5, colour::tree, 1.0);
+}
+
+// Between two near poses: the convex hull of both footprints, by Andrew's monotone chain.
+std::vector<Point> swept(const Footprint& body, const Pose& from, const Pose& to) {
+  std::array<Point, 8> points;
+  std::ranges::copy(corners(body, to), std::ranges::copy(corners(body, from), points.begin()).out);
+  std::ranges::sort(points, {}, [](const Point& p) { return std::pair(p.x, p.y); });
+  const auto turns_left = [](const Point& a, const Point& b, const Point& c) {
+    return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
+  };
+  std::vector<Point> hull;
+  const auto add_chain = [&](const auto& chain) {
+    const std::size_t first = hull.size();
+    for (const Point& point : chain) {
+      while (hull.size() >= first + 2 && !turns_left(hull.end()[-2], hull.back(), point)) {
+        hull.pop_back();
+      }
+      hull.push_back(point);
+    }
+    hull.pop_back();  // the other chain starts with it
+  };
+  add_chain(points);
+  std::ranges::reverse(points);
+  add_chain(points);
+  return hull;
+}
+
+// All that the vehicle sweeps, as one translucent area in the colour of the gear, and outlines of
+// the vehicle every so often.
+void paint_sweep(cairo_t* cairo, const Scene& scene, const View& view) {
+  const Footprint body = footprint(scene.vehicle);
+  const double total = length(scene.path->segments);
+  const double fine = std::max(scene.vehicle.min_turning_radius / 8, total / 5000);
+  for (const Stroke& part : strokes_of(*scene.path, fine)) {
+    for (std::size_t i = 1; i < part.poses.size(); ++i) {
+      add_polygon(cairo, view, swept(body, part.poses[i - 1], part.poses[i]));
+    }
+    set_colour(cairo, colour_of_gear(part.direction), 0.13);
+    cairo_fill(cairo);
+  }
+  const double coarse = std::max((body.rear + body.front) / 4, total / 60);
+  for (const Stroke& part : strokes_of(*scene.path, coarse)) {
+    for (const Pose& pose : part.poses) add_polygon(cairo, view, corners(body, pose));
+    stroke(cairo, 0.5, colour_of_gear(part.direction), 0.4);
+  }
+}
+
+void paint_path(cairo_t* cairo, const Scene& scene, const View& view) {
+  const double step = std::max(4.0 / view.scale, length(scene.path->segments) / 20000);
+  const std::vector<Stroke> parts = strokes_of(*scene.path, step);
+  for (const Stroke& part : parts) {
+    add_line(cairo, view, part.poses);
+    stroke(cairo, 2.0, colour_of_gear(part.direction), 1.0);
+  }
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Pose& change = parts[i].poses.front();
+    paint_gear_change(cairo, view.on_page({change.x, change.y}));
+  }
+}
+
+}  // namespace
+
+void paint_vehicle(cairo_t* cairo, const ParkedVehicle& vehicle, const View& view) {
+  const auto& [body, pose, colour] = vehicle;
+  add_polygon(cairo, view, corners(body, pose));
+  set_colour(cairo, colour, 0.30);
+  cairo_fill_preserve(cairo);
+  stroke(cairo, 1.6, colour, 1.0);
+
+  const Point rear = view.on_page({pose.x, pose.y});
+  const double tip = 0.86 * body.front * view.scale;
+  const double head = std::min({0.5 * tip, body.half_width * view.scale, 12.0});
+  cairo_save(cairo);
+  cairo_translate(cairo, rear.x, rear.y);
+  cairo_rotate(cairo, -pose.heading);
+  cairo_move_to(cairo, 0.0, 0.0);
+  cairo_line_to(cairo, tip - head / 2, 0.0);
+  stroke(cairo, 1.4, colour, 1.0);
+  cairo_move_to(cairo, tip, 0.0);
+  cairo_line_to(cairo, tip - head, 0.5 * head);
+  cairo_line_to(cairo, tip - head, -0.5 * head);
+  cairo_close_path(cairo);
+  cairo_arc(cairo, 0.0, 0.0, std::min(2.4, 0.3 * head + 0.6), 0.0, 2 * std::numbers::pi);
+  set_colour(cairo, colour, 1.0);
+  cairo_fill(cairo);
+  cairo_restore(cairo);
+}
+
+void paint_gear_change(cairo_t* cairo, const Point& place) {
+  cairo_new_sub_path(cairo);
+  cairo_arc(cairo, place.x, place.y, 3.4, 0.0, 2 * std::numbers::pi);
+  set_colour(cairo, colour::paper, 1.0);
+  cairo_fill_preserve(cairo);
+  stroke(cairo, 1.3, colour::ink, 1.0);
+}
+
+void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
+  const Footprint body = footprint(scene.vehicle);
+  paint_bounds(cairo, scene, view);
+  paint_obstacles(cairo, scene, view);
+  paint_tree(cairo, scene, view);
+  if (scene.path) paint_sweep(cairo, scene, view);
+  paint_vehicle(cairo, {body, scene.goal, colour::goal}, view);
+  paint_vehicle(cairo, {body, scene.start, colour::start}, view);
+  if (scene.path) paint_path(cairo, scene, view);
+}
+
+}  // namespace vandplan::picture

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How is the world painted: obstacles, tree, swept area, path, vehicles?
+
+#include "draw/canvas.h"
+#include "draw/scene.h"
+
+namespace vandplan::picture {
+
+/// Fills the plot of `view` with the scene, from the ground upwards.
+void paint_scene(cairo_t* cairo, const Scene& scene, const View& view);
+
+/// A vehicle at rest.
+struct ParkedVehicle {
+  Footprint body;
+  Pose pose;
+  Colour colour;
+};
+
+/// The outline, the rear-axle midpoint as a dot, and an arrow where the vehicle points.
+void paint_vehicle(cairo_t* cairo, const ParkedVehicle& vehicle, const View& view);
+
+/// A gear change.
+void paint_gear_change(cairo_t* cairo, const Point& place);
+
+}  // namespace vandplan::picture

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "draw/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vandplan/input_error.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan::picture {
+namespace {
+
+void require_finite(double value, const char* where) {
+  if (!std::isfinite(value)) throw InputError(where, "must be finite");
+}
+
+// Nothing is moved as long as its labels stay short.
+double origin_near(double coordinate) {
+  constexpr double far = 1e5;
+  return std::abs(coordinate) < far ? 0.0 : std::floor(coordinate / 1e3) * 1e3;
+}
+
+Pose moved(const Pose& pose, const Point& origin, const char* where) {
+  require_finite(pose.x, where);
+  require_finite(pose.y, where);
+  require_finite(pose.heading, where);
+  return {pose.x - origin.x, pose.y - origin.y, pose.heading};
+}
+
+std::vector<Polygon> moved(std::vector<Polygon> polygons, const Point& origin) {
+  for (Polygon& polygon : polygons) {
+    for (Point& corner : polygon) corner = {corner.x - origin.x, corner.y - origin.y};
+  }
+  return polygons;
+}
+
+Path moved(Path path, const Point& origin) {
+  path.start = moved(path.start, origin, "path.start");
+  for (const Segment& segment : path.segments) {
+    require_finite(segment.curvature, "path.segments");
+    require_finite(segment.length, "path.segments");
+  }
+  return path;
+}
+
+TreeSnapshot moved(TreeSnapshot tree, const Point& origin) {
+  for (Pose& pose : tree.poses) pose = moved(pose, origin, "tree");
+  return tree;
+}
+
+Bounds united(const Bounds& a, const Bounds& b) {
+  return {std::min(a.x_min, b.x_min), std::max(a.x_max, b.x_max), std::min(a.y_min, b.y_min),
+          std::max(a.y_max, b.y_max)};
+}
+
+Bounds widened(const Bounds& box, double margin) {
+  return {box.x_min - margin, box.x_max + margin, box.y_min - margin, box.y_max + margin};
+}
+
+double extent(const Bounds& box) { return std::max(box.x_max - box.x_min, box.y_max - box.y_min); }
+
+}  // namespace
+
+Scene scene_of(const Drawing& drawing) {
+  const Scenario& scenario = *drawing.scenario;
+  check_scenario(scenario);
+  if (drawing.goal >= scenario.goals.size()) {
+    throw InputError("goal", "there is no goal " + std::to_string(drawing.goal));
+  }
+  const Goal& goal = scenario.goals[drawing.goal];
+  Scene scene;
+  scene.origin = {origin_near(scenario.start.x), origin_near(scenario.start.y)};
+  scene.vehicle = scenario.vehicle;
+  const Bounds& bounds = scenario.bounds;
+  scene.bounds = {bounds.x_min - scene.origin.x, bounds.x_max - scene.origin.x,
+                  bounds.y_min - scene.origin.y, bounds.y_max - scene.origin.y};
+  scene.start = moved(scenario.start, scene.origin, "start");
+  scene.goal = moved(goal.pose, scene.origin, "goal");
+  scene.obstacles = moved(scenario.obstacles, scene.origin);
+  const std::vector<Polygon> own = moved(goal.obstacles, scene.origin);
+  scene.obstacles.insert(scene.obstacles.end(), own.begin(), own.end());
+  if (drawing.path) scene.path = moved(*drawing.path, scene.origin);
+  if (drawing.tree) scene.tree = moved(*drawing.tree, scene.origin);
+  return scene;
+}
+
+std::vector<Stroke> strokes_of(const Path& path, double step) {
+  std::vector<Stroke> strokes;
+  Pose pose = path.start;
+  for (const Segment& segment : path.segments) {
+    if (segment.length == 0.0) continue;
+    const int direction = segment.length > 0.0 ? 1 : -1;
+    if (strokes.empty() || strokes.back().direction != direction) {
+      strokes.push_back({direction, {pose}});
+    }
+    for (const PathPoint& point : sampled({pose, {segment}}, step)) {
+      if (point.s > 0.0) strokes.back().poses.push_back(point.pose);
+    }
+    pose = strokes.back().poses.back();
+  }
+  return strokes;
+}
+
+Bounds framed(const Scene& scene) {
+  const Footprint body = footprint(scene.vehicle);
+  std::vector<Point> points;
+  const auto add_vehicle = [&](const Pose& pose) {
+    for (const Point& corner : corners(body, pose)) points.push_back(corner);
+  };
+  add_vehicle(scene.start);
+  add_vehicle(scene.goal);
+  if (scene.path) {
+    const double step = std::max(1.0, length(scene.path->segments) / 5000);
+    for (const Stroke& stroke : strokes_of(*scene.path, step)) {
+      for (const Pose& pose : stroke.poses) add_vehicle(pose);
+    }
+  }
+  const Bounds core = bounding_box(points);
+  // Obstacles further away than a third of the picture add nothing to the story.
+  const Bounds reach = widened(core, 5.0 + 0.3 * extent(core));
+  Bounds seen = core;
+  for (const Polygon& obstacle : scene.obstacles) {
+    const Bounds box = bounding_box(obstacle);
+    const Bounds near{std::max(box.x_min, reach.x_min), std::min(box.x_max, reach.x_max),
+                      std::max(box.y_min, reach.y_min), std::min(box.y_max, reach.y_max)};
+    if (near.x_min <= near.x_max && near.y_min <= near.y_max) seen = united(seen, near);
+  }
+  return widened(seen, 1.0 + 0.03 * extent(seen));
+}
+
+Point View::on_page(const Point& point) const noexcept {
+  return {plot.x + (point.x - visible.x_min) * scale, plot.y + (visible.y_max - point.y) * scale};
+}
+
+View view_of(const Bounds& visible, const Box& plot) noexcept {
+  const double scale = std::min(plot.width / (visible.x_max - visible.x_min),
+                                plot.height / (visible.y_max - visible.y_min));
+  const double x = (visible.x_min + visible.x_max) / 2;
+  const double y = (visible.y_min + visible.y_max) / 2;
+  const double half_width = plot.width / scale / 2;
+  const double half_height = plot.height / scale / 2;
+  return {{x - half_width, x + half_width, y - half_height, y + half_height}, plot, scale};
+}
+
+}  // namespace vandplan::picture

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What is there to see, and which part of it is shown?
+
+#include <optional>
+#include <vector>
+
+#include "draw/canvas.h"
+#include "vandplan/draw.h"
+
+namespace vandplan::picture {
+
+/// A drawing moved near the origin, where every coordinate is exact enough for a pixel.
+struct Scene {
+  Point origin;  ///< of the local frame, in the scenario's frame: whole kilometres [m]
+  Vehicle vehicle;
+  Bounds bounds;
+  Pose start;
+  Pose goal;
+  std::vector<Polygon> obstacles;
+  std::optional<Path> path;
+  TreeSnapshot tree;  ///< empty when there is none
+};
+
+/// Throws InputError when the scenario is none (`check_scenario`), has no such goal, or a number of
+/// the path or the tree is not finite.
+[[nodiscard]] Scene scene_of(const Drawing& drawing);
+
+/// A stretch of a path in one gear, as a chain of poses.
+struct Stroke {
+  int direction = 1;  ///< 1 forward, -1 reverse
+  std::vector<Pose> poses;
+};
+
+/// The path cut where the gear changes, its poses at most `step` apart [m].
+[[nodiscard]] std::vector<Stroke> strokes_of(const Path& path, double step);
+
+/// The part of the world that is worth seeing: start, goal and path with what stands around them.
+[[nodiscard]] Bounds framed(const Scene& scene);
+
+/// Where the visible part of the world lies on the page.
+struct View {
+  Bounds visible;  ///< in the local frame [m]
+  Box plot;
+  double scale = 1.0;  ///< page units per metre
+
+  [[nodiscard]] Point on_page(const Point& point) const noexcept;
+};
+
+/// `visible` widened to the shape of `plot`, equal scales along x and y.
+[[nodiscard]] View view_of(const Bounds& visible, const Box& plot) noexcept;
+
+}  // namespace vandplan::picture

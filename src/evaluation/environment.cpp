@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "evaluation/hash.h"
+#include "evaluation/run_record.h"
+#include "vandplan/version.h"
+
+namespace vandplan {
+namespace {
+
+// What follows `key` and a separator on the first line that begins with it, without quotes.
+std::string value_of(const char* file, const std::string& key) {
+  std::ifstream input(file);
+  for (std::string line; std::getline(input, line);) {
+    if (!line.starts_with(key)) continue;
+    const std::size_t begin = line.find_first_not_of(" \t:=\"", key.size());
+    if (begin == std::string::npos) break;
+    return line.substr(begin, line.find_last_not_of(" \"") + 1 - begin);
+  }
+  return "unknown";
+}
+
+std::string fingerprint(const char* file) {
+  std::ifstream input(file, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(input), {});
+  return fmt::format("{:016x}", hash_of(bytes));
+}
+
+}  // namespace
+
+Environment this_environment() {
+  const BuildInfo build = build_info();
+  return {.version = std::string(build.version),
+          .compiler = std::string(build.compiler),
+          .build_type = std::string(build.build_type),
+          .executable = fingerprint("/proc/self/exe"),
+          .processor = value_of("/proc/cpuinfo", "model name"),
+          .cores = static_cast<int>(std::thread::hardware_concurrency()),
+          .system = value_of("/etc/os-release", "PRETTY_NAME")};
+}
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", utc.tm_year + 1900, utc.tm_mon + 1,
+                     utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec);
+}
+
+}  // namespace vandplan

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/exports.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <tuple>
+
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Region region) { return region == Region::bounds ? "bounds" : "scene"; }
+
+// A field of CSV (RFC 4180).
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char character : text) field += character == '"' ? "\"\"" : std::string(1, character);
+  return field + "\"";
+}
+
+std::string csv_line(const RunRecord& run, const StoredScenario& scenario,
+                     const Environment& environment) {
+  const PlanResult& result = run.result;
+  const auto when_solved = [&](auto value) {
+    return result.path ? fmt::format("{}", value) : std::string();
+  };
+  return fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(scenario.name),
+      run.goal, run.planner, name_of(run.options.region), run.options.seed,
+      vandplan::name_of(result.status), when_solved(result.cost),
+      when_solved(result.path ? gear_changes(result.path->segments) : 0),
+      result.anytime.empty() ? "" : fmt::format("{}", result.anytime.front().time),
+      result.time_total, result.iterations, result.nodes, result.exact_solves, result.edge_checks,
+      result.time_ranking, result.time_steering, result.time_checking, run.jobs, run.started,
+      quoted(options_to_json(run.options)), quoted(environment.processor), environment.executable);
+}
+
+Json environment_json(const Environment& environment) {
+  return {{"version", environment.version},       {"compiler", environment.compiler},
+          {"build_type", environment.build_type}, {"executable", environment.executable},
+          {"processor", environment.processor},   {"cores", environment.cores},
+          {"system", environment.system}};
+}
+
+Json run_json(const RunRecord& run) {
+  const PlanResult& result = run.result;
+  Json anytime = Json::array();
+  for (const CostSample& sample : result.anytime)
+    anytime.push_back(
+        {{"time", sample.time}, {"iteration", sample.iteration}, {"cost", sample.cost}});
+  Json json = {{"environment", run.environment},
+               {"scenario", run.scenario},
+               {"goal", run.goal},
+               {"planner", run.planner},
+               {"options", Json::parse(options_to_json(run.options))},
+               {"seed", run.options.seed},
+               {"jobs", run.jobs},
+               {"started", run.started},
+               {"status", vandplan::name_of(result.status)},
+               {"iterations", result.iterations},
+               {"nodes", result.nodes},
+               {"exact_solves", result.exact_solves},
+               {"edge_checks", result.edge_checks},
+               {"time",
+                {{"total", result.time_total},
+                 {"ranking", result.time_ranking},
+                 {"steering", result.time_steering},
+                 {"checking", result.time_checking}}},
+               {"anytime", anytime}};
+  if (!result.path) return json;
+  const Pose& start = result.path->start;
+  Json segments = Json::array();
+  for (const Segment& segment : result.path->segments)
+    segments.push_back({{"curvature", segment.curvature}, {"length", segment.length}});
+  json["cost"] = result.cost;
+  json["path"] = {{"start", {{"x", start.x}, {"y", start.y}, {"heading", start.heading}}},
+                  {"segments", segments}};
+  return json;
+}
+
+// ---- OMPL ----
+
+// The tables and columns that ompl_benchmark_statistics.py makes and Planner Arena reads: it knows
+// the first twelve columns of experiments, any further one is a parameter of the problem.
+constexpr const char* ompl_tables = R"(
+CREATE TABLE experiments(
+  id INTEGER PRIMARY KEY AUTOINCREMENT, name VARCHAR(512), totaltime REAL, timelimit REAL,
+  memorylimit REAL, runcount INTEGER, version VARCHAR(128), hostname VARCHAR(1024), cpuinfo TEXT,
+  date DATETIME, seed INTEGER, setup TEXT, region VARCHAR(16), distance REAL);
+CREATE TABLE plannerConfigs(
+  id INTEGER PRIMARY KEY AUTOINCREMENT, name VARCHAR(512) NOT NULL, settings TEXT);
+CREATE TABLE enums(
+  name VARCHAR(512), value INTEGER, description TEXT, PRIMARY KEY(name, value));
+CREATE TABLE runs(
+  id INTEGER PRIMARY KEY AUTOINCREMENT, experimentid INTEGER, plannerid INTEGER, time REAL,
+  solved BOOLEAN, status ENUM, solution_length REAL, time_of_first_solution REAL,
+  gear_changes INTEGER, graph_states INTEGER, iterations INTEGER, random_seed INTEGER,
+  FOREIGN KEY(experimentid) REFERENCES experiments(id) ON DELETE CASCADE,
+  FOREIGN KEY(plannerid) REFERENCES plannerConfigs(id) ON DELETE CASCADE);
+CREATE TABLE progress(
+  runid INTEGER, time REAL, best_cost REAL, PRIMARY KEY(runid, time),
+  FOREIGN KEY(runid) REFERENCES runs(id) ON DELETE CASCADE);
+)";
+
+class OmplWriter {
+ public:
+  OmplWriter(Database& database, Store& store)
+      : database_(database), environments_(store.environments()), files_(store.scenarios()) {
+    for (const StoredScenario& file : files_)
+      scenarios_.push_back(scenario_from_yaml(file.yaml, file.name));
+    for (int i = 0; i <= static_cast<int>(PlanStatus::stopped); ++i)
+      Statement(database_, "INSERT INTO enums VALUES ('status', ?, ?)")
+          .run(i, vandplan::name_of(static_cast<PlanStatus>(i)));
+  }
+
+  void add(const RunRecord& run) {
+    const PlanResult& result = run.result;
+    std::optional<double> length, first, changes;
+    if (result.path) {
+      length = result.cost;
+      first = result.anytime.front().time;
+      changes = gear_changes(result.path->segments);
+    }
+    Statement(database_, "INSERT INTO runs VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .run(experiment_of(run), planner_of(run), result.time_total,
+             static_cast<int>(result.path.has_value()), static_cast<int>(result.status), length,
+             first, changes, result.nodes, result.iterations,
+             static_cast<std::int64_t>(run.options.seed));
+    const std::int64_t id = database_.last_id();
+    Statement insert(database_, "INSERT OR REPLACE INTO progress VALUES (?, ?, ?)");
+    for (const CostSample& sample : result.anytime) insert.run(id, sample.time, sample.cost);
+  }
+
+ private:
+  std::int64_t experiment_of(const RunRecord& run) {
+    const auto key = std::tuple(run.environment, run.scenario, run.goal, run.options.region,
+                                run.options.time_limit);
+    std::int64_t& id = experiments_[key];
+    if (id == 0) {
+      const Environment& here = environments_[run.environment];
+      Statement(database_,
+                "INSERT INTO experiments VALUES"
+                " (NULL, ?, NULL, ?, NULL, NULL, ?, '', ?, ?, 0, ?, ?, ?)")
+          .run(files_[run.scenario].name, run.options.time_limit, "vandplan " + here.version,
+               here.processor, run.started, files_[run.scenario].yaml, name_of(run.options.region),
+               scenarios_[run.scenario].goals[run.goal].distance);
+      id = database_.last_id();
+    }
+    Statement(database_,
+              "UPDATE experiments SET totaltime = ifnull(totaltime, 0) + ?,"
+              " runcount = ifnull(runcount, 0) + 1 WHERE id = ?")
+        .run(run.result.time_total, id);
+    return id;
+  }
+
+  std::int64_t planner_of(const RunRecord& run) {
+    PlanOptions options = run.options;
+    options.region = Region::bounds;  // a parameter of the experiment
+    const std::string settings = options_to_json(options);
+    std::int64_t& id = planners_[{run.planner, settings}];
+    if (id == 0) {
+      Statement(database_, "INSERT INTO plannerConfigs VALUES (NULL, ?, ?)")
+          .run(run.planner, settings);
+      id = database_.last_id();
+    }
+    return id;
+  }
+
+  Database& database_;
+  std::vector<Environment> environments_;
+  std::vector<StoredScenario> files_;
+  std::vector<Scenario> scenarios_;
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t, Region, std::optional<double>>,
+           std::int64_t>
+      experiments_;
+  std::map<std::pair<std::string, std::string>, std::int64_t> planners_;
+};
+
+}  // namespace
+
+std::string runs_to_csv(Store& store) {
+  const std::vector<StoredScenario> scenarios = store.scenarios();
+  const std::vector<Environment> environments = store.environments();
+  std::string csv =
+      "scenario,goal,planner,region,seed,status,cost [m],gear changes,time of first solution [s],"
+      "time [s],iterations,nodes,exact solves,edge checks,time ranking [s],time steering [s],"
+      "time checking [s],jobs,started,options,processor,executable\n";
+  for (const RunRecord& run : store.runs())
+    csv += csv_line(run, scenarios.at(run.scenario), environments.at(run.environment));
+  return csv;
+}
+
+std::string runs_to_json(Store& store) {
+  Json environments = Json::array(), scenarios = Json::array(), runs = Json::array();
+  for (const Environment& environment : store.environments())
+    environments.push_back(environment_json(environment));
+  for (const StoredScenario& scenario : store.scenarios())
+    scenarios.push_back(
+        {{"name", scenario.name}, {"file", scenario.file}, {"yaml", scenario.yaml}});
+  for (const RunRecord& run : store.runs()) runs.push_back(run_json(run));
+  const Json all = {{"format", "vandplan-runs/1"},
+                    {"environments", environments},
+                    {"scenarios", scenarios},
+                    {"runs", runs}};
+  return all.dump(1) + "\n";
+}
+
+void write_ompl_database(Store& store, const std::string& file) {
+  const std::string unfinished = file + ".new";
+  std::filesystem::remove(unfinished);
+  {
+    Database database(unfinished, Database::Mode::create);
+    Transaction transaction(database);
+    database.execute(ompl_tables);
+    OmplWriter writer(database, store);
+    for (const RunRecord& run : store.runs())
+      if (!run.options.profile) writer.add(run);
+    transaction.commit();
+  }
+  std::filesystem::rename(unfinished, file);
+}
+
+}  // namespace vandplan

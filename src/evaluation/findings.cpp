@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace vandplan {
+namespace {
+
+using Verdict = PairedComparison::Verdict;
+using Measure = PairedComparison TwinComparison::*;
+
+bool uses_table(const std::string& planner) { return planner.find("-hlut-") != std::string::npos; }
+
+// One comparison and where it was made.
+struct Comparison {
+  const TwinComparison* twins;
+  std::size_t scenario;
+  PairedComparison result;
+};
+
+std::vector<Comparison> table_comparisons(const Summary& summary, Region region, Measure measure) {
+  std::vector<Comparison> found;
+  for (const ScenarioSummary& scenario : summary.scenarios) {
+    if (scenario.region != region) continue;
+    for (const TwinComparison& twins : scenario.twins)
+      if (uses_table(twins.planner)) found.push_back({&twins, scenario.scenario, twins.*measure});
+  }
+  return found;
+}
+
+// The largest difference of one kind that is more than chance.
+std::optional<Comparison> extreme(const std::vector<Comparison>& comparisons, Verdict kind) {
+  std::optional<Comparison> best;
+  for (const Comparison& comparison : comparisons) {
+    if (comparison.result.verdict != kind) continue;
+    const bool smaller = !best || comparison.result.ratio < best->result.ratio;
+    const bool larger = !best || comparison.result.ratio > best->result.ratio;
+    if (kind == Verdict::smaller ? smaller : larger) best = comparison;
+  }
+  return best;
+}
+
+std::string describe(const std::optional<Comparison>& comparison,
+                     const std::vector<Scenario>& scenarios) {
+  if (!comparison) return "nothing beyond chance";
+  const PairedComparison& result = comparison->result;
+  return fmt::format("{} ({} to {}) by {} in {}", change_text(result.ratio),
+                     change_text(result.interval.low), change_text(result.interval.high),
+                     comparison->twins->planner, scenarios[comparison->scenario].name);
+}
+
+Finding better_in_six_of_nine(const Summary& summary, Region region, int scenarios) {
+  Tally best;
+  for (const Tally& found : tally(summary, region, &TwinComparison::cost)) {
+    if (!uses_table(found.planner)) continue;
+    if (best.planner.empty() ||
+        std::pair(found.better, -found.worse) > std::pair(best.better, -best.worse))
+      best = found;
+  }
+  return {region, "better paths in at least six of nine scenarios",
+          9 * best.better >= 6 * scenarios,
+          fmt::format("At most in {} of {}, by {}; worse in {}, no difference in {}", best.better,
+                      scenarios, best.planner, best.worse, best.no_difference)};
+}
+
+Finding up_to(const Summary& summary, Region region, const std::vector<Scenario>& scenarios,
+              double share, const std::string& what,
+              std::initializer_list<std::pair<Measure, const char*>> measures) {
+  Finding finding{region, fmt::format("up to {:.0f} % {}", 100.0 * share, what), false, ""};
+  for (const auto& [measure, name] : measures) {
+    const std::vector<Comparison> comparisons = table_comparisons(summary, region, measure);
+    const std::optional<Comparison> best = extreme(comparisons, Verdict::smaller);
+    const std::optional<Comparison> worst = extreme(comparisons, Verdict::larger);
+    finding.holds = finding.holds || (best && best->result.ratio <= 1.0 - share);
+    finding.found += fmt::format("{}{}: at best {}; at worst {}", finding.found.empty() ? "" : ". ",
+                                 name, describe(best, scenarios), describe(worst, scenarios));
+  }
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Tally> tally(const Summary& summary, Region region, Measure measure) {
+  std::vector<Tally> tallies;
+  for (const ScenarioSummary& scenario : summary.scenarios) {
+    if (scenario.region != region) continue;
+    for (const TwinComparison& twins : scenario.twins) {
+      auto found = std::ranges::find(tallies, twins.planner, &Tally::planner);
+      if (found == tallies.end()) found = tallies.insert(found, Tally{twins.planner});
+      const Verdict verdict = (twins.*measure).verdict;
+      found->better += verdict == Verdict::smaller;
+      found->worse += verdict == Verdict::larger;
+      found->no_difference += verdict == Verdict::no_difference;
+    }
+  }
+  return tallies;
+}
+
+std::vector<Finding> findings(const Summary& summary, const std::vector<Scenario>& scenarios) {
+  std::vector<Finding> found;
+  for (const Region region : {Region::bounds, Region::scene}) {
+    if (table_comparisons(summary, region, &TwinComparison::cost).empty()) continue;
+    const auto count =
+        static_cast<int>(std::ranges::count(summary.scenarios, region, &ScenarioSummary::region));
+    found.push_back(better_in_six_of_nine(summary, region, count));
+    found.push_back(up_to(summary, region, scenarios, 0.2, "less time",
+                          {{&TwinComparison::first_time, "First solution"},
+                           {&TwinComparison::time_total, "Whole run"}}));
+    found.push_back(up_to(summary, region, scenarios, 0.9, "better path",
+                          {{&TwinComparison::cost, "Cost at the end"}}));
+  }
+  return found;
+}
+
+std::string change_text(double ratio) {
+  if (ratio == 1.0) return "0 %";
+  if (ratio == 0.0) return "from unsolved to solved";
+  if (std::isinf(ratio)) return "from solved to unsolved";
+  if (ratio >= 3.0) return fmt::format("x {:.1f}", ratio);
+  const double percent = 100.0 * (ratio - 1.0);
+  return fmt::format("{}{:.{}f} %", percent < 0 ? "-" : "+", std::abs(percent),
+                     std::abs(percent) < 10 ? 1 : 0);
+}
+
+}  // namespace vandplan

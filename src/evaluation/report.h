@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How is a comparison told to people?
+
+#include <string>
+#include <vector>
+
+#include "evaluation/findings.h"
+#include "evaluation/store.h"
+#include "evaluation/summary.h"
+
+namespace vandplan {
+
+/// Everything that a report tells.
+struct Report {
+  Environment environment;
+  PlanOptions options;  ///< of every run, but for seed, region and profiling
+  std::vector<StoredScenario> files;
+  std::vector<Scenario> scenarios;  ///< what the files say
+  std::vector<RunRecord> runs;
+  std::vector<Session> sessions;
+  int left_out = 0;  ///< runs in the store that are of another environment or other options
+  Summary summary;
+  std::vector<Finding> findings;
+};
+
+/// Tells of the runs of a store that were made where and with the options with which the last one
+/// was. Throws InputError when there is none.
+[[nodiscard]] Report make_report(Store& store);
+
+/// The same for an environment and options that are named.
+[[nodiscard]] Report make_report(Store& store, const Environment& environment,
+                                 const PlanOptions& options);
+
+/// The headline and a table of all planners and scenarios for each region, as Markdown that is
+/// easy to read in a terminal.
+[[nodiscard]] std::string headline_markdown(const Report& report);
+
+/// The headline and a table for each scenario and region.
+[[nodiscard]] std::string report_markdown(const Report& report);
+
+/// One page with everything in it: text, data, pictures and program.
+[[nodiscard]] std::string report_html(const Report& report);
+
+/// The command that repeats a run and finds the same path, whatever the machine's speed; with a
+/// row of goals it plans for all of them, the run's goal among them.
+[[nodiscard]] std::string reproduce_command(const Report& report, const RunRecord& run);
+
+}  // namespace vandplan

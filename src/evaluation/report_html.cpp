@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "evaluation/page.h"
+#include "evaluation/report.h"
+#include "vandplan/draw.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int contact_sheet_width = 1600;  // [pixels]
+
+// Six digits are more than a page can show; infinity becomes null.
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  if (value == std::trunc(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
+  return std::stod(fmt::format("{:.6g}", value));
+}
+
+Json interval(const Interval& value) { return {number(value.low), number(value.high)}; }
+
+Json estimate(const MedianEstimate& value) {
+  return {number(value.median), number(value.interval.low), number(value.interval.high)};
+}
+
+Json pose(const Pose& value) { return {number(value.x), number(value.y), number(value.heading)}; }
+
+Json polygons(const std::vector<Polygon>& values) {
+  Json json = Json::array();
+  for (const Polygon& polygon : values) {
+    Json corners = Json::array();
+    for (const Point& point : polygon) corners.push_back({number(point.x), number(point.y)});
+    json.push_back(std::move(corners));
+  }
+  return json;
+}
+
+const char* name_of(Region region) { return region == Region::bounds ? "bounds" : "scene"; }
+
+Json scenario_json(const Scenario& scenario, const StoredScenario& file) {
+  const Footprint body = footprint(scenario.vehicle);
+  Json goals = Json::array();
+  for (const Goal& goal : scenario.goals)
+    goals.push_back({{"pose", pose(goal.pose)},
+                     {"distance", goal.distance ? number(*goal.distance) : Json(nullptr)},
+                     {"obstacles", polygons(goal.obstacles)}});
+  return {{"name", scenario.name},
+          {"file", file.file},
+          {"description", scenario.description},
+          {"row", scenario.goals_are_a_row},
+          {"footprint", {body.rear, body.front, body.half_width}},
+          {"start", pose(scenario.start)},
+          {"goals", goals},
+          {"obstacles", polygons(scenario.obstacles)}};
+}
+
+Json path_json(const RunRecord& run) {
+  Json segments = Json::array();
+  for (const Segment& segment : run.result.path->segments)
+    segments.push_back({number(segment.curvature), number(segment.length)});
+  return segments;
+}
+
+Json example_json(const Report& report, std::optional<std::size_t> index) {
+  if (!index) return nullptr;
+  return {{"run", *index}, {"segments", path_json(report.runs[*index])}};
+}
+
+Json curve_json(const std::vector<CurvePoint>& curve) {
+  Json cost = Json::array(), solved = Json::array();
+  for (const CurvePoint& point : curve) {
+    cost.push_back(estimate(point.cost));
+    solved.push_back({number(point.solved), number(point.solved_interval.low),
+                      number(point.solved_interval.high)});
+  }
+  return {{"cost", cost}, {"solved", solved}};
+}
+
+Json method_json(const Report& report, const MethodSummary& method) {
+  Json goals = Json::array();
+  for (const GoalSummary& goal : method.goals)
+    goals.push_back({number(goal.distance), goal.runs, goal.solved, number(goal.cost)});
+  Json quantiles = Json::array();
+  for (const double quantile : method.cost_quantiles) quantiles.push_back(number(quantile));
+  Json phases = nullptr;
+  if (method.phases)
+    phases = {number(method.phases->ranking), number(method.phases->steering),
+              number(method.phases->checking)};
+  return {{"planner", method.planner},
+          {"runs", method.runs},
+          {"solved", method.solved},
+          {"solved_interval", interval(method.solved_interval)},
+          {"first", estimate(method.first_time)},
+          {"at10", estimate(method.cost_at_10ms)},
+          {"at100", estimate(method.cost_at_100ms)},
+          {"end", estimate(method.cost_at_end)},
+          {"full", method.full},
+          {"at_full", method.full > 0 ? estimate(method.cost_when_full) : Json(nullptr)},
+          {"total", number(method.time_total)},
+          {"nodes", number(method.nodes)},
+          {"iterations", number(method.iterations)},
+          {"phases", phases},
+          {"quantiles", quantiles},
+          {"furthest", number(method.furthest)},
+          {"goals", goals},
+          {"curve", curve_json(method.curve)},
+          {"best", example_json(report, method.best)},
+          {"typical", example_json(report, method.typical)}};
+}
+
+Json comparison_json(const PairedComparison& comparison) {
+  return {{"ratio", number(comparison.ratio)},
+          {"text", change_text(comparison.ratio)},
+          {"low", change_text(comparison.interval.low)},
+          {"high", change_text(comparison.interval.high)},
+          {"bounded", comparison.interval.low > 0.0 || std::isfinite(comparison.interval.high)},
+          {"verdict", comparison.verdict == PairedComparison::Verdict::smaller  ? -1
+                      : comparison.verdict == PairedComparison::Verdict::larger ? 1
+                                                                                : 0}};
+}
+
+Json cells_json(const Report& report) {
+  Json cells = Json::array();
+  for (const ScenarioSummary& scenario : report.summary.scenarios) {
+    Json methods = Json::array(), twins = Json::array();
+    for (const MethodSummary& method : scenario.methods)
+      methods.push_back(method_json(report, method));
+    for (const TwinComparison& twin : scenario.twins)
+      twins.push_back({{"planner", twin.planner},
+                       {"twin", twin.twin},
+                       {"cost", comparison_json(twin.cost)},
+                       {"first", comparison_json(twin.first_time)},
+                       {"total", comparison_json(twin.time_total)}});
+    cells.push_back({{"scenario", scenario.scenario},
+                     {"region", name_of(scenario.region)},
+                     {"methods", methods},
+                     {"twins", twins}});
+  }
+  return cells;
+}
+
+// One short row for each run; the page finds the columns by their names.
+Json runs_json(const Report& report) {
+  Json rows = Json::array();
+  for (const RunRecord& run : report.runs)
+    rows.push_back({run.scenario, name_of(run.options.region), run.goal, run.planner,
+                    run.options.seed, name_of(run.result.status), number(final_cost(run)),
+                    number(first_solution_time(run)), number(run.result.time_total),
+                    run.result.iterations, run.result.nodes, run.options.profile,
+                    reproduce_command(report, run)});
+  return {{"columns",
+           {"scenario", "region", "goal", "planner", "seed", "status", "cost", "first", "total",
+            "iterations", "nodes", "profile", "command"}},
+          {"rows", rows}};
+}
+
+Json overhead_json(const Report& report) {
+  Session sum;
+  double wall = 0.0;
+  for (const Session& session : report.sessions) {
+    sum.runs += session.runs;
+    sum.planning_time += session.planning_time;
+    sum.judging_time += session.judging_time;
+    sum.storing_time += session.storing_time;
+    wall += session.wall_time * session.jobs;
+  }
+  return {{"runs", sum.runs},
+          {"planning", number(sum.planning_time)},
+          {"judging", number(sum.judging_time)},
+          {"storing", number(sum.storing_time)},
+          {"wall", number(wall)}};
+}
+
+Json planners_json(const Report& report) {
+  Json list = Json::array();
+  const auto ran = [&](std::string_view name) {
+    return std::ranges::find(report.runs, name, &RunRecord::planner) != report.runs.end();
+  };
+  for (const PlannerInfo& planner : planners())
+    if (ran(planner.name)) list.push_back({{"name", planner.name}, {"summary", planner.summary}});
+  return list;
+}
+
+Json data_of(const Report& report) {
+  Json scenarios = Json::array();
+  for (std::size_t i = 0; i < report.scenarios.size(); ++i)
+    scenarios.push_back(scenario_json(report.scenarios[i], report.files[i]));
+  Json times = Json::array();
+  for (const double time : report.summary.times) times.push_back(number(time));
+  Json claims = Json::array();
+  for (const Finding& finding : report.findings)
+    claims.push_back({{"region", name_of(finding.region)},
+                      {"claim", finding.claim},
+                      {"holds", finding.holds},
+                      {"found", finding.found}});
+  const Environment& here = report.environment;
+  return {{"created", report.runs.back().started},
+          {"environment",
+           {{"version", here.version},
+            {"compiler", here.compiler},
+            {"build", here.build_type},
+            {"executable", here.executable},
+            {"processor", here.processor},
+            {"cores", here.cores},
+            {"system", here.system}}},
+          {"options", Json::parse(options_to_json(report.options))},
+          {"jobs", report.runs.back().jobs},
+          {"left_out", report.left_out},
+          {"overhead", overhead_json(report)},
+          {"planners", planners_json(report)},
+          {"scenarios", scenarios},
+          {"times", times},
+          {"cells", cells_json(report)},
+          {"claims", claims},
+          {"runs", runs_json(report)}};
+}
+
+// The best path of each scenario, whoever found it.
+std::string contact_sheet(const Report& report) {
+  ContactSheet sheet{.columns = 3};
+  for (std::size_t i = 0; i < report.scenarios.size(); ++i) {
+    const RunRecord* best = nullptr;
+    for (const ScenarioSummary& scenario : report.summary.scenarios)
+      for (const MethodSummary& method : scenario.methods) {
+        if (scenario.scenario != i || !method.best) continue;
+        const RunRecord& run = report.runs[*method.best];
+        if (best == nullptr || run.goal > best->goal ||
+            (run.goal == best->goal && final_cost(run) < final_cost(*best)))
+          best = &run;
+      }
+    if (best == nullptr) continue;
+    sheet.drawings.push_back({.scenario = &report.scenarios[i],
+                              .goal = best->goal,
+                              .path = &*best->result.path,
+                              .caption = fmt::format("{}: {:.1f} m, {}", report.scenarios[i].name,
+                                                     final_cost(*best), best->planner)});
+  }
+  return sheet.drawings.empty() ? "" : draw(sheet, PictureFormat::png, contact_sheet_width);
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t j = 0; j < 3; ++j)
+      group = group << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
+    for (std::size_t j = 0; j < 4; ++j)
+      text += i + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63] : '=';
+  }
+  return text;
+}
+
+// Puts `value` in the place of a mark.
+void fill(std::string& page, std::string_view mark, std::string_view value) {
+  page.replace(page.find(mark), mark.size(), value);
+}
+
+}  // namespace
+
+std::string report_html(const Report& report) {
+  const std::string sheet = contact_sheet(report);
+  const std::string image =
+      sheet.empty() ? ""
+                    : "<img alt=\"The best path in every scenario\" src=\"data:image/png;base64," +
+                          base64(sheet) + "\">";
+  std::string data;
+  for (const char character : data_of(report).dump())
+    data += character == '<' ? std::string("\\u003c") : std::string(1, character);
+  std::string page(page::html);
+  fill(page, "/*STYLE*/", page::css);
+  fill(page, "<!--LICENCE-->", page::d3_licence);
+  fill(page, "/*D3*/", page::d3);
+  fill(page, "/*PROGRAM*/", page::js);
+  fill(page, "<!--SHEET-->", image);
+  fill(page, "/*DATA*/", data);  // last: it may hold any text
+  return page;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "evaluation/report.h"
+#include "evaluation/text_table.h"
+
+namespace vandplan {
+namespace {
+
+constexpr const char* none = "-";
+
+std::string cost_text(double cost) { return std::isinf(cost) ? none : fmt::format("{:.1f}", cost); }
+
+std::string ratio_text(double ratio) {
+  return std::isinf(ratio) ? none : fmt::format("x{:.2f}", ratio);
+}
+
+std::string time_text(double seconds) {
+  return std::isinf(seconds) ? none : fmt::format("{:.2f}", 1000.0 * seconds);
+}
+
+template <typename Text>
+std::string with_interval(const MedianEstimate& estimate, Text text) {
+  if (std::isinf(estimate.median)) return none;
+  if (std::isinf(estimate.interval.low)) return text(estimate.median);
+  const std::string high =
+      std::isinf(estimate.interval.high) ? "..." : text(estimate.interval.high);
+  return fmt::format("{} [{}, {}]", text(estimate.median), text(estimate.interval.low), high);
+}
+
+const char* name_of(Region region) { return region == Region::bounds ? "bounds" : "scene"; }
+
+bool is_row(const Report& report, const ScenarioSummary& scenario) {
+  return report.scenarios[scenario.scenario].goals_are_a_row;
+}
+
+// "5-leave-cage" of "thesis-5-leave-cage".
+std::string short_name(const std::string& scenario) {
+  return scenario.starts_with("thesis-") ? scenario.substr(7) : scenario;
+}
+
+// Cost at the end, with the share solved if not all are; of a row, the furthest distance.
+std::string headline_cell(const MethodSummary& method, bool row) {
+  if (row)
+    return method.furthest > 0.0 ? fmt::format("{:.0f} m", method.furthest) : std::string(none);
+  const std::string cost = cost_text(method.cost_at_end.median);
+  if (method.solved == method.runs) return cost;
+  return fmt::format("{} ({}/{})", cost, method.solved, method.runs);
+}
+
+std::string first_time_cell(const MethodSummary& method, bool) {
+  return time_text(method.first_time.median);
+}
+
+using Cell = std::string (*)(const MethodSummary&, bool);
+
+// Planners down, scenarios across.
+std::string matrix(const Report& report, Region region, Cell cell) {
+  std::vector<std::string> head = {"planner"};
+  std::vector<std::string> names;
+  std::vector<const ScenarioSummary*> columns;
+  for (const ScenarioSummary& scenario : report.summary.scenarios) {
+    if (scenario.region != region) continue;
+    columns.push_back(&scenario);
+    head.push_back(short_name(report.scenarios[scenario.scenario].name));
+    for (const MethodSummary& method : scenario.methods)
+      if (std::ranges::find(names, method.planner) == names.end()) names.push_back(method.planner);
+  }
+  TextTable table(head);
+  for (const std::string& name : names) {
+    std::vector<std::string> cells = {name};
+    for (const ScenarioSummary* scenario : columns) {
+      const auto method = std::ranges::find(scenario->methods, name, &MethodSummary::planner);
+      cells.push_back(method == scenario->methods.end() ? ""
+                                                        : cell(*method, is_row(report, *scenario)));
+    }
+    table.add(std::move(cells));
+  }
+  return table.markdown();
+}
+
+std::string phases_text(const MethodSummary& method) {
+  if (!method.phases) return none;
+  const auto& [ranking, steering, checking] = *method.phases;
+  return fmt::format("{:.0f}/{:.0f}/{:.0f}", 100.0 * ranking, 100.0 * steering, 100.0 * checking);
+}
+
+std::string scenario_table(const ScenarioSummary& scenario, bool row) {
+  const auto cost = row ? ratio_text : cost_text;
+  TextTable table({"planner", "solved", "first [ms]", "at 10 ms", "at 100 ms", "tree full",
+                   "at the end", "nodes", "iterations", "time [ms]", "rank/steer/check [%]"});
+  for (const MethodSummary& method : scenario.methods)
+    table.add({method.planner,
+               fmt::format("{}/{} [{:.0f}, {:.0f} %]", method.solved, method.runs,
+                           100.0 * method.solved_interval.low, 100.0 * method.solved_interval.high),
+               with_interval(method.first_time, time_text), cost(method.cost_at_10ms.median),
+               cost(method.cost_at_100ms.median),
+               method.full > 0 ? cost(method.cost_when_full.median) : none,
+               with_interval(method.cost_at_end, cost), fmt::format("{:.0f}", method.nodes),
+               fmt::format("{:.0f}", method.iterations), time_text(method.time_total),
+               phases_text(method)});
+  return table.markdown();
+}
+
+std::string row_table(const ScenarioSummary& scenario) {
+  std::vector<std::string> head = {"planner", "furthest [m]"};
+  for (const GoalSummary& goal : scenario.methods.front().goals)
+    head.push_back(fmt::format("{:.0f} m", goal.distance));
+  TextTable table(head);
+  for (const MethodSummary& method : scenario.methods) {
+    std::vector<std::string> cells = {method.planner, fmt::format("{:.0f}", method.furthest)};
+    for (const GoalSummary& goal : method.goals) cells.push_back(cost_text(goal.cost));
+    cells.resize(head.size());
+    table.add(std::move(cells));
+  }
+  return table.markdown();
+}
+
+const char* verdict_text(const PairedComparison& comparison) {
+  switch (comparison.verdict) {
+    case PairedComparison::Verdict::smaller:
+      return "better";
+    case PairedComparison::Verdict::larger:
+      return "worse";
+    case PairedComparison::Verdict::no_difference:
+      break;
+  }
+  return "no difference";
+}
+
+std::string comparison_text(const PairedComparison& comparison) {
+  const auto& [low, high] = comparison.interval;
+  const std::string text =
+      fmt::format("{}: {}", verdict_text(comparison), change_text(comparison.ratio));
+  if (low == 0.0 && std::isinf(high)) return text;  // too few pairs, or too mixed, to bound it
+  return fmt::format("{} [{}, {}]", text, change_text(low), change_text(high));
+}
+
+std::string twin_table(const ScenarioSummary& scenario) {
+  if (scenario.twins.empty()) return "";
+  TextTable table({"against its Euclid twin", "cost", "first solution", "whole run"});
+  for (const TwinComparison& twins : scenario.twins)
+    table.add({twins.planner, comparison_text(twins.cost), comparison_text(twins.first_time),
+               comparison_text(twins.time_total)});
+  return table.markdown();
+}
+
+std::string jobs_text(const Report& report) {
+  std::set<int> jobs;
+  for (const RunRecord& run : report.runs) jobs.insert(run.jobs);
+  return fmt::format("{} at a time", fmt::join(jobs, " or "));
+}
+
+std::string circumstances(const Report& report) {
+  const Environment& here = report.environment;
+  std::string text = fmt::format(
+      "{} runs, {}, vandplan {} ({}, {}) on {} ({} cores), {}.\nOptions: `{}`.\n",
+      report.runs.size(), jobs_text(report), here.version, here.compiler, here.build_type,
+      here.processor, here.cores, here.system, options_to_json(report.options));
+  if (report.left_out > 0)
+    text += fmt::format(
+        "{} runs in the store are of other programs, machines or options and are "
+        "left out.\n",
+        report.left_out);
+  return text;
+}
+
+std::string claims(const Report& report) {
+  std::string text;
+  for (const Finding& finding : report.findings)
+    text +=
+        fmt::format("- Region {}, \"{}\": **{}**. {}.\n", name_of(finding.region), finding.claim,
+                    finding.holds ? "confirmed" : "not confirmed", finding.found);
+  return text.empty() ? "" : "\n## The thesis' claims about its tables\n\n" + text;
+}
+
+bool has_region(const Report& report, Region region) {
+  return std::ranges::count(report.summary.scenarios, region, &ScenarioSummary::region) > 0;
+}
+
+}  // namespace
+
+std::string headline_markdown(const Report& report) {
+  std::string text = "# Comparison of planners\n\n" + circumstances(report);
+  for (const Region region : {Region::bounds, Region::scene}) {
+    if (!has_region(report, region)) continue;
+    text += fmt::format(
+        "\n## Samples from the {}: median cost at the end [m] (and runs solved if not all; "
+        "in a row of goals the furthest reached)\n\n{}"
+        "\nMedian time of the first solution [ms]:\n\n{}",
+        name_of(region), matrix(report, region, headline_cell),
+        matrix(report, region, first_time_cell));
+  }
+  return text + claims(report);
+}
+
+std::string report_markdown(const Report& report) {
+  std::string text = headline_markdown(report);
+  for (const ScenarioSummary& scenario : report.summary.scenarios) {
+    const bool row = is_row(report, scenario);
+    text += fmt::format("\n## {}, samples from the {}\n\n{}{}\n",
+                        report.scenarios[scenario.scenario].name, name_of(scenario.region),
+                        row ? "Costs per metre of the goal's distance.\n\n" : "",
+                        scenario_table(scenario, row));
+    if (row) text += row_table(scenario) + "\n";
+    text += twin_table(scenario);
+  }
+  return text + fmt::format(
+                    "\nMedians with their {0:.0f} % intervals in brackets, from ranks alone; an "
+                    "unsolved run counts as infinite.\nComparisons are paired by seed and hold "
+                    "for all scenarios together with {0:.0f} % confidence.\n",
+                    100.0 * confidence);
+}
+
+}  // namespace vandplan

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What is known of a finished run, and where was it made?
+
+#include <cstddef>
+#include <string>
+
+#include "vandplan/plan_options.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+
+/// Program and machine. Times of different environments are never compared.
+struct Environment {
+  std::string version;
+  std::string compiler;
+  std::string build_type;
+  std::string executable;  ///< fingerprint of the program's file
+  std::string processor;
+  int cores = 0;
+  std::string system;
+  bool operator==(const Environment&) const = default;
+};
+
+/// This program on this machine.
+[[nodiscard]] Environment this_environment();
+
+/// The time now in UTC, "2026-11-21T05:16:33Z".
+[[nodiscard]] std::string utc_now();
+
+/// A finished run.
+struct RunRecord {
+  std::size_t environment = 0;  ///< index in the store
+  std::size_t scenario = 0;     ///< index in the store
+  std::size_t goal = 0;         ///< of the scenario
+  std::string planner;
+  PlanOptions options;
+  int jobs = 1;         ///< how many runs went on at once
+  std::string started;  ///< `utc_now`
+  PlanResult result;    ///< path in the scenario's frame; no tree
+};
+
+/// What one call of the program did, and what it cost beside the runs themselves.
+struct Session {
+  std::size_t environment = 0;  ///< index in the store
+  std::string started;          ///< `utc_now`
+  int jobs = 1;
+  int runs = 0;
+  double wall_time = 0.0;      ///< from the first run to the last [s]
+  double planning_time = 0.0;  ///< in the planners, all jobs together [s]
+  double judging_time = 0.0;   ///< in the judge, all jobs together [s]
+  double storing_time = 0.0;   ///< writing to the store [s]
+  bool operator==(const Session&) const = default;
+};
+
+}  // namespace vandplan

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "evaluation/hash.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+constexpr int application_id = 0x56504c4e;  // "VPLN"
+
+// Ids count from 1 in the order of insertion and nothing is ever deleted: index = id - 1.
+constexpr const char* tables = R"(
+CREATE TABLE environments(
+  id INTEGER PRIMARY KEY, version TEXT NOT NULL, compiler TEXT NOT NULL, build_type TEXT NOT NULL,
+  executable TEXT NOT NULL, processor TEXT NOT NULL, cores INTEGER NOT NULL, system TEXT NOT NULL)
+  STRICT;
+CREATE TABLE scenarios(
+  id INTEGER PRIMARY KEY, name TEXT NOT NULL, file TEXT NOT NULL, hash TEXT NOT NULL,
+  yaml TEXT NOT NULL UNIQUE) STRICT;
+CREATE TABLE configurations(
+  id INTEGER PRIMARY KEY, planner TEXT NOT NULL, options TEXT NOT NULL, UNIQUE(planner, options))
+  STRICT;
+CREATE TABLE runs(
+  id INTEGER PRIMARY KEY,
+  environment INTEGER NOT NULL REFERENCES environments(id),
+  scenario INTEGER NOT NULL REFERENCES scenarios(id),
+  goal INTEGER NOT NULL,
+  configuration INTEGER NOT NULL REFERENCES configurations(id),
+  seed INTEGER NOT NULL,
+  jobs INTEGER NOT NULL,
+  started TEXT NOT NULL,
+  status TEXT NOT NULL,
+  cost REAL, start_x REAL, start_y REAL, start_heading REAL,
+  iterations INTEGER NOT NULL, nodes INTEGER NOT NULL, time_total REAL NOT NULL,
+  exact_solves INTEGER NOT NULL, edge_checks INTEGER NOT NULL,
+  time_ranking REAL NOT NULL, time_steering REAL NOT NULL, time_checking REAL NOT NULL,
+  UNIQUE(environment, scenario, goal, configuration, seed)) STRICT;
+CREATE TABLE costs(
+  run INTEGER NOT NULL REFERENCES runs(id), number INTEGER NOT NULL,
+  time REAL NOT NULL, iteration INTEGER NOT NULL, cost REAL NOT NULL,
+  PRIMARY KEY(run, number)) STRICT, WITHOUT ROWID;
+CREATE TABLE segments(
+  run INTEGER NOT NULL REFERENCES runs(id), number INTEGER NOT NULL,
+  curvature REAL NOT NULL, length REAL NOT NULL,
+  PRIMARY KEY(run, number)) STRICT, WITHOUT ROWID;
+CREATE TABLE sessions(
+  id INTEGER PRIMARY KEY,
+  environment INTEGER NOT NULL REFERENCES environments(id),
+  started TEXT NOT NULL, jobs INTEGER NOT NULL, runs INTEGER NOT NULL, wall_time REAL NOT NULL,
+  planning_time REAL NOT NULL, judging_time REAL NOT NULL, storing_time REAL NOT NULL) STRICT;
+)";
+
+std::int64_t id_of(std::size_t index) { return static_cast<std::int64_t>(index) + 1; }
+std::size_t index_of_id(std::int64_t id) { return static_cast<std::size_t>(id) - 1; }
+std::int64_t signed_seed(std::uint64_t seed) { return static_cast<std::int64_t>(seed); }
+
+PlanStatus status_named(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(PlanStatus::stopped); ++i)
+    if (name == name_of(static_cast<PlanStatus>(i))) return static_cast<PlanStatus>(i);
+  throw InputError("status", "\"" + name + "\" is unknown");
+}
+
+void check_is_store(Database& database) {
+  if (database.integer("PRAGMA application_id") != application_id)
+    throw InputError(database.file(), "is not a result store of vandplan");
+  const std::int64_t format = database.integer("PRAGMA user_version");
+  if (format != Store::format)
+    throw InputError(database.file(), fmt::format("is a result store of format {}, expected {}",
+                                                  format, Store::format));
+  const std::string verdict = database.text("PRAGMA quick_check(1)");
+  if (verdict != "ok") throw InputError(database.file(), "is damaged: " + verdict);
+  const std::string orphan = database.text("PRAGMA foreign_key_check");
+  if (!orphan.empty())
+    throw InputError(database.file(), "is damaged: a row of " + orphan + " refers to nothing");
+}
+
+std::int64_t find_configuration(Database& database, const RunRecord& run) {
+  Statement find(database, "SELECT id FROM configurations WHERE planner = ? AND options = ?");
+  find.bind(run.planner, options_to_json(run.options));
+  return find.step() ? find.integer(0) : 0;
+}
+
+void insert_traces(Database& database, std::int64_t run, const PlanResult& result) {
+  Statement insert_cost(database, "INSERT INTO costs VALUES (?, ?, ?, ?, ?)");
+  int number = 0;
+  for (const CostSample& sample : result.anytime)
+    insert_cost.run(run, number++, sample.time, sample.iteration, sample.cost);
+  if (!result.path) return;
+  Statement insert_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?)");
+  number = 0;
+  for (const Segment& segment : result.path->segments)
+    insert_segment.run(run, number++, segment.curvature, segment.length);
+}
+
+// The part of a run that is in the table of runs; the columns as in `Store::runs`.
+RunRecord run_of(const Statement& row) {
+  RunRecord run;
+  run.environment = index_of_id(row.integer(1));
+  run.scenario = index_of_id(row.integer(2));
+  run.goal = static_cast<std::size_t>(row.integer(3));
+  run.jobs = static_cast<int>(row.integer(6));
+  run.started = row.text(7);
+  PlanResult& result = run.result;
+  result.status = status_named(row.text(8));
+  result.iterations = row.integer(9);
+  result.nodes = row.integer(10);
+  result.time_total = row.real(11);
+  result.exact_solves = row.integer(12);
+  result.edge_checks = row.integer(13);
+  result.time_ranking = row.real(14);
+  result.time_steering = row.real(15);
+  result.time_checking = row.real(16);
+  if (!row.is_null(17)) {
+    result.cost = row.real(17);
+    result.path = Path{{row.real(18), row.real(19), row.real(20)}, {}};
+  }
+  return run;
+}
+
+}  // namespace
+
+Store::Store(const std::string& file) : database_(file, Database::Mode::write) {
+  check_is_store(database_);
+  // With a write-ahead log this never waits for the disk at a commit, survives the death of the
+  // program whole, and of the machine but for the last runs.
+  database_.execute(
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
+      "PRAGMA foreign_keys = ON");
+}
+
+Store Store::open(const std::string& file) {
+  if (!std::filesystem::exists(file)) throw InputError(file, "does not exist");
+  return Store(file);
+}
+
+Store Store::create(const std::string& file) {
+  if (std::filesystem::exists(file)) throw InputError(file, "exists already");
+  const std::string unfinished = file + ".new";
+  std::filesystem::remove(unfinished);
+  {
+    Database database(unfinished, Database::Mode::create);
+    Transaction transaction(database);
+    database.execute(tables);
+    database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}",
+                                 application_id, format));
+    transaction.commit();
+  }
+  std::filesystem::rename(unfinished, file);
+  return Store(file);
+}
+
+std::size_t Store::index_of(const Environment& environment) {
+  const std::vector<Environment> known = environments();
+  const auto found = std::ranges::find(known, environment);
+  if (found == known.end())
+    Statement(database_, "INSERT INTO environments VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)")
+        .run(environment.version, environment.compiler, environment.build_type,
+             environment.executable, environment.processor, environment.cores, environment.system);
+  return static_cast<std::size_t>(found - known.begin());
+}
+
+std::size_t Store::index_of(const StoredScenario& scenario) {
+  Statement(database_, "INSERT OR IGNORE INTO scenarios VALUES (NULL, ?, ?, ?, ?)")
+      .run(scenario.name, scenario.file, fmt::format("{:016x}", hash_of(scenario.yaml)),
+           scenario.yaml);
+  Statement find(database_, "SELECT id FROM scenarios WHERE yaml = ?");
+  find.bind(scenario.yaml).step();
+  return index_of_id(find.integer(0));
+}
+
+bool Store::contains(const RunRecord& run) {
+  Statement find(database_,
+                 "SELECT 1 FROM runs WHERE environment = ? AND scenario = ? AND goal = ?"
+                 " AND configuration = ? AND seed = ?");
+  find.bind(id_of(run.environment), id_of(run.scenario), static_cast<std::int64_t>(run.goal),
+            find_configuration(database_, run), signed_seed(run.options.seed));
+  return find.step();
+}
+
+bool Store::insert(const RunRecord& run) {
+  if (contains(run)) return false;
+  std::int64_t configuration = find_configuration(database_, run);
+  if (configuration == 0) {
+    Statement(database_, "INSERT INTO configurations VALUES (NULL, ?, ?)")
+        .run(run.planner, options_to_json(run.options));
+    configuration = database_.last_id();
+  }
+  const PlanResult& result = run.result;
+  std::optional<double> cost, x, y, heading;
+  if (result.path) {
+    cost = result.cost;
+    x = result.path->start.x;
+    y = result.path->start.y;
+    heading = result.path->start.heading;
+  }
+  Statement(database_,
+            "INSERT INTO runs(environment, scenario, goal, configuration, seed, jobs, started,"
+            " status, cost, start_x, start_y, start_heading, iterations, nodes, time_total,"
+            " exact_solves, edge_checks, time_ranking, time_steering, time_checking)"
+            " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .run(id_of(run.environment), id_of(run.scenario), static_cast<std::int64_t>(run.goal),
+           configuration, signed_seed(run.options.seed), run.jobs, run.started,
+           name_of(result.status), cost, x, y, heading, result.iterations, result.nodes,
+           result.time_total, result.exact_solves, result.edge_checks, result.time_ranking,
+           result.time_steering, result.time_checking);
+  insert_traces(database_, database_.last_id(), result);
+  return true;
+}
+
+bool Store::add(const RunRecord& run) {
+  Transaction transaction(database_);
+  const bool is_new = insert(run);
+  transaction.commit();
+  return is_new;
+}
+
+void Store::add(const Session& session) {
+  Statement(database_, "INSERT INTO sessions VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .run(id_of(session.environment), session.started, session.jobs, session.runs,
+           session.wall_time, session.planning_time, session.judging_time, session.storing_time);
+}
+
+int Store::merge(Store& other) {
+  Transaction transaction(database_);
+  std::vector<std::size_t> environment_indices, scenario_indices;
+  for (const Environment& environment : other.environments())
+    environment_indices.push_back(index_of(environment));
+  for (const StoredScenario& scenario : other.scenarios())
+    scenario_indices.push_back(index_of(scenario));
+  int added = 0;
+  for (RunRecord run : other.runs()) {
+    run.environment = environment_indices.at(run.environment);
+    run.scenario = scenario_indices.at(run.scenario);
+    added += insert(run);
+  }
+  const std::vector<Session> known = sessions();
+  for (Session session : other.sessions()) {
+    session.environment = environment_indices.at(session.environment);
+    if (std::ranges::find(known, session) == known.end()) add(session);
+  }
+  transaction.commit();
+  return added;
+}
+
+std::vector<Environment> Store::environments() {
+  Statement rows(database_, "SELECT * FROM environments ORDER BY id");
+  std::vector<Environment> found;
+  while (rows.step())
+    found.push_back({rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5),
+                     static_cast<int>(rows.integer(6)), rows.text(7)});
+  return found;
+}
+
+std::vector<StoredScenario> Store::scenarios() {
+  Statement rows(database_, "SELECT name, file, yaml FROM scenarios ORDER BY id");
+  std::vector<StoredScenario> found;
+  while (rows.step()) found.push_back({rows.text(0), rows.text(1), rows.text(2)});
+  return found;
+}
+
+std::vector<Session> Store::sessions() {
+  Statement rows(database_, "SELECT * FROM sessions ORDER BY id");
+  std::vector<Session> found;
+  while (rows.step())
+    found.push_back({index_of_id(rows.integer(1)), rows.text(2), static_cast<int>(rows.integer(3)),
+                     static_cast<int>(rows.integer(4)), rows.real(5), rows.real(6), rows.real(7),
+                     rows.real(8)});
+  return found;
+}
+
+std::vector<RunRecord> Store::runs() {
+  struct Configuration {
+    std::string planner;
+    PlanOptions options;
+  };
+  std::map<std::int64_t, Configuration> configurations;
+  Statement configuration_rows(database_, "SELECT id, planner, options FROM configurations");
+  while (configuration_rows.step())
+    configurations[configuration_rows.integer(0)] = {configuration_rows.text(1),
+                                                     options_from_json(configuration_rows.text(2))};
+
+  Statement rows(database_,
+                 "SELECT id, environment, scenario, goal, configuration, seed, jobs, started,"
+                 " status, iterations, nodes, time_total, exact_solves, edge_checks, time_ranking,"
+                 " time_steering, time_checking, cost, start_x, start_y, start_heading"
+                 " FROM runs ORDER BY id");
+  Statement costs(database_,
+                  "SELECT time, iteration, cost FROM costs WHERE run = ? ORDER BY number");
+  Statement segments(database_,
+                     "SELECT curvature, length FROM segments WHERE run = ? ORDER BY number");
+  std::vector<RunRecord> found;
+  while (rows.step()) {
+    RunRecord run = run_of(rows);
+    const Configuration& configuration = configurations.at(rows.integer(4));
+    run.planner = configuration.planner;
+    run.options = configuration.options;
+    run.options.seed = static_cast<std::uint64_t>(rows.integer(5));
+    costs.bind(rows.integer(0));
+    while (costs.step())
+      run.result.anytime.push_back({costs.real(0), costs.integer(1), costs.real(2)});
+    if (run.result.path) {
+      segments.bind(rows.integer(0));
+      while (segments.step())
+        run.result.path->segments.push_back({segments.real(0), segments.real(1)});
+    }
+    found.push_back(std::move(run));
+  }
+  return found;
+}
+
+std::string options_to_json(const PlanOptions& options) {
+  std::string json;
+  for (const OptionInfo& option : option_table())
+    if (option.name != "seed")
+      json +=
+          fmt::format("{}\"{}\": {}", json.empty() ? "{" : ", ", option.name, option.get(options));
+  return json + "}";
+}
+
+PlanOptions options_from_json(const std::string& json) {
+  PlanOptions options;
+  try {
+    const nlohmann::json object = nlohmann::json::parse(json);
+    for (const auto& [name, value] : object.items())
+      set_option(options, name, value.is_string() ? value.get<std::string>() : value.dump());
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError("options", error.what());
+  }
+  return options;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Where do finished runs live?
+//
+// In one SQLite file, one transaction per run: killing the program at any moment loses the runs
+// in flight and nothing else. Its tables: docs/formats.md.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "evaluation/run_record.h"
+#include "evaluation/sqlite.h"
+
+namespace vandplan {
+
+/// A scenario as a store keeps it.
+struct StoredScenario {
+  std::string name;
+  std::string file;  ///< where it was read from
+  std::string yaml;  ///< all of it; two scenarios are the same when this is
+};
+
+/// An open result store. One thread at a time. Environments and scenarios are named by their
+/// index.
+class Store {
+ public:
+  /// Raised when the tables change.
+  static constexpr int format = 1;
+
+  /// Opens a store. Throws InputError when it is missing, damaged, of another format, or no store.
+  [[nodiscard]] static Store open(const std::string& file);
+  /// Makes an empty store. Throws InputError if the file exists.
+  [[nodiscard]] static Store create(const std::string& file);
+
+  /// The index of what is equal, added if there is none.
+  std::size_t index_of(const Environment& environment);
+  std::size_t index_of(const StoredScenario& scenario);
+
+  /// Whether a run of the same environment, scenario, goal, planner and options is there.
+  [[nodiscard]] bool contains(const RunRecord& run);
+  /// Keeps a run unless `contains` it; true if it was new. Atomic and durable.
+  bool add(const RunRecord& run);
+  void add(const Session& session);
+  /// Adds what `other` has and this has not; says how many runs. All of it or nothing.
+  int merge(Store& other);
+
+  [[nodiscard]] std::vector<Environment> environments();
+  [[nodiscard]] std::vector<StoredScenario> scenarios();
+  [[nodiscard]] std::vector<Session> sessions();
+  /// In the order in which they were added.
+  [[nodiscard]] std::vector<RunRecord> runs();
+
+ private:
+  explicit Store(const std::string& file);
+  bool insert(const RunRecord& run);
+
+  Database database_;
+};
+
+/// The options but for the seed as a JSON object, and back.
+[[nodiscard]] std::string options_to_json(const PlanOptions& options);
+[[nodiscard]] PlanOptions options_from_json(const std::string& json);
+
+}  // namespace vandplan

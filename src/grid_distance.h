@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How far is it around the obstacles, for a disc that the vehicle never gets narrower than?
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "vandplan/problem.h"
+
+namespace vandplan {
+
+/// Distances to one target on a grid (eight neighbours), as a guide and not as a bound. They are
+/// computed by A* from the target, so only where a search from `root` is likely to come.
+class GridDistance {
+ public:
+  /// Covers `box`; obstacles are marked, distances are not computed yet.
+  GridDistance(const World& world, const Bounds& box, const Pose& target, const Pose& root);
+
+  /// Settles the next cells, some microseconds of work. False when there is no more to do.
+  bool step();
+
+  /// Distance to the target [m]; where it is not known, what it must exceed.
+  [[nodiscard]] double at(double x, double y) const noexcept;
+
+ private:
+  struct Cell {
+    std::int32_t x, y;
+    bool operator==(const Cell&) const = default;
+  };
+
+  /// Of a point in the box.
+  [[nodiscard]] Cell cell_of(const Point& point) const noexcept;
+  void mark_obstacles(const World& world);
+  void reach(const Cell& cell, std::int32_t cost);
+  [[nodiscard]] std::size_t index_of(const Cell& cell) const noexcept;
+  [[nodiscard]] std::int32_t to_root(const Cell& cell) const noexcept;
+
+  Bounds box_;
+  Point target_;
+  double side_ = 1.0;  // of a cell [m]
+  std::int32_t columns_ = 0;
+  std::int32_t rows_ = 0;
+  std::vector<std::int32_t> costs_;  // in fifths of a cell; -1 blocked
+  std::array<std::vector<Cell>, 16> buckets_;
+  std::int32_t front_ = 0;  // cost and distance to the root of what is settled next
+  std::int32_t last_;       // of `front_`
+  Cell root_{};
+  bool reached_ = false;  // the root
+};
+
+}  // namespace vandplan

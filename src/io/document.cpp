@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "io/document.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+constexpr std::size_t deepest = 64;  // levels of lists and maps
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  if (text.size() <= longest) return '"' + std::string(text) + '"';
+  std::size_t cut = longest;
+  while (cut > 0 && (text[cut] & 0xC0) == 0x80) --cut;  // not inside a UTF-8 character
+  return '"' + std::string(text.substr(0, cut)) + "...\"";
+}
+
+/// What a node is, to end "expected a number, not ...".
+std::string description_of(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::nothing:
+      return "empty";
+    case Node::Kind::list:
+      return "a list";
+    case Node::Kind::map:
+      return "a map of keys";
+    case Node::Kind::scalar:
+      break;
+  }
+  return quoted(node.text);
+}
+
+std::string wrong_kind(const Node& node, std::string_view expected) {
+  return "is " + description_of(node) + ", expected " + std::string(expected);
+}
+
+/// The path from `from` down to `to`, or none if it is not below it.
+std::optional<std::string> path_between(const Node& from, const Node* to) {
+  if (&from == to) return "";
+  for (std::size_t i = 0; i < from.items.size(); ++i) {
+    const auto rest = path_between(from.items[i], to);
+    if (!rest) continue;
+    const std::string step =
+        from.kind == Node::Kind::map ? "." + from.keys[i].text : "[" + std::to_string(i) + "]";
+    return step + *rest;
+  }
+  return {};
+}
+
+/// The child of `node` that a path begins with, whose step is cut off the path; null if none.
+const Node* step_into(const Node& node, std::string_view& path) {
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const std::string step =
+        node.kind == Node::Kind::map ? node.keys[i].text : "[" + std::to_string(i) + "]";
+    if (!path.starts_with(step)) continue;
+    std::string_view rest = path.substr(step.size());
+    if (!rest.empty() && rest.front() != '.' && rest.front() != '[') continue;
+    if (rest.starts_with('.')) rest.remove_prefix(1);
+    path = rest;
+    return &node.items[i];
+  }
+  return nullptr;
+}
+
+/// Reads all of the text as a number, whatever the locale; says what is wrong if it is none.
+template <typename Value>
+std::errc parse(std::string_view text, Value& value) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  return end == last ? error : std::errc::invalid_argument;
+}
+
+/// YAML's own words for what is no finite number.
+bool is_infinite_word(std::string_view text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  for (const std::string_view word : {".inf", ".Inf", ".INF", ".nan", ".NaN", ".NAN"}) {
+    if (text == word) return true;
+  }
+  return false;
+}
+
+std::string in_file(const std::string& where, int line) {
+  return where + ":" + std::to_string(line);
+}
+
+std::string joined(std::initializer_list<std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) text.append(text.empty() ? "" : ", ").append(word);
+  return text;
+}
+
+}  // namespace
+
+std::string Document::prefix_for(const Node& node) const {
+  std::string path = path_between(root_, &node).value_or("");
+  if (path.starts_with('.')) path.erase(0, 1);
+  return path.empty() ? "" : path + ": ";
+}
+
+void Document::fail(const Node& node, const std::string& problem) const {
+  throw InputError(in_file(where_, node.line), prefix_for(node) + problem);
+}
+
+void Document::fail(std::string_view path, const std::string& problem) const {
+  const Node* node = &root_;
+  std::string_view rest = path;
+  while (!rest.empty()) {
+    const Node* const next = step_into(*node, rest);
+    if (next == nullptr) break;
+    node = next;
+  }
+  throw InputError(in_file(where_, node->line), std::string(path) + ": " + problem);
+}
+
+const Node* Document::find(const Node& node, std::string_view key) const {
+  if (node.kind != Node::Kind::map) fail(node, wrong_kind(node, "a map of keys"));
+  for (std::size_t i = 0; i < node.keys.size(); ++i) {
+    if (node.keys[i].text == key) return &node.items[i];
+  }
+  return nullptr;
+}
+
+const Node& Document::at(const Node& node, std::string_view key) const {
+  const Node* const found = find(node, key);
+  if (found == nullptr) fail(node, "key \"" + std::string(key) + "\" is missing, expected it");
+  return *found;
+}
+
+void Document::allow_only(const Node& node, std::initializer_list<std::string_view> keys) const {
+  (void)find(node, "");
+  for (std::size_t i = 0; i < node.keys.size(); ++i) {
+    const std::string& key = node.keys[i].text;
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    throw InputError(
+        in_file(where_, node.keys[i].line),
+        prefix_for(node) + "unknown key " + quoted(key) + ", expected one of " + joined(keys));
+  }
+}
+
+const std::vector<Node>& Document::list(const Node& node, std::string_view expected) const {
+  if (node.kind != Node::Kind::list) fail(node, wrong_kind(node, expected));
+  return node.items;
+}
+
+double Document::number(const Node& node) const {
+  double value = 0.0;
+  const std::string& text = scalar(node, "a number");
+  const std::errc error = parse(text, value);
+  if (is_infinite_word(text) || (error == std::errc() && !std::isfinite(value))) {
+    fail(node, wrong_kind(node, "a finite number"));
+  }
+  if (error == std::errc::result_out_of_range) {
+    fail(node, wrong_kind(node, "a number that fits a double"));
+  }
+  if (error != std::errc()) fail(node, wrong_kind(node, "a number"));
+  return value;
+}
+
+std::int64_t Document::integer(const Node& node) const {
+  std::int64_t value = 0;
+  if (parse(scalar(node, "a whole number"), value) != std::errc()) {
+    fail(node, wrong_kind(node, "a whole number"));
+  }
+  return value;
+}
+
+std::uint64_t Document::count(const Node& node) const {
+  std::uint64_t value = 0;
+  const std::string expected = "a whole number, 0 or more";
+  if (parse(scalar(node, expected), value) != std::errc()) fail(node, wrong_kind(node, expected));
+  return value;
+}
+
+const std::string& Document::scalar(const Node& node, const std::string& expected) const {
+  if (node.kind != Node::Kind::scalar) fail(node, wrong_kind(node, expected));
+  if (node.is_quoted) fail(node, wrong_kind(node, expected + " without quotes"));
+  return node.text;
+}
+
+const std::string& Document::text(const Node& node) const {
+  if (node.kind != Node::Kind::scalar) fail(node, wrong_kind(node, "a text"));
+  return node.text;
+}
+
+void NodeBuilder::fail(int line, const std::string& problem) const {
+  throw InputError(in_file(where_, line), problem);
+}
+
+void NodeBuilder::begin(Node::Kind kind, int line) {
+  if (open_.size() == deepest) {
+    fail(line, "lists and maps are nested too deep, expected at most " + std::to_string(deepest) +
+                   " levels");
+  }
+  Node node;
+  node.kind = kind;
+  node.line = line;
+  open_.push_back(std::move(node));
+}
+
+void NodeBuilder::end() {
+  Node node = std::move(open_.back());
+  open_.pop_back();
+  std::vector<const Node::Key*> keys;
+  for (const Node::Key& key : node.keys) keys.push_back(&key);
+  std::stable_sort(keys.begin(), keys.end(),
+                   [](const auto* a, const auto* b) { return a->text < b->text; });
+  const auto twin = std::adjacent_find(
+      keys.begin(), keys.end(), [](const auto* a, const auto* b) { return a->text == b->text; });
+  if (twin != keys.end()) {
+    fail((*(twin + 1))->line, "key " + quoted((*twin)->text) +
+                                  " is given again, expected it once (" + "first on line " +
+                                  std::to_string((*twin)->line) + ")");
+  }
+  add(std::move(node));
+}
+
+void NodeBuilder::scalar(std::string text, bool is_quoted, int line) {
+  Node node;
+  node.kind = Node::Kind::scalar;
+  node.is_quoted = is_quoted;
+  node.line = line;
+  node.text = std::move(text);
+  add(std::move(node));
+}
+
+void NodeBuilder::nothing(int line) {
+  const bool has_key = !open_.empty() && open_.back().keys.size() > open_.back().items.size();
+  Node node;
+  node.line = has_key ? open_.back().keys.back().line : line;
+  add(std::move(node));
+}
+
+void NodeBuilder::add(Node node) {
+  if (open_.empty()) {
+    root_ = std::move(node);
+    return;
+  }
+  Node& parent = open_.back();
+  if (parent.kind != Node::Kind::map || parent.keys.size() > parent.items.size()) {
+    parent.items.push_back(std::move(node));
+  } else if (node.kind == Node::Kind::scalar) {
+    parent.keys.push_back({std::move(node.text), node.line});
+  } else {
+    fail(node.line, "a key is " + description_of(node) + ", expected a word");
+  }
+}
+
+}  // namespace vandplan

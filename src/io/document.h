@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does a text hold, and on which line?
+//
+// YAML and JSON become the same tree of nodes. Whoever asks it for something that is not there gets
+// an InputError "file:line: key.path: what is wrong, what was expected".
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vandplan {
+
+/// A value and the line it begins on.
+struct Node {
+  enum class Kind { nothing, scalar, list, map };
+  struct Key {
+    std::string text;
+    int line = 0;
+  };
+
+  Kind kind = Kind::nothing;
+  bool is_quoted = false;  ///< a scalar that is a string whatever it looks like
+  int line = 1;
+  std::string text;         ///< of a scalar
+  std::vector<Key> keys;    ///< of a map
+  std::vector<Node> items;  ///< of a list, or the values of a map in the order of `keys`
+};
+
+class Document {
+ public:
+  /// `where` is the name of the file.
+  Document(std::string where, Node root) : where_(std::move(where)), root_(std::move(root)) {}
+
+  [[nodiscard]] const Node& root() const { return root_; }
+
+  /// Null if there is no such key. Throws if `node` is no map.
+  [[nodiscard]] const Node* find(const Node& node, std::string_view key) const;
+  /// Throws if there is no such key.
+  [[nodiscard]] const Node& at(const Node& node, std::string_view key) const;
+  /// Throws if the map has any other key.
+  void allow_only(const Node& node, std::initializer_list<std::string_view> keys) const;
+
+  /// The elements; throws if `node` is no list. `expected` says of what, "a list of polygons".
+  [[nodiscard]] const std::vector<Node>& list(const Node& node, std::string_view expected) const;
+  /// Finite.
+  [[nodiscard]] double number(const Node& node) const;
+  [[nodiscard]] std::int64_t integer(const Node& node) const;
+  [[nodiscard]] std::uint64_t count(const Node& node) const;
+  [[nodiscard]] const std::string& text(const Node& node) const;
+
+  [[noreturn]] void fail(const Node& node, const std::string& problem) const;
+  /// The same for a node named by its path, "goals[3].obstacles[0]", or the nearest one above it.
+  [[noreturn]] void fail(std::string_view path, const std::string& problem) const;
+
+ private:
+  /// "vehicle.width: ", empty for the root.
+  [[nodiscard]] std::string prefix_for(const Node& node) const;
+  /// What stands there, for a number.
+  [[nodiscard]] const std::string& scalar(const Node& node, const std::string& expected) const;
+
+  std::string where_;
+  Node root_;
+};
+
+/// Puts a tree together from what a parser comes across.
+class NodeBuilder {
+ public:
+  explicit NodeBuilder(std::string where) : where_(std::move(where)) {}
+
+  void begin(Node::Kind kind, int line);
+  void end();
+  /// A scalar, or the next key of a map.
+  void scalar(std::string text, bool is_quoted, int line);
+  /// Stands on the line of its key, if it has one.
+  void nothing(int line);
+  /// The root; nothing if there was none.
+  [[nodiscard]] Node finish() { return std::move(root_); }
+  [[noreturn]] void fail(int line, const std::string& problem) const;
+
+ private:
+  void add(Node node);
+
+  std::string where_;
+  std::vector<Node> open_;  // the root first
+  Node root_;
+};
+
+/// The largest file of text that is read [bytes].
+inline constexpr std::size_t largest_text = std::size_t{64} << 20;
+
+[[nodiscard]] Document parse_yaml(const std::string& text, const std::string& where);
+[[nodiscard]] Document parse_json(const std::string& text, const std::string& where);
+
+}  // namespace vandplan

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How do bytes get from and to a file, whole or not at all?
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+/// A file descriptor that closes itself, unless it is a standard stream.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ > STDERR_FILENO) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool is_open() const { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+[[noreturn]] void cannot(const std::string& file, const std::string& verb) {
+  throw InputError(file, "cannot " + verb + ": " + std::strerror(errno));
+}
+
+[[noreturn]] void fail(const std::string& file, const std::string& verb, int error) {
+  errno = error;
+  cannot(file, verb);
+}
+
+/// Zero, or the error that kept it from being written.
+int write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t count = ::write(descriptor, content.data(), content.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    content.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+std::string folder_of(const std::string& file) {
+  const std::size_t slash = file.rfind('/');
+  if (slash == std::string::npos) return ".";
+  return slash == 0 ? "/" : file.substr(0, slash);
+}
+
+/// The file that `file` names, behind all symbolic links; itself if it does not exist yet.
+std::string target_of(const std::string& file) {
+  char resolved[PATH_MAX];
+  return ::realpath(file.c_str(), resolved) != nullptr ? resolved : file;
+}
+
+/// Creates an empty file beside `file` and returns its name; -1 in `descriptor` if that fails.
+std::string create_beside(const std::string& file, mode_t mode, int& descriptor) {
+  std::string name;
+  for (int i = 0; i < 1000; ++i) {
+    name = folder_of(file) + "/.vandplan-" + std::to_string(::getpid()) + "-" + std::to_string(i) +
+           ".tmp";
+    descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor >= 0 || errno != EEXIST) return name;
+  }
+  return name;
+}
+
+/// Writes `content` beside `file` and puts it in its place. Zero, or the error.
+int replace(const std::string& file, const struct stat* old, std::string_view content) {
+  int number = -1;
+  const std::string temporary = create_beside(file, 0666, number);
+  const Descriptor descriptor(number);
+  if (!descriptor.is_open()) return errno;
+  int error = write_all(number, content);
+  if (error == 0 && old != nullptr && ::fchmod(number, old->st_mode & 07777) != 0) error = errno;
+  if (error == 0 && ::fsync(number) != 0) error = errno;
+  if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) error = errno;
+  if (error != 0) {
+    ::unlink(temporary.c_str());
+    return error;
+  }
+  const Descriptor folder(::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) (void)::fsync(folder.number());  // so that the new name survives a crash
+  return 0;
+}
+
+/// For pipes, terminals and the like, which cannot be replaced.
+int write_through(const std::string& file, std::string_view content) {
+  const Descriptor descriptor(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+  return descriptor.is_open() ? write_all(descriptor.number(), content) : errno;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& file, std::size_t largest) {
+  const bool is_stdin = file == "-";
+  const std::string name = is_stdin ? "standard input" : file;
+  const Descriptor descriptor(is_stdin ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor.is_open()) cannot(name, "open");
+  std::string content;
+  for (std::size_t used = 0;;) {
+    content.resize(used + (std::size_t{1} << 16));
+    const ssize_t count = ::read(descriptor.number(), content.data() + used, content.size() - used);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) cannot(name, "read");
+    used += static_cast<std::size_t>(count);
+    if (used > largest) {
+      throw InputError(name,
+                       "is too large, expected at most " + std::to_string(largest) + " bytes");
+    }
+    if (count > 0) continue;
+    content.resize(used);
+    return content;
+  }
+}
+
+void expect_writable(const std::string& file) {
+  if (file == "-") return;
+  const std::string target = target_of(file);
+  const std::string folder = folder_of(target) + "/.";
+  struct stat old {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) fail(file, "write", EISDIR);
+  if (exists && ::access(target.c_str(), W_OK) != 0) cannot(file, "write");
+  // A file is replaced by one that is written beside it.
+  if (exists && !S_ISREG(old.st_mode)) return;
+  if (file.empty()) fail(file, "write", ENOENT);
+  if (::access(folder.c_str(), W_OK) != 0) cannot(file, "write");
+}
+
+void write_file(const std::string& file, std::string_view content) {
+  if (file == "-") {
+    if (const int error = write_all(STDOUT_FILENO, content)) {
+      fail("standard output", "write", error);
+    }
+    return;
+  }
+  expect_writable(file);
+  const std::string target = target_of(file);
+  struct stat old {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  const int error = exists && !S_ISREG(old.st_mode)
+                        ? write_through(target, content)
+                        : replace(target, exists ? &old : nullptr, content);
+  if (error != 0) fail(file, "write", error);
+}
+
+}  // namespace vandplan

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How is a result read, ours or somebody else's? (docs/formats.md)
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+#include <limits>
+
+#include "io/document.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+constexpr std::initializer_list<PlanStatus> statuses = {
+    PlanStatus::solved,          PlanStatus::start_in_collision, PlanStatus::goal_in_collision,
+    PlanStatus::iteration_limit, PlanStatus::node_limit,         PlanStatus::time_limit,
+    PlanStatus::stopped};
+
+PlanStatus status_from(const Document& file, const Node& node) {
+  std::string names;
+  for (const PlanStatus status : statuses) {
+    if (file.text(node) == name_of(status)) return status;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(status));
+  }
+  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node), names));
+}
+
+Pose pose_from(const Document& file, const Node& node) {
+  return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
+          file.number(file.at(node, "heading"))};
+}
+
+double curvature_from(const Document& file, const Node& node, double radius) {
+  const Node* const turn = file.find(node, "turn");
+  const Node* const curvature = file.find(node, "curvature");
+  if ((turn == nullptr) == (curvature == nullptr)) {
+    file.fail(node, fmt::format("has {}, expected either turn or curvature",
+                                turn == nullptr ? "neither" : "both"));
+  }
+  if (curvature != nullptr) return file.number(*curvature);
+  const std::string& word = file.text(*turn);
+  if (word == "left") return 1.0 / radius;
+  if (word == "right") return -1.0 / radius;
+  if (word == "straight") return 0.0;
+  file.fail(*turn, fmt::format("is \"{}\", expected left, straight or right", word));
+}
+
+Path path_from(const Document& file, const Node& node, double radius) {
+  Path path{pose_from(file, file.at(node, "start")), {}};
+  for (const Node& segment : file.list(file.at(node, "segments"), "a list of segments")) {
+    path.segments.push_back(
+        {curvature_from(file, segment, radius), file.number(file.at(segment, "length"))});
+  }
+  return path;
+}
+
+std::vector<CostSample> anytime_from(const Document& file, const Node& node) {
+  std::vector<CostSample> samples;
+  for (const Node& item : file.list(node, "a list of costs over time")) {
+    samples.push_back({file.number(file.at(item, "time")), file.integer(file.at(item, "iteration")),
+                       file.number(file.at(item, "cost"))});
+  }
+  return samples;
+}
+
+TreeSnapshot tree_from(const Document& file, const Node& node) {
+  TreeSnapshot tree;
+  for (const Node& pose : file.list(file.at(node, "poses"), "a list of poses")) {
+    const std::vector<Node>& items = file.list(pose, "a pose [x, y, heading]");
+    if (items.size() != 3) {
+      file.fail(pose,
+                fmt::format("has {} elements, expected a pose [x, y, heading]", items.size()));
+    }
+    tree.poses.push_back({file.number(items[0]), file.number(items[1]), file.number(items[2])});
+  }
+  const Node& parents = file.at(node, "parents");
+  if (file.list(parents, "a list of nodes").size() != tree.poses.size()) {
+    file.fail(parents, fmt::format("has {} elements, expected one for each of the {} poses",
+                                   parents.items.size(), tree.poses.size()));
+  }
+  for (const Node& item : parents.items) {
+    const std::int64_t parent = file.integer(item);
+    const auto index = static_cast<std::int64_t>(tree.parents.size());
+    if (parent >= index || (index > 0 && parent < 0)) {
+      file.fail(item, fmt::format("is {}, expected a node before node {}", parent, index));
+    }
+    tree.parents.push_back(index == 0 ? -1 : static_cast<std::int32_t>(parent));
+  }
+  return tree;
+}
+
+/// What is worth knowing but may be missing.
+void read_statistics(const Document& file, const Node& node, PlanResult& result) {
+  if (const Node* const cost = file.find(node, "cost")) result.cost = file.number(*cost);
+  if (const Node* const time = file.find(node, "time")) {
+    if (const Node* const total = file.find(*time, "total")) {
+      result.time_total = file.number(*total);
+    }
+  }
+  if (const Node* const count = file.find(node, "iterations")) {
+    result.iterations = file.integer(*count);
+  }
+  if (const Node* const count = file.find(node, "nodes")) result.nodes = file.integer(*count);
+  if (const Node* const anytime = file.find(node, "anytime")) {
+    result.anytime = anytime_from(file, *anytime);
+  }
+  if (const Node* const tree = file.find(node, "tree")) result.tree = tree_from(file, *tree);
+}
+
+StatedPose stated_pose(const Document& file, const Node& node) {
+  StatedPose stated{.s = file.number(file.at(node, "s")), .pose = pose_from(file, node)};
+  if (const Node* const curvature = file.find(node, "curvature")) {
+    stated.curvature = file.number(*curvature);
+  }
+  if (const Node* const direction = file.find(node, "direction")) {
+    const std::int64_t sign = file.integer(*direction);
+    if (sign != 1 && sign != -1)
+      file.fail(*direction, fmt::format("is {}, expected 1 or -1", sign));
+    stated.direction = static_cast<int>(sign);
+  }
+  return stated;
+}
+
+PathClaims claims_from(const Document& file, const Node& node) {
+  PathClaims claims;
+  if (const Node* const length = file.find(node, "length")) claims.length = file.number(*length);
+  if (const Node* const changes = file.find(node, "gear_changes")) {
+    const std::uint64_t count = file.count(*changes);
+    if (count > std::numeric_limits<int>::max()) {
+      file.fail(*changes, fmt::format("is {}, expected a count of gear changes", count));
+    }
+    claims.gear_changes = static_cast<int>(count);
+  }
+  if (const Node* const poses = file.find(file.at(node, "path"), "poses")) {
+    for (const Node& pose : file.list(*poses, "a list of poses"))
+      claims.poses.push_back(stated_pose(file, pose));
+  }
+  return claims;
+}
+
+ResultRecord record_from(const Document& file, const Node& node, double radius) {
+  ResultRecord record;
+  if (const Node* const name = file.find(node, "scenario")) record.scenario = file.text(*name);
+  if (const Node* const name = file.find(node, "planner")) record.planner = file.text(*name);
+  if (const Node* const seed = file.find(node, "seed")) record.options.seed = file.count(*seed);
+  if (const Node* const metres = file.find(node, "distance")) {
+    record.distance = file.number(*metres);
+  }
+  PlanResult& result = record.result;
+  const Node* const path = file.find(node, "path");
+  const Node* const status = file.find(node, "status");
+  if (status == nullptr && path == nullptr) (void)file.at(node, "status");
+  result.status = status != nullptr ? status_from(file, *status) : PlanStatus::solved;
+  if (path != nullptr && result.status != PlanStatus::solved) {
+    file.fail(*path, fmt::format("is given though the status is {}, expected none",
+                                 name_of(result.status)));
+  }
+  if (result.status == PlanStatus::solved) {
+    result.path = path_from(file, file.at(node, "path"), radius);
+    record.claims = claims_from(file, node);
+  }
+  read_statistics(file, node, result);
+  return record;
+}
+
+}  // namespace
+
+std::vector<ResultRecord> read_results(const std::string& file, const Scenario& scenario) {
+  const Document result =
+      parse_json(read_file(file, largest_text), file == "-" ? "standard input" : file);
+  const Node& root = result.root();
+  const Node& format = result.at(root, "format");
+  if (result.text(format) != "vandplan-result/1") {
+    result.fail(format, fmt::format("is \"{}\", expected \"vandplan-result/1\"", format.text));
+  }
+  const double radius = scenario.vehicle.min_turning_radius;
+  const Node* const goals = result.find(root, "goals");
+  if (!scenario.goals_are_a_row) {
+    if (goals != nullptr) result.fail(*goals, "is a row, expected the scenario's one goal");
+    return {record_from(result, root, radius)};
+  }
+  const std::vector<Node>& items = result.list(result.at(root, "goals"), "a list of results");
+  if (items.size() != scenario.goals.size()) {
+    result.fail(*goals, fmt::format("has {} elements, expected the scenario's {} goals",
+                                    items.size(), scenario.goals.size()));
+  }
+  std::vector<ResultRecord> records;
+  for (const Node& item : items) records.push_back(record_from(result, item, radius));
+  return records;
+}
+
+}  // namespace vandplan

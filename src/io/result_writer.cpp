@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How is a result written? (docs/formats.md)
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "vandplan/io.h"
+#include "vandplan/version.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double pose_distance = 0.1;  // at most between neighbouring poses of a file [m]
+
+Json json_of(const Pose& pose) { return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}}; }
+
+Json json_of(const Segment& segment, double radius) {
+  Json json;
+  if (segment.curvature == 0.0) {
+    json["turn"] = "straight";
+  } else if (std::abs(segment.curvature) == 1.0 / radius) {
+    json["turn"] = segment.curvature > 0.0 ? "left" : "right";
+  } else {
+    json["curvature"] = segment.curvature;
+  }
+  json["length"] = segment.length;
+  return json;
+}
+
+Json json_of(const PathPoint& point) {
+  Json json = {{"s", point.s}};
+  json.update(json_of(point.pose));
+  json["curvature"] = point.curvature;
+  json["direction"] = point.direction;
+  return json;
+}
+
+/// The poses of a path, integrated beside its start, where doubles are fine enough.
+Json poses_of(const Path& path) {
+  const double x = std::round(path.start.x);
+  const double y = std::round(path.start.y);
+  Path local = path;
+  local.start.x -= x;
+  local.start.y -= y;
+  Json json = Json::array();
+  for (PathPoint& point : sampled(local, pose_distance)) {
+    point.pose.x += x;
+    point.pose.y += y;
+    json.push_back(json_of(point));
+  }
+  return json;
+}
+
+/// The start as the scenario writes it: its heading may be turns away from the path's.
+Pose written_start(const Pose& start, const Pose& wanted) {
+  const Pose wrapped{wanted.x, wanted.y, wrap_angle(wanted.heading)};
+  return start == wrapped ? wanted : start;
+}
+
+Json json_of(const Path& path, double radius) {
+  Json segments = Json::array();
+  for (const Segment& segment : path.segments) segments.push_back(json_of(segment, radius));
+  return {{"start", json_of(path.start)}, {"segments", segments}, {"poses", poses_of(path)}};
+}
+
+Json json_of(const TreeSnapshot& tree) {
+  Json poses = Json::array();
+  for (const Pose& pose : tree.poses) poses.push_back({pose.x, pose.y, pose.heading});
+  return {{"poses", poses}, {"parents", tree.parents}};
+}
+
+Json time_of(const PlanResult& result) {
+  Json time = {{"total", result.time_total}};
+  if (!result.anytime.empty()) time["first_solution"] = result.anytime.front().time;
+  return time;
+}
+
+Json anytime_of(const PlanResult& result) {
+  Json json = Json::array();
+  for (const CostSample& sample : result.anytime) {
+    json.push_back({{"time", sample.time}, {"iteration", sample.iteration}, {"cost", sample.cost}});
+  }
+  return json;
+}
+
+Json options_of(const PlanOptions& options) {
+  Json json = Json::object();
+  for (const OptionInfo& option : option_table()) {
+    json[std::string(option.name)] = Json::parse(option.get(options));
+  }
+  return json;
+}
+
+Json build_of(const BuildInfo& build) {
+  return {
+      {"version", build.version}, {"compiler", build.compiler}, {"build_type", build.build_type}};
+}
+
+Json heading_of(const ResultRecord& record) {
+  return {{"format", "vandplan-result/1"},
+          {"scenario", record.scenario},
+          {"planner", record.planner},
+          {"seed", record.options.seed}};
+}
+
+Json json_of(const Scenario& scenario, const ResultRecord& record) {
+  const PlanResult& result = record.result;
+  Json json = heading_of(record);
+  if (record.distance) json["distance"] = *record.distance;
+  json["status"] = name_of(result.status);
+  if (result.path) {
+    json["length"] = length(result.path->segments);
+    json["cost"] = result.cost;
+    if (result.lower_bound > 0.0) {
+      json["bound"] = result.lower_bound;
+      json["gap"] = result.cost / result.lower_bound - 1.0;
+    }
+    json["gear_changes"] = gear_changes(result.path->segments);
+  }
+  json["time"] = time_of(result);
+  json["iterations"] = result.iterations;
+  json["nodes"] = result.nodes;
+  json["anytime"] = anytime_of(result);
+  if (result.path) {
+    Path path = *result.path;
+    path.start = written_start(path.start, scenario.start);
+    json["path"] = json_of(path, scenario.vehicle.min_turning_radius);
+  }
+  if (result.tree) json["tree"] = json_of(*result.tree);
+  json["options"] = options_of(record.options);
+  json["build"] = build_of(build_info());
+  return json;
+}
+
+/// The largest distance whose goal was reached, or null.
+Json furthest_of(const std::vector<ResultRecord>& records) {
+  Json furthest;
+  for (const ResultRecord& record : records) {
+    if (record.result.status != PlanStatus::solved || !record.distance) continue;
+    if (furthest.is_null() || *record.distance > furthest) furthest = *record.distance;
+  }
+  return furthest;
+}
+
+/// Whether it goes on one line: nothing in it holds anything.
+bool is_flat(const Json& json) {
+  return std::none_of(json.begin(), json.end(),
+                      [](const Json& item) { return item.is_structured() && !item.empty(); });
+}
+
+/// One line for whatever is flat, else one line per element.
+void write(const Json& json, const std::string& indent, std::string& text) {
+  if (!json.is_structured() || json.empty()) {
+    text += json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return;
+  }
+  const bool flat = is_flat(json);
+  const std::string inner = indent + "  ";
+  text += json.is_object() ? '{' : '[';
+  bool first = true;
+  for (const auto& item : json.items()) {
+    if (!first) text += flat ? ", " : ",";
+    if (!flat) text += '\n' + inner;
+    if (json.is_object()) {
+      text += Json(item.key()).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
+    }
+    write(item.value(), inner, text);
+    first = false;
+  }
+  if (!flat) text += '\n' + indent;
+  text += json.is_object() ? '}' : ']';
+}
+
+}  // namespace
+
+std::string results_to_json(const Scenario& scenario, const std::vector<ResultRecord>& records) {
+  assert(!records.empty());
+  Json json;
+  if (scenario.goals_are_a_row) {
+    json = heading_of(records.front());
+    json["goals"] = Json::array();
+    for (const ResultRecord& record : records) json["goals"].push_back(json_of(scenario, record));
+    json["furthest"] = furthest_of(records);
+  } else {
+    json = json_of(scenario, records.front());
+  }
+  std::string text;
+  write(json, "", text);
+  return text + '\n';
+}
+
+}  // namespace vandplan

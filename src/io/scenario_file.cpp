@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How is a scenario read and written? (docs/formats.md)
+
+#include <fmt/format.h>
+
+#include "io/document.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+Vehicle vehicle_from(const Document& file, const Node& node) {
+  file.allow_only(node,
+                  {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius"});
+  return {.wheelbase = file.number(file.at(node, "wheelbase")),
+          .front_overhang = file.number(file.at(node, "front_overhang")),
+          .rear_overhang = file.number(file.at(node, "rear_overhang")),
+          .width = file.number(file.at(node, "width")),
+          .min_turning_radius = file.number(file.at(node, "min_turning_radius"))};
+}
+
+/// A list of exactly two numbers.
+Point pair_from(const Document& file, const Node& node, const std::string& expected) {
+  const std::vector<Node>& items = file.list(node, expected);
+  if (items.size() != 2) {
+    file.fail(node, fmt::format("has {} element{}, expected {}", items.size(),
+                                items.size() == 1 ? "" : "s", expected));
+  }
+  return {file.number(items[0]), file.number(items[1])};
+}
+
+Bounds bounds_from(const Document& file, const Node& node) {
+  file.allow_only(node, {"x", "y"});
+  const Point x = pair_from(file, file.at(node, "x"), "[smallest, largest]");
+  const Point y = pair_from(file, file.at(node, "y"), "[smallest, largest]");
+  return {x.x, x.y, y.x, y.y};
+}
+
+Pose pose_from(const Document& file, const Node& node) {
+  file.allow_only(node, {"x", "y", "heading"});
+  return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
+          file.number(file.at(node, "heading"))};
+}
+
+std::vector<Polygon> polygons_from(const Document& file, const Node& node) {
+  std::vector<Polygon> polygons;
+  for (const Node& item : file.list(node, "a list of polygons")) {
+    Polygon& polygon = polygons.emplace_back();
+    polygon.reserve(item.items.size());
+    for (const Node& corner : file.list(item, "a polygon [[x, y], ...]")) {
+      polygon.push_back(pair_from(file, corner, "a corner [x, y]"));
+    }
+  }
+  return polygons;
+}
+
+std::vector<Goal> goals_from(const Document& file, const Node& node) {
+  std::vector<Goal> goals;
+  for (const Node& item : file.list(node, "a list of goals")) {
+    file.allow_only(item, {"distance", "goal", "obstacles"});
+    Goal& goal = goals.emplace_back();
+    goal.distance = file.number(file.at(item, "distance"));
+    goal.pose = pose_from(file, file.at(item, "goal"));
+    if (const Node* const obstacles = file.find(item, "obstacles")) {
+      goal.obstacles = polygons_from(file, *obstacles);
+    }
+  }
+  return goals;
+}
+
+Scenario scenario_from(const Document& file) {
+  const Node& root = file.root();
+  if (const Node* const map = file.find(root, "map")) {
+    file.fail(*map, "maps are not supported yet, expected obstacles");
+  }
+  file.allow_only(
+      root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals", "obstacles"});
+  const Node* const goals = file.find(root, "goals");
+  const Node* const goal = file.find(root, "goal");
+  if (goals != nullptr && goal != nullptr) {
+    file.fail(*goals, "is given beside goal, expected one of the two");
+  }
+  if (goals == nullptr && goal == nullptr) {
+    file.fail(root, "key \"goal\" is missing, expected either goal or goals");
+  }
+  Scenario scenario;
+  scenario.name = file.text(file.at(root, "name"));
+  if (const Node* const description = file.find(root, "description")) {
+    scenario.description = file.text(*description);
+  }
+  scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"));
+  scenario.bounds = bounds_from(file, file.at(root, "bounds"));
+  scenario.start = pose_from(file, file.at(root, "start"));
+  scenario.goals_are_a_row = goals != nullptr;
+  scenario.goals =
+      goals != nullptr
+          ? goals_from(file, *goals)
+          : std::vector<Goal>{{.distance = {}, .pose = pose_from(file, *goal), .obstacles = {}}};
+  scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
+  return scenario;
+}
+
+/// A double-quoted YAML scalar.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if ((c >= 0 && c < ' ') || c == 127) {
+      result += fmt::format("\\x{:02x}", static_cast<int>(c));
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+std::string yaml_of(const Pose& pose) {
+  return fmt::format("{{x: {}, y: {}, heading: {}}}", pose.x, pose.y, pose.heading);
+}
+
+/// The value of an `obstacles` key and the end of its line.
+std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& indent) {
+  if (polygons.empty()) return " []\n";
+  std::string text = "\n";
+  for (const Polygon& polygon : polygons) {
+    std::string corners;
+    for (const Point& corner : polygon) {
+      corners += fmt::format("{}[{}, {}]", corners.empty() ? "" : ", ", corner.x, corner.y);
+    }
+    text += fmt::format("{}- [{}]\n", indent, corners);
+  }
+  return text;
+}
+
+}  // namespace
+
+Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
+  const Document file = parse_yaml(text, where);
+  Scenario scenario = scenario_from(file);
+  try {
+    check_scenario(scenario);
+  } catch (const InputError& error) {
+    file.fail(error.where(), error.problem());
+  }
+  return scenario;
+}
+
+Scenario read_scenario(const std::string& file) {
+  return scenario_from_yaml(read_file(file, largest_text), file == "-" ? "standard input" : file);
+}
+
+std::string scenario_to_yaml(const Scenario& scenario) {
+  const Vehicle& v = scenario.vehicle;
+  const Bounds& b = scenario.bounds;
+  std::string text = fmt::format("name: {}\n", quoted(scenario.name));
+  if (!scenario.description.empty()) {
+    text += fmt::format("description: {}\n", quoted(scenario.description));
+  }
+  text += fmt::format(
+      "vehicle: {{wheelbase: {}, front_overhang: {}, rear_overhang: {}, width: {}, "
+      "min_turning_radius: {}}}\n",
+      v.wheelbase, v.front_overhang, v.rear_overhang, v.width, v.min_turning_radius);
+  text += fmt::format("bounds: {{x: [{}, {}], y: [{}, {}]}}\n", b.x_min, b.x_max, b.y_min, b.y_max);
+  text += fmt::format("start: {}\n", yaml_of(scenario.start));
+  if (scenario.goals_are_a_row) {
+    text += "goals:\n";
+    for (const Goal& goal : scenario.goals) {
+      text += fmt::format("  - distance: {}\n    goal: {}\n    obstacles:{}",
+                          goal.distance.value_or(0.0), yaml_of(goal.pose),
+                          yaml_of(goal.obstacles, "      "));
+    }
+  } else {
+    text += fmt::format("goal: {}\n", yaml_of(scenario.goals.at(0).pose));
+  }
+  std::vector<Polygon> obstacles = scenario.obstacles;
+  if (!scenario.goals_are_a_row) {  // a single goal's own have no key of their own
+    const std::vector<Polygon>& own = scenario.goals.at(0).obstacles;
+    obstacles.insert(obstacles.end(), own.begin(), own.end());
+  }
+  return text + "obstacles:" + yaml_of(obstacles, "  ");
+}
+
+}  // namespace vandplan

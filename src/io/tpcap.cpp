@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How is a case of the Trajectory Planning Competition for Automated Parking 2022 read?
+//
+// Numbers with commas between them: start x, y, heading; goal x, y, heading; number of obstacles;
+// the number of corners of each; the corners' x, y. Vehicle and bounds are not in the file.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+
+#include "io/document.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+// The competition's car: wheelbase 2.8 m, steering up to 0.75 rad, so that the radius is
+// 2.8 / tan(0.75), rounded to micrometres.
+constexpr Vehicle competition_car{.wheelbase = 2.8,
+                                  .front_overhang = 0.96,
+                                  .rear_overhang = 0.929,
+                                  .width = 1.942,
+                                  .min_turning_radius = 3.005593};
+constexpr double margin = 20.0;  // between what is in the file and the bounds [m]
+
+/// The values of a file, one by one.
+class Values {
+ public:
+  Values(const std::string& text, std::string file) : text_(text), file_(std::move(file)) {}
+
+  double number(const std::string& name) {
+    const std::string_view word = next(name);
+    double value = 0.0;
+    const char* const last = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data(), last, value);
+    if (error != std::errc() || end != last || !std::isfinite(value)) {
+      fail(name, word, "a finite number");
+    }
+    return value;
+  }
+
+  /// A whole number that what is left of the file has room for.
+  std::size_t count(const std::string& name) {
+    const double value = number(name);
+    if (value < 0 || value != std::floor(value) || value > static_cast<double>(rest().size())) {
+      fail(name, fmt::format("{}", value), "a whole number that the rest of the file has room for");
+    }
+    return static_cast<std::size_t>(value);
+  }
+
+  void expect_end() {
+    if (rest().empty()) return;
+    throw InputError(where(), fmt::format("goes on after value {}, expected its end", read_));
+  }
+
+ private:
+  static bool separates(char c) {
+    return c == ',' || c == ' ' || c == '\t' || c == '\r' || c == '\n';
+  }
+
+  [[nodiscard]] std::string where() const { return fmt::format("{}:{}", file_, line_); }
+
+  /// The text from the next value on.
+  std::string_view rest() {
+    while (at_ < text_.size() && separates(text_[at_])) {
+      if (text_[at_] == '\n') ++line_;
+      ++at_;
+    }
+    return std::string_view(text_).substr(at_);
+  }
+
+  std::string_view next(const std::string& name) {
+    const std::string_view left = rest();
+    if (left.empty()) {
+      throw InputError(where(), fmt::format("ends after value {}, expected {}", read_, name));
+    }
+    const auto end = std::find_if(left.begin(), left.end(), separates);
+    const auto size = static_cast<std::size_t>(end - left.begin());
+    at_ += size;
+    ++read_;
+    return left.substr(0, size);
+  }
+
+  [[noreturn]] void fail(const std::string& name, std::string_view word,
+                         const std::string& expected) const {
+    throw InputError(where(), fmt::format("value {} ({}) is \"{}\", expected {}", read_, name,
+                                          word.substr(0, 40), expected));
+  }
+
+  const std::string& text_;
+  std::string file_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+  std::size_t read_ = 0;  // values so far
+};
+
+Pose pose_from(Values& values, const std::string& name) {
+  const double x = values.number("x of the " + name);
+  const double y = values.number("y of the " + name);
+  return {x, y, values.number("heading of the " + name)};
+}
+
+std::vector<Polygon> obstacles_from(Values& values) {
+  std::vector<std::size_t> counts(values.count("number of obstacles"));
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    counts[i] = values.count(fmt::format("number of corners of obstacle {}", i));
+  }
+  std::vector<Polygon> obstacles;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const std::string name = fmt::format("corner of obstacle {}", i);
+    Polygon& obstacle = obstacles.emplace_back();
+    for (std::size_t k = 0; k < counts[i]; ++k) {
+      const double x = values.number(name);
+      obstacle.push_back({x, values.number(name)});
+    }
+  }
+  return obstacles;
+}
+
+/// Around all that is in the scenario, rounded to millimetres.
+Bounds bounds_around(const Scenario& scenario) {
+  std::vector<Point> points = {{scenario.start.x, scenario.start.y}};
+  for (const Goal& goal : scenario.goals) points.push_back({goal.pose.x, goal.pose.y});
+  for (const Polygon& obstacle : scenario.obstacles) {
+    points.insert(points.end(), obstacle.begin(), obstacle.end());
+  }
+  const Bounds box = bounding_box(points);
+  const auto rounded = [](double metres) { return std::round(metres * 1000) / 1000; };
+  return {rounded(box.x_min - margin), rounded(box.x_max + margin), rounded(box.y_min - margin),
+          rounded(box.y_max + margin)};
+}
+
+}  // namespace
+
+Scenario read_tpcap(const std::string& file) {
+  const std::string text = read_file(file, largest_text);
+  const std::string name = file == "-" ? "standard input" : file;
+  Values values(text, name);
+  Scenario scenario;
+  scenario.name = file == "-" ? "tpcap" : std::filesystem::path(file).stem().string();
+  scenario.description = "TPCAP 2022";
+  scenario.vehicle = competition_car;
+  scenario.start = pose_from(values, "start");
+  scenario.goals = {{.distance = {}, .pose = pose_from(values, "goal"), .obstacles = {}}};
+  scenario.obstacles = obstacles_from(values);
+  values.expect_end();
+  scenario.bounds = bounds_around(scenario);
+  try {
+    check_scenario(scenario);
+  } catch (const InputError& error) {
+    throw InputError(name + ":1", error.what());
+  }
+  return scenario;
+}
+
+}  // namespace vandplan

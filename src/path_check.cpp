@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/path_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "judge/clearance.h"
+#include "judge/track.h"
+
+namespace vandplan {
+namespace {
+
+using namespace judge;
+
+constexpr double look_distance = 1e-3;    // driven between two looks, at least [m]
+constexpr double clearance_error = 1e-3;  // of the clearance reported [m]
+constexpr double position_tolerance = 1e-6;
+constexpr double heading_tolerance = 1e-6;
+constexpr double length_tolerance = 1e-6;
+constexpr double pose_distance = 0.1;  // between stated poses, at most [m]
+// Of stated poses [m, rad], curvature [1/m] and distance: files far from the origin, where doubles
+// are micrometres apart, and figures rounded by others must pass.
+constexpr double stated_tolerance = 1e-5;
+constexpr double curvature_slack = 1e-9;  // relative
+constexpr double bounds_slack = 1e-9;     // [m]
+
+struct Fault {
+  std::string reason;
+  std::optional<Place> place;
+};
+
+std::string text(const char* format, auto... values) {
+  std::array<char, 200> buffer;
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+Place end_of(const Track& track) {
+  return {track.stretches.size() - 1, track.stretches.back().length};
+}
+
+/// After one full turn an arc repeats itself.
+Real length_to_look_at(const Stretch& stretch) {
+  const Real curvature = std::abs(stretch.curvature);
+  return curvature * stretch.length > full_turn ? full_turn / curvature : stretch.length;
+}
+
+// ---- Along the path ----
+
+/// The clearance as seen from one place.
+struct Look {
+  Place place;
+  double clearance;
+};
+
+/// No point of the body moves further than this for each metre driven.
+double speed(const Stretch& stretch, const Rectangle& body) {
+  const double reach =
+      std::hypot(std::max(-body.x_min, body.x_max), std::max(-body.y_min, body.y_max));
+  return 1 + static_cast<double>(std::abs(stretch.curvature)) * reach;
+}
+
+/// Looks along the track up to the first place where the body touches the obstacle: every
+/// millimetre, or as far as the clearance proves that nothing can be touched in between.
+std::vector<Look> looks_along(const Track& track, const Rectangle& body, const Polygon& obstacle) {
+  std::vector<Look> looks;
+  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+    const Stretch& stretch = track.stretches[i];
+    const Real length = length_to_look_at(stretch);
+    const double body_speed = speed(stretch, body);
+    Real t = 0;
+    while (true) {
+      const double distance = clearance(after(stretch, t), body, obstacle);
+      looks.push_back({{i, t}, distance});
+      if (!(distance > 0)) return looks;
+      if (t >= length) break;
+      t = std::min<Real>(length, t + std::max(look_distance, distance / body_speed));
+    }
+  }
+  return looks;
+}
+
+/// Lowers `least` to the clearance between two looks at one stretch wherever it may be more than
+/// `clearance_error` below.
+void refine(const Track& track, const Rectangle& body, const Polygon& obstacle, const Look& from,
+            const Look& to, double& least) {
+  const Stretch& stretch = track.stretches[from.place.stretch];
+  const auto moved = static_cast<double>(to.place.t - from.place.t) * speed(stretch, body);
+  if ((from.clearance + to.clearance - moved) / 2 >= least - clearance_error) return;
+  const Real t = (from.place.t + to.place.t) / 2;
+  const Look middle{{from.place.stretch, t}, clearance(after(stretch, t), body, obstacle)};
+  least = std::min(least, middle.clearance);
+  refine(track, body, obstacle, from, middle, least);
+  refine(track, body, obstacle, middle, to, least);
+}
+
+// ---- What can be wrong ----
+
+std::optional<Fault> not_finite(const Path& path) {
+  const Pose& start = path.start;
+  if (!std::isfinite(start.x) || !std::isfinite(start.y) || !std::isfinite(start.heading)) {
+    return Fault{"the start of the path is not finite", {}};
+  }
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const Segment& segment = path.segments[i];
+    if (std::isfinite(segment.curvature) && std::isfinite(segment.length)) continue;
+    return Fault{"segments[" + std::to_string(i) + "] is not finite", {}};
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> off_pose(const Position& actual, const Pose& expected, const char* what,
+                              const Place& place) {
+  const auto distance =
+      static_cast<double>(std::hypot(actual.x - expected.x, actual.y - expected.y));
+  const auto angle = static_cast<double>(
+      std::abs(std::remainder(actual.heading - static_cast<Real>(expected.heading), full_turn)));
+  if (distance <= position_tolerance && angle <= heading_tolerance) return std::nullopt;
+  return Fault{text("the path %s %.3g m and %.3g rad away", what, distance, angle), place};
+}
+
+std::optional<Fault> too_tight(const Track& track, double radius) {
+  const Real limit = (1 + static_cast<Real>(curvature_slack)) / radius;
+  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+    const Real curvature = track.stretches[i].curvature;
+    if (std::abs(curvature) <= limit) continue;
+    return Fault{text("curvature %.10g is tighter than the turning radius of %.10g m allows",
+                      static_cast<double>(curvature), radius),
+                 Place{i, 0}};
+  }
+  return std::nullopt;
+}
+
+/// Where on a stretch x or y can be extreme: its ends, and where it points along an axis.
+std::vector<Real> extremes(const Stretch& stretch) {
+  std::vector<Real> places = {0, stretch.length};
+  const Real turn_rate = stretch.curvature * stretch.direction;
+  if (turn_rate == 0) return places;
+  for (int axis = 0; axis < 4; ++axis) {
+    const Real turn = (axis * full_turn / 4 - stretch.start.heading) * (turn_rate > 0 ? 1 : -1);
+    const Real t = (turn - full_turn * std::floor(turn / full_turn)) / std::abs(turn_rate);
+    if (t < stretch.length) places.push_back(t);
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
+  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+    for (const Real t : extremes(track.stretches[i])) {
+      const Position p = after(track.stretches[i], t);
+      const Real outside = std::max(
+          {bounds.x_min - p.x, p.x - bounds.x_max, bounds.y_min - p.y, p.y - bounds.y_max});
+      if (outside <= bounds_slack) continue;
+      return Fault{text("the rear axle is %.3g m outside the bounds", static_cast<double>(outside)),
+                   Place{i, t}};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The first collision on the way; without one `least` is the clearance.
+std::optional<Fault> collision(const Track& track, const World& world, double& least) {
+  const Vehicle& vehicle = world.vehicle();
+  const Rectangle body = {-vehicle.rear_overhang, vehicle.wheelbase + vehicle.front_overhang,
+                          -vehicle.width / 2, vehicle.width / 2};
+  std::vector<std::vector<Look>> looks;
+  std::optional<Fault> first;
+  for (std::size_t i = 0; i < world.obstacles().size(); ++i) {
+    looks.push_back(looks_along(track, body, world.obstacles()[i]));
+    for (const Look& look : looks.back()) least = std::min(least, look.clearance);
+    const auto& [place, distance] = looks.back().back();
+    if (distance > 0) continue;
+    if (first &&
+        std::tie(first->place->stretch, first->place->t) <= std::tie(place.stretch, place.t)) {
+      continue;
+    }
+    first = Fault{"the footprint hits obstacles[" + std::to_string(i) + "]", place};
+  }
+  if (first) return first;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    for (std::size_t k = 1; k < looks[i].size(); ++k) {
+      if (looks[i][k - 1].place.stretch != looks[i][k].place.stretch) continue;
+      refine(track, body, world.obstacles()[i], looks[i][k - 1], looks[i][k], least);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> false_claim(const Track& track, const PathClaims& claims) {
+  const auto length = static_cast<double>(track.length);
+  if (claims.length && !(std::abs(*claims.length - length) <= length_tolerance)) {
+    return Fault{
+        text("the stated length is %.10g m, the path is %.10g m long", *claims.length, length), {}};
+  }
+  if (claims.gear_changes && *claims.gear_changes != track.gear_changes) {
+    return Fault{text("the stated gear changes are %d, the path has %d", *claims.gear_changes,
+                      track.gear_changes),
+                 {}};
+  }
+  return std::nullopt;
+}
+
+bool is_near(const Position& position, const Pose& pose) {
+  const Real turn = std::remainder(position.heading - static_cast<Real>(pose.heading), full_turn);
+  return std::hypot(position.x - pose.x, position.y - pose.y) <= stated_tolerance &&
+         std::abs(turn) <= stated_tolerance;
+}
+
+/// Whether a stated pose lies on the stretch. At a joint it may belong to either side.
+bool lies_on(const StatedPose& stated, const Stretch& stretch) {
+  const Real t = std::clamp<Real>(stated.s - stretch.s, 0, stretch.length);
+  if (!(std::abs(stretch.s + t - stated.s) <= stated_tolerance)) return false;
+  if (stated.direction && *stated.direction != stretch.direction) return false;
+  if (stated.curvature && !(std::abs(stretch.curvature - *stated.curvature) <= stated_tolerance)) {
+    return false;
+  }
+  return is_near(after(stretch, t), stated.pose);
+}
+
+std::optional<Fault> false_poses(const Track& track, const std::vector<StatedPose>& poses) {
+  if (poses.empty()) return std::nullopt;
+  const auto fault = [](std::size_t i, const char* problem) {
+    return Fault{"the stated poses[" + std::to_string(i) + "] " + problem, {}};
+  };
+  Real last = 0;
+  std::size_t i = 0;  // the stretch that the poses have come to
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const StatedPose& stated = poses[k];
+    const Real step = stated.s - last;
+    if (!(step >= 0 && step <= (k == 0 ? 0 : pose_distance) + stated_tolerance)) {
+      return fault(k,
+                   k == 0 ? "does not begin at s = 0" : "is not 0 to 0.1 m after the one before");
+    }
+    while (i + 1 < track.stretches.size() && !lies_on(stated, track.stretches[i])) ++i;
+    if (!lies_on(stated, track.stretches[i])) return fault(k, "is not on the path");
+    last = stated.s;
+  }
+  if (std::abs(track.length - last) <= stated_tolerance) return std::nullopt;
+  return fault(poses.size() - 1, "is not the end of the path");
+}
+
+std::optional<Fault> first_fault(const Problem& problem, const Track& track,
+                                 const PathClaims& claims, std::optional<double>& least) {
+  const World& world = *problem.world;
+  if (auto f = off_pose(track.stretches[0].start, problem.start, "begins", {0, 0})) return f;
+  if (auto f = too_tight(track, world.vehicle().min_turning_radius)) return f;
+  if (auto f = out_of_bounds(track, world.bounds())) return f;
+  least = std::numeric_limits<double>::infinity();
+  if (auto f = collision(track, world, *least)) return f;
+  if (auto f = off_pose(track.end, problem.goal, "ends", end_of(track))) return f;
+  if (auto f = false_claim(track, claims)) return f;
+  return false_poses(track, claims.poses);
+}
+
+}  // namespace
+
+PathCheck check_path(const Problem& problem, const Path& path, const PathClaims& claims) {
+  PathCheck check;
+  if (const std::optional<Fault> fault = not_finite(path)) {
+    check.reason = fault->reason;
+    return check;
+  }
+  const Track track = integrate(path);
+  check.length = static_cast<double>(track.length);
+  check.reverse_length = static_cast<double>(track.reverse_length);
+  check.gear_changes = track.gear_changes;
+  const std::optional<Fault> fault = first_fault(problem, track, claims, check.clearance);
+  check.valid = !fault;
+  if (!fault) return check;
+  check.reason = fault->reason;
+  if (fault->place) check.at = point_at(track, *fault->place);
+  return check;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/problem.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "decimal.h"
+#include "polygon.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double largest_coordinate = 1e12;  // [m]; doubles there are 0.1 mm apart
+constexpr double largest_local_coordinate = 2 * largest_coordinate;
+constexpr double largest_heading = 1e6;   // [rad]; wrapped to better than 1e-9
+constexpr double largest_length = 1e6;    // of a vehicle [m]
+constexpr double smallest_length = 1e-6;  // of a vehicle, where it may not be zero [m]
+
+void require(bool holds, const std::string& where, const std::string& problem) {
+  if (!holds) throw InputError(where, problem);
+}
+
+std::string element(std::string_view list, std::size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+void require_within(double value, double limit, const std::string& where) {
+  if (std::abs(value) <= limit) return;  // most are: no text is made for them
+  throw InputError(where, "is " + shortest_text(value) + ", expected a number between " +
+                              shortest_text(-limit) + " and " + shortest_text(limit));
+}
+
+Vehicle checked(const Vehicle& vehicle) {
+  const auto positive = [](double value, const std::string& key) {
+    const std::string where = "vehicle." + key;
+    require(value > 0.0, where, "is " + shortest_text(value) + ", expected more than 0 m");
+    require(value >= smallest_length, where,
+            "is " + shortest_text(value) + ", expected at least 1e-06 m");
+    require_within(value, largest_length, where);
+  };
+  const auto not_negative = [](double value, const std::string& key) {
+    const std::string where = "vehicle." + key;
+    require(value >= 0.0, where, "is " + shortest_text(value) + ", expected 0 m or more");
+    require_within(value, largest_length, where);
+  };
+  positive(vehicle.wheelbase, "wheelbase");
+  not_negative(vehicle.front_overhang, "front_overhang");
+  not_negative(vehicle.rear_overhang, "rear_overhang");
+  positive(vehicle.width, "width");
+  positive(vehicle.min_turning_radius, "min_turning_radius");
+  return vehicle;
+}
+
+void check_range(double low, double high, double limit, const std::string& where) {
+  require_within(low, limit, where);
+  require_within(high, limit, where);
+  require(low < high, where,
+          "is [" + shortest_text(low) + ", " + shortest_text(high) +
+              "], expected the smaller number first");
+}
+
+Bounds checked(const Bounds& bounds, double limit) {
+  check_range(bounds.x_min, bounds.x_max, limit, "bounds.x");
+  check_range(bounds.y_min, bounds.y_max, limit, "bounds.y");
+  return bounds;
+}
+
+void check_pose(const Pose& pose, const std::string& where) {
+  require_within(pose.x, largest_coordinate, where + ".x");
+  require_within(pose.y, largest_coordinate, where + ".y");
+  require_within(pose.heading, largest_heading, where + ".heading");
+}
+
+void check_corners(const Polygon& polygon, double limit, const std::string& where) {
+  for (const Point& corner : polygon) {
+    require_within(corner.x, limit, where);
+    require_within(corner.y, limit, where);
+  }
+}
+
+/// A cleaned simple polygon, in the frame of `origin`.
+Polygon checked(const Polygon& polygon, const Point& origin, const std::string& where) {
+  require(polygon.size() >= 3, where,
+          "has " + std::to_string(polygon.size()) + " corner" + (polygon.size() == 1 ? "" : "s") +
+              ", expected at least 3");
+  Polygon clean = cleaned(polygon);
+  const std::string flaw = flaw_of(clean, origin);
+  require(flaw.empty(), where, flaw);
+  return clean;
+}
+
+std::vector<Polygon> checked(const std::vector<Polygon>& polygons, const Point& origin) {
+  std::vector<Polygon> result;
+  result.reserve(polygons.size());
+  for (const Polygon& polygon : polygons) {
+    const std::string where = element("obstacles", result.size());
+    check_corners(polygon, largest_local_coordinate, where);
+    result.push_back(checked(polygon, origin, where));
+  }
+  return result;
+}
+
+/// The start, rounded to whole metres.
+Point local_origin(const Scenario& scenario) {
+  return {std::round(scenario.start.x), std::round(scenario.start.y)};
+}
+
+Point local_point(const Point& point, const Point& origin) {
+  return {moved(point.x, -origin.x), moved(point.y, -origin.y)};
+}
+
+Bounds local_bounds(const Bounds& bounds, const Point& origin) {
+  const Point low = local_point({bounds.x_min, bounds.y_min}, origin);
+  const Point high = local_point({bounds.x_max, bounds.y_max}, origin);
+  return {low.x, high.x, low.y, high.y};
+}
+
+Pose local_pose(const Pose& pose, const Point& origin) {
+  const Point position = local_point({pose.x, pose.y}, origin);
+  return {position.x, position.y, wrap_angle(pose.heading)};
+}
+
+Polygon local_polygon(const Polygon& polygon, const Point& origin) {
+  Polygon result;
+  result.reserve(polygon.size());
+  for (const Point& corner : polygon) result.push_back(local_point(corner, origin));
+  return result;
+}
+
+/// "goal" or "goals[3]": where the goal stands in the file.
+std::string key_of(const Scenario& scenario, std::size_t goal) {
+  return scenario.goals_are_a_row ? element("goals", goal) : "goal";
+}
+
+void check_polygons(const std::vector<Polygon>& polygons, const Point& origin,
+                    const std::string& name) {
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    check_corners(polygons[i], largest_coordinate, element(name, i));
+    (void)checked(local_polygon(polygons[i], origin), origin, element(name, i));
+  }
+}
+
+/// Checks what all goals share.
+void check_shared(const Scenario& scenario) {
+  (void)checked(scenario.vehicle);
+  (void)checked(scenario.bounds, largest_coordinate);
+  check_pose(scenario.start, "start");
+  check_polygons(scenario.obstacles, local_origin(scenario), "obstacles");
+  require(!scenario.goals.empty(), "goals", "is empty, expected at least one goal");
+}
+
+void check_goal(const Scenario& scenario, std::size_t index) {
+  const Goal& goal = scenario.goals[index];
+  const std::string key = key_of(scenario, index);
+  if (goal.distance) {
+    const std::string where = key + ".distance";
+    require(*goal.distance >= 0.0, where,
+            "is " + shortest_text(*goal.distance) + ", expected 0 m or more");
+    require_within(*goal.distance, largest_coordinate, where);
+  }
+  check_pose(goal.pose, scenario.goals_are_a_row ? key + ".goal" : key);
+  check_polygons(goal.obstacles, local_origin(scenario), key + ".obstacles");
+}
+
+}  // namespace
+
+World::World(const Vehicle& vehicle, const Bounds& bounds, std::vector<Polygon> obstacles,
+             const Point& origin)
+    : vehicle_(checked(vehicle)),
+      bounds_(checked(bounds, largest_local_coordinate)),
+      obstacles_(checked(obstacles, origin)),
+      origin_(origin),
+      checker_(footprint(vehicle_), bounds_, obstacles_) {}
+
+void check_scenario(const Scenario& scenario) {
+  check_shared(scenario);
+  for (std::size_t i = 0; i < scenario.goals.size(); ++i) check_goal(scenario, i);
+}
+
+Problem make_problem(const Scenario& scenario, std::size_t goal) {
+  check_shared(scenario);
+  assert(goal < scenario.goals.size());
+  check_goal(scenario, goal);
+  const Point origin = local_origin(scenario);
+  std::vector<Polygon> obstacles;
+  for (const auto* list : {&scenario.obstacles, &scenario.goals[goal].obstacles}) {
+    for (const Polygon& polygon : *list) obstacles.push_back(local_polygon(polygon, origin));
+  }
+  return {
+      .world = std::make_shared<const World>(
+          scenario.vehicle, local_bounds(scenario.bounds, origin), std::move(obstacles), origin),
+      .start = local_pose(scenario.start, origin),
+      .goal = local_pose(scenario.goals[goal].pose, origin)};
+}
+
+Pose to_local(const World& world, const Pose& pose) noexcept {
+  return local_pose(pose, world.origin());
+}
+
+Pose to_scenario(const World& world, const Pose& pose) noexcept {
+  return {moved(pose.x, world.origin().x), moved(pose.y, world.origin().y), pose.heading};
+}
+
+Bounds sampling_region(const Problem& problem, Region region) noexcept {
+  const Bounds& bounds = problem.world->bounds();
+  if (region == Region::bounds) return bounds;
+  constexpr double margin = 20.0;  // [m]
+  const Point poses[] = {{problem.start.x, problem.start.y}, {problem.goal.x, problem.goal.y}};
+  Bounds scene = bounding_box(poses);
+  for (const Polygon& obstacle : problem.world->obstacles()) {
+    const Bounds box = bounding_box(obstacle);
+    scene = {std::min(scene.x_min, box.x_min), std::max(scene.x_max, box.x_max),
+             std::min(scene.y_min, box.y_min), std::max(scene.y_max, box.y_max)};
+  }
+  return {std::clamp(scene.x_min - margin, bounds.x_min, bounds.x_max),
+          std::clamp(scene.x_max + margin, bounds.x_min, bounds.x_max),
+          std::clamp(scene.y_min - margin, bounds.y_min, bounds.y_max),
+          std::clamp(scene.y_max + margin, bounds.y_min, bounds.y_max)};
+}
+
+}  // namespace vandplan

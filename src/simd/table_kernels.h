@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How is the thesis' table asked for many nodes at once?
+//
+// Plain C++, spans only. The scalar functions are the specification; every vector target gives the
+// same bits.
+
+#include <span>
+
+namespace vandplan::kernels {
+
+/// A table and a turning radius, in the form the look-up wants. All in float.
+struct TableView {
+  const float* entries = nullptr;  ///< row-major [x][y][heading_node][heading_sample]
+  int positions = 0;               ///< grid points along x and along y
+  int headings = 0;                ///< grid points of a heading
+  float extent = 0.0F;             ///< of |dx| and |dy|, table's radius [m]
+  float cells_per_metre = 0.0F;    ///< at the table's radius
+  float cells_per_radian = 0.0F;
+  float to_table = 1.0F;    ///< table's radius / vehicle's
+  float from_table = 1.0F;  ///< vehicle's radius / table's
+};
+
+/// Where the lengths lead to [m, rad]; heading in [-pi, pi].
+struct TableSample {
+  float x, y, heading;
+};
+
+/// Algorithm 7 for a node at (dx, dy) from the sample [m]; headings in [-pi, pi].
+[[nodiscard]] float table_distance(const TableView& table, float dx, float dy, float heading_node,
+                                   float heading_sample) noexcept;
+
+/// Algorithm 7 from every node, given as structure of arrays, to one sample: out[i] belongs to
+/// node i. Equal sizes.
+void table_distances(const TableView& table, std::span<const float> x, std::span<const float> y,
+                     std::span<const float> heading, const TableSample& sample,
+                     std::span<float> out) noexcept;
+
+namespace scalar {
+void table_distances(const TableView& table, std::span<const float> x, std::span<const float> y,
+                     std::span<const float> heading, const TableSample& sample,
+                     std::span<float> out) noexcept;
+}
+
+}  // namespace vandplan::kernels

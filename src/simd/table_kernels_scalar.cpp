@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <cmath>
+#include <numbers>
+
+#include "simd/table_kernels.h"
+
+namespace vandplan::kernels {
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+// pi - heading, back in [-pi, pi].
+float mirrored_in_y(float heading) noexcept {
+  const float mirrored = pi - heading;
+  return mirrored > pi ? mirrored - 2 * pi : mirrored;
+}
+
+int nearest_heading(const TableView& table, float heading) noexcept {
+  return static_cast<int>((heading + pi) * table.cells_per_radian + 0.5F);
+}
+
+}  // namespace
+
+// Algorithm 7 of Guo 2020.
+//
+//   [1] outside the window: Euclid
+//   [2] fold y < 0 onto y > 0, then x < 0 onto x > 0 (Algorithm 5)
+//   [3] floor x and y, round both headings
+//   [4] read one entry
+float table_distance(const TableView& table, float dx, float dy, float heading_node,
+                     float heading_sample) noexcept {
+  const float x = std::abs(dx) * table.to_table;
+  const float y = std::abs(dy) * table.to_table;
+  if (x >= table.extent || y >= table.extent) return std::sqrt(dx * dx + dy * dy);  // [1]
+  if (dy < 0.0F) {                                                                  // [2]
+    heading_node = -heading_node;
+    heading_sample = -heading_sample;
+  }
+  if (dx < 0.0F) {
+    heading_node = mirrored_in_y(heading_node);
+    heading_sample = mirrored_in_y(heading_sample);
+  }
+  const int ix = static_cast<int>(x * table.cells_per_metre);  // [3]
+  const int iy = static_cast<int>(y * table.cells_per_metre);
+  const int node = nearest_heading(table, heading_node);
+  const int sample = nearest_heading(table, heading_sample);
+  const int cell = ((ix * table.positions + iy) * table.headings + node) * table.headings + sample;
+  return table.entries[cell] * table.from_table;  // [4]
+}
+
+void scalar::table_distances(const TableView& table, std::span<const float> x,
+                             std::span<const float> y, std::span<const float> heading,
+                             const TableSample& sample, std::span<float> out) noexcept {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = table_distance(table, x[i] - sample.x, y[i] - sample.y, heading[i], sample.heading);
+  }
+}
+
+}  // namespace vandplan::kernels

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does the footprint sweep while one segment is driven, and which sides does it touch?
+//
+// In closed form, without steps. Theory and proof: docs/algorithms/collision.md.
+
+#include <array>
+
+#include "vandplan/path.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan {
+
+/// A pose whose heading is a unit vector.
+struct Placement {
+  Point position;
+  Point heading;
+};
+
+[[nodiscard]] Placement placement_of(const Pose& pose) noexcept;
+
+/// Four sides of one polygon, each from a corner to the next; where it has less, the last corner
+/// repeats.
+struct Sides {
+  std::array<double, 5> x;
+  std::array<double, 5> y;
+};
+
+/// How far the footprint is inflated before it is tested [m]: at its start and end, and on the
+/// arcs between. Two sizes, so that rounding opens no gap where they meet.
+inline constexpr double end_margin = 0.5e-3;
+inline constexpr double arc_margin = 0.3e-3;
+
+/// Where the rear axle goes: an arc or a line, seen from its start, as if driven forward and
+/// turning left. Other segments are mirrored into this frame.
+struct PlacedSegment {
+  PlacedSegment(const Placement& from, const Segment& segment) noexcept;
+
+  Placement from;
+  Placement to;
+  Point forward;     // unit vector of the first movement
+  Point left;        // unit vector towards the turning centre
+  double length;     // >= 0 [m]
+  double curvature;  // >= 0 [1/m]
+  double turn;       // length * curvature [rad]
+  double sin;        // of the turn
+  double cos;
+  Point end;  // in this frame [m]
+
+  /// The smallest box around all positions of the rear axle.
+  [[nodiscard]] Bounds axle_box() const noexcept;
+};
+
+/// The area swept by an inflated footprint.
+class Sweep {
+ public:
+  Sweep(const Footprint& footprint, const PlacedSegment& placed) noexcept;
+
+  /// A box around the area.
+  [[nodiscard]] Bounds box() const noexcept;
+
+  /// Whether a side may touch the area: true wherever the footprint itself touches one, false
+  /// where it stays a millimetre away.
+  [[nodiscard]] bool touches(const Sides& sides) const noexcept;
+
+ private:
+  // From `back` behind to `front` ahead of the rear axle, in the frame of the segment.
+  struct Rectangle {
+    double back, front, half_width;
+    [[nodiscard]] bool meets(const Point& a, const Point& b) const noexcept;
+  };
+  // Where a point of the footprint begins to draw a piece of the outline of the swept area.
+  struct Arc {
+    Point start;
+    double level;
+  };
+
+  void build_arcs() noexcept;
+  [[nodiscard]] double level(const Point& p) const noexcept;
+  [[nodiscard]] Point from_end(const Point& p) const noexcept;
+  [[nodiscard]] bool is_reached(const Point& from, const Point& to) const noexcept;
+  [[nodiscard]] bool crosses_arc(const Point& a, const Point& b) const noexcept;
+  [[nodiscard]] bool covers(const Point& p) const noexcept;
+  [[nodiscard]] bool touches_turning(const std::array<double, 5>& x,
+                                     const std::array<double, 5>& y) const noexcept;
+  [[nodiscard]] bool touches_side(const Point& a, const Point& b) const noexcept;
+
+  const PlacedSegment& segment_;
+  bool turns_;        // else the area is the rectangle `first_`
+  Rectangle first_;   // at the start; with `end_margin`
+  Rectangle moving_;  // with `arc_margin`
+  std::array<Arc, 4> arcs_;
+  int arc_count_ = 0;
+  double least_level_;  // of the footprint at any time
+  double most_level_;
+  double least_x_;  // of the area, seen from the start
+  double most_x_;   // of the area, seen from the end
+};
+
+}  // namespace vandplan

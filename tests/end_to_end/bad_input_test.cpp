@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Bad input of every kind ends with exit status 2, one line on stderr and nothing written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/process.h"
+#include "support/yard.h"
+
+namespace vandplan {
+namespace {
+
+class BadInput : public testing::Test {
+ protected:
+  void SetUp() override { write_content(scenario_, yard()); }
+
+  /// The complaint, without its newline and the name of the program before it.
+  std::string complaint(const std::vector<std::string>& arguments,
+                        const ProcessOptions& options = {}) {
+    const Outcome outcome = run_vandplan(arguments, options);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    const std::string name = "vandplan: ";
+    EXPECT_EQ(outcome.err.substr(0, name.size()), name);
+    if (outcome.err.size() <= name.size()) return outcome.err;
+    return outcome.err.substr(name.size(), outcome.err.size() - name.size() - 1);
+  }
+
+  std::string complaint_of_plan(std::vector<std::string> options) {
+    options.insert(options.begin(), {"plan", scenario_});
+    return complaint(options);
+  }
+
+  /// What `plan` says about the scenario with `from` turned into `to`, after the file's name.
+  std::string complaint_about(const std::string& from, const std::string& to) {
+    write_content(scenario_, replaced(yard(), from, to));
+    const std::string output = folder_ / "result.json";
+    const std::string text = complaint_of_plan({"--output", output});
+    EXPECT_FALSE(std::filesystem::exists(output));
+    EXPECT_EQ(text.substr(0, scenario_.size() + 1), scenario_ + ":");
+    return text.size() > scenario_.size() ? text.substr(scenario_.size() + 1) : text;
+  }
+
+  TemporaryFolder folder_;
+  const std::string scenario_ = folder_ / "yard.yaml";
+};
+
+// ---- scenario files ----
+
+TEST_F(BadInput, MissingKey) {
+  EXPECT_EQ(complaint_about("start: {x: 0, y: 0, heading: 0}\n", ""),
+            "1: key \"start\" is missing, expected it");
+  EXPECT_EQ(complaint_about("width: 2.55, ", ""),
+            "2: vehicle: key \"width\" is missing, expected it");
+}
+
+TEST_F(BadInput, UnknownKey) {
+  EXPECT_EQ(complaint_about("goal: {x", "goal: {z: 1, x"),
+            "5: goal: unknown key \"z\", expected one of x, y, heading");
+}
+
+TEST_F(BadInput, KeyGivenTwice) {
+  EXPECT_EQ(complaint_about("obstacles:", "name:"),
+            "6: key \"name\" is given again, expected it once (first on line 1)");
+}
+
+TEST_F(BadInput, WrongType) {
+  EXPECT_EQ(complaint_about("x: 20", "x: [20]"), "5: goal.x: is a list, expected a number");
+  EXPECT_EQ(complaint_about("x: 20", "x: far"), "5: goal.x: is \"far\", expected a number");
+}
+
+TEST_F(BadInput, NumberThatIsNotFinite) {
+  EXPECT_EQ(complaint_about("x: 20", "x: .nan"),
+            "5: goal.x: is \".nan\", expected a finite number");
+  EXPECT_EQ(complaint_about("x: 20", "x: -.inf"),
+            "5: goal.x: is \"-.inf\", expected a finite number");
+  EXPECT_EQ(complaint_about("x: 20", "x: 1e400"),
+            "5: goal.x: is \"1e400\", expected a number that fits a double");
+}
+
+TEST_F(BadInput, LengthOutOfRange) {
+  EXPECT_EQ(complaint_about("width: 2.55", "width: 0"),
+            "2: vehicle.width: is 0, expected more than 0 m");
+}
+
+TEST_F(BadInput, CrossedBounds) {
+  EXPECT_EQ(complaint_about("x: [-50, 50]", "x: [50, -50]"),
+            "3: bounds.x: is [50, -50], expected the smaller number first");
+}
+
+TEST_F(BadInput, PolygonThatCrossesItself) {
+  EXPECT_EQ(complaint_about("[13, 9], [12, 9]", "[12, 9], [13, 9]").substr(0, 24),
+            "7: obstacles[0]: crosses");
+}
+
+TEST_F(BadInput, PolygonWithTwoCorners) {
+  EXPECT_EQ(complaint_about(", [13, 9], [12, 9]", ""),
+            "7: obstacles[0]: has 2 corners, expected at least 3");
+}
+
+TEST_F(BadInput, SyntaxError) {
+  EXPECT_EQ(complaint_about("start:", "start: {").substr(0, 2), "4:");
+}
+
+TEST_F(BadInput, EmptyFile) {
+  write_content(scenario_, "");
+  EXPECT_EQ(complaint_of_plan({}), scenario_ + ":1: is empty, expected keys and values");
+}
+
+TEST_F(BadInput, HugeFile) {
+  // A hole of 20 GB costs no disk and must cost no memory.
+  std::filesystem::resize_file(scenario_, 20'000'000'000);
+  EXPECT_EQ(complaint_of_plan({}), scenario_ + ": is too large, expected at most 67108864 bytes");
+}
+
+TEST_F(BadInput, FileThatIsNoText) {
+  write_content(scenario_, "name: \xff\xfe");
+  EXPECT_EQ(complaint_of_plan({}), scenario_ + ":1: is not a text file, expected YAML in UTF-8");
+}
+
+TEST_F(BadInput, FileThatIsNotThere) {
+  const std::string file = folder_ / "none.yaml";
+  EXPECT_EQ(complaint({"plan", file}), file + ": cannot open: No such file or directory");
+}
+
+TEST_F(BadInput, FolderInsteadOfAFile) {
+  EXPECT_EQ(complaint({"plan", folder_.path()}), folder_.path() + ": cannot read: Is a directory");
+}
+
+TEST_F(BadInput, StandardInputIsNamed) {
+  EXPECT_EQ(complaint({"plan", "-"}), "standard input:1: is empty, expected keys and values");
+}
+
+// ---- where to write ----
+
+TEST_F(BadInput, OutputFolderThatIsNotThere) {
+  const std::string file = folder_ / "none/result.json";
+  EXPECT_EQ(complaint_of_plan({"--output", file, "--time", "60"}),
+            file + ": cannot write: No such file or directory");
+}
+
+TEST_F(BadInput, OutputThatIsAFolder) {
+  EXPECT_EQ(complaint_of_plan({"--output", folder_.path(), "--time", "60"}),
+            folder_.path() + ": cannot write: Is a directory");
+}
+
+TEST_F(BadInput, OutputWithoutAName) {
+  EXPECT_EQ(complaint_of_plan({"--output", "", "--time", "60"}),
+            ": cannot write: No such file or directory");
+}
+
+TEST_F(BadInput, PictureOfUnknownKind) {
+  const std::string file = folder_ / "yard.gif";
+  EXPECT_EQ(complaint_of_plan({"--draw", file, "--time", "60"}),
+            file + ": a picture must end in .png, .svg or .pdf");
+}
+
+TEST_F(BadInput, FullDiskLeavesTheOldResult) {
+  const std::string file = folder_ / "result.json";
+  write_content(file, "old");
+  EXPECT_EQ(complaint({"plan", scenario_, "--max-iterations", "50", "--output", file},
+                      {.largest_file = 100}),
+            file + ": cannot write: File too large");
+  EXPECT_EQ(content_of(file), "old");
+  const std::filesystem::directory_iterator left(folder_.path());
+  EXPECT_EQ(std::distance(begin(left), end(left)), 2);  // the scenario and the old result
+}
+
+TEST_F(BadInput, FullStandardOutput) {
+  EXPECT_EQ(complaint({"plan", scenario_, "--max-iterations", "50"}, {.output = "/dev/full"}),
+            "standard output: cannot write: No space left on device");
+}
+
+// ---- the command line ----
+
+TEST_F(BadInput, NoCommand) {
+  EXPECT_EQ(complaint({}), "a command is missing, see vandplan --help");
+}
+
+TEST_F(BadInput, UnknownCommand) {
+  EXPECT_EQ(complaint({"fly"}), "The following argument was not expected: fly");
+}
+
+TEST_F(BadInput, MissingScenario) { EXPECT_EQ(complaint({"plan"}), "SCENARIO is required"); }
+
+TEST_F(BadInput, UnknownPlanner) {
+  EXPECT_EQ(complaint_of_plan({"--planner", "best"}).substr(0, 44),
+            "planner: \"best\" is unknown, expected one of ");
+}
+
+TEST_F(BadInput, UnknownOption) {
+  EXPECT_EQ(complaint_of_plan({"--sed=1"}), "The following argument was not expected: --sed=1");
+}
+
+TEST_F(BadInput, NumberThatIsNone) {
+  EXPECT_EQ(complaint_of_plan({"--seed", "first"}).substr(0, 37),
+            "--seed: \"first\" is not a whole number");
+  EXPECT_EQ(complaint_of_plan({"--time", "1s"}).substr(0, 28), "--time: \"1s\" is not a number");
+}
+
+TEST_F(BadInput, NumberOutOfRange) {
+  const auto place = [&](const std::vector<std::string>& options) {
+    const std::string text = complaint_of_plan(options);
+    return text.substr(0, text.find(':'));
+  };
+  EXPECT_EQ(complaint_of_plan({"--time", "-1"}), "--time: -1 is not a number >= 0 [s]");
+  EXPECT_EQ(complaint_of_plan({"--time", "nan"}), "--time: nan is not a number >= 0 [s]");
+  EXPECT_EQ(place({"--max-iterations", "-1"}), "--max-iterations");
+  EXPECT_EQ(place({"--max-nodes", "0"}), "--max-nodes");
+  EXPECT_EQ(place({"--max-nodes", "1e3"}), "--max-nodes");
+  EXPECT_EQ(place({"--seed", "18446744073709551616"}), "--seed");
+  EXPECT_EQ(place({"--region", "all"}), "--region");
+  EXPECT_EQ(place({"--set", "goal_bias=2"}), "goal_bias");
+}
+
+TEST_F(BadInput, UnknownKeyOfSet) {
+  EXPECT_EQ(complaint_of_plan({"--set", "planner=best"}).substr(0, 50),
+            "planner: unknown option, expected one of seed, tim");
+  EXPECT_EQ(complaint_of_plan({"--set", "seed"}), "--set: \"seed\" is not KEY=VALUE");
+}
+
+}  // namespace
+}  // namespace vandplan

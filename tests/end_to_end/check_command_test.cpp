@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "support/process.h"
+#include "support/yard.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Five metres straight ahead in the yard, as somebody else would write it down.
+Json drive_ahead() {
+  return Json::parse(R"({
+    "format": "vandplan-result/1", "status": "solved", "length": 5, "gear_changes": 0,
+    "path": {"start": {"x": 0, "y": 0, "heading": 0},
+             "segments": [{"turn": "straight", "length": 3}, {"curvature": 0, "length": 2}]}})");
+}
+
+class CheckCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5,", "goal: {x: 5, y: 0,"));
+  }
+
+  Outcome check(const Json& result, const std::vector<std::string>& options = {}) {
+    write_content(result_, result.dump());
+    std::vector<std::string> arguments = {"check", scenario_, result_};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_vandplan(arguments);
+  }
+
+  /// What `check` prints about a result that was spoiled.
+  std::string verdict(const std::function<void(Json&)>& spoil) {
+    Json result = drive_ahead();
+    spoil(result);
+    const Outcome outcome = check(result);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.out;
+  }
+
+  TemporaryFolder folder_;
+  const std::string scenario_ = folder_ / "yard.yaml";
+  const std::string result_ = folder_ / "result.json";
+};
+
+TEST_F(CheckCommand, ForeignResultIsJudged) {
+  const Outcome outcome = check(drive_ahead());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  // The wall begins at x = 12, the front bumper ends at 10.9.
+  EXPECT_EQ(outcome.out, "valid: length 5.000 m, gear changes 0, clearance 1.100 m\n");
+}
+
+TEST_F(CheckCommand, JsonHoldsTheFigures) {
+  const Outcome outcome = check(drive_ahead(), {"--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Json verdict = Json::parse(outcome.out);
+  EXPECT_EQ(verdict.at("valid"), true);
+  EXPECT_EQ(verdict.at("length"), 5);
+  EXPECT_EQ(verdict.at("gear_changes"), 0);
+  EXPECT_NEAR(verdict.at("clearance").get<double>(), 1.1, 1e-3);
+}
+
+TEST_F(CheckCommand, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(verdict([](Json& result) { result["path"]["segments"][1]["length"] = 7; }),
+            "invalid: the footprint hits obstacles[0] at s = 6.1000 m, where x = 6.1 m, y = 0 m, "
+            "heading = 0 rad\n");
+  EXPECT_EQ(verdict([](Json& result) { result["path"]["segments"][1]["length"] = 1; }),
+            "invalid: the path ends 1 m and 0 rad away at s = 4.0000 m, where x = 4 m, y = 0 m, "
+            "heading = 0 rad\n");
+  EXPECT_EQ(verdict([](Json& result) { result["path"]["start"]["y"] = 0.5; }),
+            "invalid: the path begins 0.5 m and 0 rad away at s = 0.0000 m, where x = 0 m, "
+            "y = 0.5 m, heading = 0 rad\n");
+  EXPECT_EQ(verdict([](Json& result) { result["length"] = 6; }),
+            "invalid: the stated length is 6 m, the path is 5 m long\n");
+  EXPECT_EQ(verdict([](Json& result) { result["gear_changes"] = 2; }),
+            "invalid: the stated gear changes are 2, the path has 0\n");
+  EXPECT_EQ(verdict([](Json& result) {
+              result["path"]["segments"][0] = {{"curvature", 0.2}, {"length", 3}};
+            }),
+            "invalid: curvature 0.2 is tighter than the turning radius of 7 m allows at "
+            "s = 0.0000 m, where x = 0 m, y = 0 m, heading = 0 rad\n");
+  EXPECT_EQ(verdict([](Json& result) {
+              result["path"]["poses"] = {{{"s", 0}, {"x", 0}, {"y", 0.1}, {"heading", 0}}};
+            }),
+            "invalid: the stated poses[0] is not on the path\n");
+}
+
+TEST_F(CheckCommand, ThePlaceIsInTheFrameOfTheScenario) {
+  std::string far = replaced(yard(), "start: {x: 0", "start: {x: 4500000000");
+  far = replaced(far, "goal: {x: 20, y: 5", "goal: {x: 4500000005, y: 0");
+  far = replaced(far, "x: [-50, 50]", "x: [4499999950, 4500000050]");
+  far = replaced(far, "[12, -9], [13, -9], [13, 9], [12, 9]",
+                 "[4500000009, -9], [4500000013, -9], [4500000013, 9], [4500000009, 9]");
+  write_content(scenario_, far);
+  Json result = drive_ahead();
+  result["path"]["start"]["x"] = 4500000000.0;
+  const Json verdict = Json::parse(check(result, {"--json"}).out);
+  EXPECT_EQ(verdict.at("reason"), "the footprint hits obstacles[0]");
+  EXPECT_NEAR(verdict.at("at").at("x").get<double>(), 4500000003.1, 1e-3);
+  EXPECT_NEAR(verdict.at("at").at("s").get<double>(), 3.1, 1e-3);
+}
+
+TEST_F(CheckCommand, ResultWithoutAPathFailsWithItsStatus) {
+  const Json unsolved = {{"format", "vandplan-result/1"}, {"status", "time_limit"}};
+  const Outcome outcome = check(unsolved);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out, "no path: time_limit\n");
+  EXPECT_EQ(Json::parse(check(unsolved, {"--json"}).out).at("valid"), false);
+}
+
+TEST_F(CheckCommand, EveryGoalOfARowIsJudged) {
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5, heading: 0}",
+                                    "goals:\n"
+                                    "  - {distance: 5, goal: {x: 5, y: 0, heading: 0}}\n"
+                                    "  - {distance: 20, goal: {x: 20, y: 5, heading: 0}}"));
+  const Json unsolved = {{"status", "time_limit"}};
+  Json row = {{"format", "vandplan-result/1"}, {"goals", {drive_ahead(), unsolved}}};
+  const Outcome half = check(row);
+  EXPECT_EQ(half.status, 0) << half.err;
+  EXPECT_EQ(half.out,
+            "goals[0]: valid: length 5.000 m, gear changes 0, clearance 1.100 m\n"
+            "goals[1]: no path: time_limit\n");
+
+  row["goals"][1] = drive_ahead();
+  const Json verdict = Json::parse(check(row, {"--json"}).out);
+  EXPECT_EQ(verdict.at("valid"), false);
+  EXPECT_EQ(verdict.at("goals").at(0).at("valid"), true);
+  EXPECT_EQ(verdict.at("goals").at(1).at("valid"), false);
+}
+
+TEST_F(CheckCommand, WhatPlanWritesIsValid) {
+  write_content(scenario_, yard());
+  for (const std::string planner : {"anytime", "rrt-bsc-euc", "rrt-opt-hlut-4"}) {
+    const Outcome planned = run_vandplan({"plan", scenario_, "--planner", planner, "--region",
+                                          "scene", "--max-iterations", "500", "--output", result_});
+    ASSERT_EQ(planned.status, 0) << planned.err;
+    const Outcome outcome = run_vandplan({"check", scenario_, result_});
+    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  }
+}
+
+TEST_F(CheckCommand, ResultThatIsNoResultIsBadInput) {
+  write_content(result_, "{}");
+  const Outcome outcome = run_vandplan({"check", scenario_, result_});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.substr(0, result_.size() + 12), "vandplan: " + result_ + ":1");
+}
+
+}  // namespace
+}  // namespace vandplan

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "support/process.h"
+#include "support/shared_files.h"
+#include "support/yard.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(CommandLine, VersionIsOneLine) {
+  const Outcome outcome = run_vandplan({"--version"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out.substr(0, 9), "vandplan ");
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
+}
+
+/// The page shows the help of every command as it is.
+TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
+  const std::string page = content_of(repository() / "docs/command-line.md");
+  const std::vector<std::vector<std::string>> commands = {
+      {}, {"plan"}, {"check"}, {"draw"}, {"evaluate"}, {"convert", "tpcap"}, {"planners"}};
+  for (std::vector<std::string> command : commands) {
+    command.push_back("--help");
+    const Outcome outcome = run_vandplan(command);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(page.find("```\n" + outcome.out + "```\n"), std::string::npos)
+        << "docs/command-line.md is not up to date, see tools/update_command_line_page";
+  }
+}
+
+TEST(PlannersCommand, ListsEveryPlannerAndMarksTheDefault) {
+  const Outcome text = run_vandplan({"planners"});
+  EXPECT_EQ(text.status, 0);
+  const auto lines = std::count(text.out.begin(), text.out.end(), '\n');
+  EXPECT_EQ(lines, static_cast<std::ptrdiff_t>(planners().size()));
+  const std::size_t mark = text.out.find("(the default)\n");
+  ASSERT_NE(mark, std::string::npos);
+  const std::size_t line = text.out.rfind('\n', mark) + 1;
+  EXPECT_EQ(text.out.substr(line, default_planner().name.size()), default_planner().name);
+
+  const Json json = Json::parse(run_vandplan({"planners", "--json"}).out);
+  EXPECT_EQ(json.at("default"), default_planner().name);
+  EXPECT_EQ(json.at("planners").size(), planners().size());
+}
+
+// ---- draw ----
+
+class DrawCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_content(scenario_, yard()); }
+
+  TemporaryFolder folder_;
+  const std::string scenario_ = folder_ / "yard.yaml";
+};
+
+TEST_F(DrawCommand, DrawsASceneWithoutAResult) {
+  const std::string file = folder_ / "yard.png";
+  const Outcome outcome = run_vandplan({"draw", scenario_, "-o", file});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(content_of(file).substr(0, 4), "\x89PNG");
+}
+
+TEST_F(DrawCommand, DrawsWhatPlanDraws) {
+  const std::string result = folder_ / "result.json";
+  const std::string planned = folder_ / "planned.svg";
+  const std::string drawn = folder_ / "drawn.svg";
+  ASSERT_EQ(run_vandplan({"plan", scenario_, "--planner", "rrt-opt-euc", "--max-iterations", "300",
+                          "--set", "keep_tree=true", "--output", result, "--draw", planned})
+                .status,
+            0);
+  const Outcome outcome = run_vandplan({"draw", scenario_, result, "-o", drawn, "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out).at("output"), drawn);
+  EXPECT_NE(content_of(drawn), "");
+  EXPECT_TRUE(content_of(drawn) == content_of(planned));
+}
+
+TEST_F(DrawCommand, NothingIsDrawnOfBadInput) {
+  const std::string file = folder_ / "yard.pdf";
+  write_content(scenario_, replaced(yard(), "width: 2.55", "width: wide"));
+  EXPECT_EQ(run_vandplan({"draw", scenario_, "-o", file}).status, 2);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST_F(DrawCommand, OutputIsNeeded) {
+  const Outcome outcome = run_vandplan({"draw", scenario_});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "vandplan: --output is required\n");
+}
+
+// ---- convert ----
+
+TEST(ConvertCommand, UnknownFormatIsNamed) {
+  const Outcome outcome = run_vandplan({"convert", "dxf", "a.dxf"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("dxf"), std::string::npos) << outcome.err;
+  EXPECT_EQ(run_vandplan({"convert"}).err,
+            "vandplan: convert: a format is missing, expected tpcap\n");
+}
+
+TEST(ConvertCommand, TpcapCaseBecomesAScenarioThatPlans) {
+  // Ten metres ahead, with one obstacle of four corners far to the side.
+  const TemporaryFolder folder;
+  const std::string scenario = folder / "case.yaml";
+  write_content(folder / "case.csv", "0,0,0,10,0,0,1,4,30,20,31,20,31,21,30,21\n");
+  const Outcome converted = run_vandplan({"convert", "tpcap", folder / "case.csv", "-o", scenario});
+  ASSERT_EQ(converted.status, 0) << converted.err;
+  EXPECT_EQ(run_vandplan({"plan", scenario, "--max-iterations", "100"}).status, 0);
+}
+
+}  // namespace
+}  // namespace vandplan

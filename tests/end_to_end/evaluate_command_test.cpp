@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <tuple>
+
+#include "evaluation/store.h"
+#include "support/process.h"
+#include "support/shared_files.h"
+#include "support/yard.h"
+#include "vandplan/io.h"
+#include "vandplan/path_check.h"
+
+namespace vandplan {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class EvaluateCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_content(scenario_, yard()); }
+
+  // A small comparison into a folder, limited by iterations unless something else is said.
+  [[nodiscard]] Words words(const std::string& output, const Words& more = {}) const {
+    Words all = {
+        "evaluate",  "--scenarios", scenario_,  "--planners",    "rrt-bsc-euc,rrt-opt-hlut-4",
+        "--repeats", "3",           "--output", folder_ / output};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  [[nodiscard]] std::string store_file(const std::string& output) const {
+    return folder_ / (output + "/runs.sqlite");
+  }
+
+  // Waits until a process has stored that many runs; false if it does not.
+  [[nodiscard]] bool has_stored(const std::string& output, std::size_t count) const {
+    for (int i = 0; i < 6000; ++i) {
+      if (std::filesystem::exists(store_file(output)) && runs(output).size() >= count) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::vector<RunRecord> runs(const std::string& output) const {
+    return Store::open(store_file(output)).runs();
+  }
+
+  TemporaryFolder folder_;
+  const std::string scenario_ = folder_ / "yard.yaml";
+};
+
+// What a run found, by what was put in.
+auto paths_of(const std::vector<RunRecord>& runs) {
+  std::map<std::tuple<std::string, std::uint64_t, Region, bool>, std::vector<Segment>> paths;
+  for (const RunRecord& run : runs)
+    paths[{run.planner, run.options.seed, run.options.region, run.options.profile}] =
+        run.result.path ? run.result.path->segments : std::vector<Segment>{};
+  return paths;
+}
+
+TEST_F(EvaluateCommand, EndsWithATableAndAReport) {
+  const Outcome outcome = run_vandplan(words("out", {"--max-iterations", "200"}));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("| rrt-opt-hlut-4 |"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("16 of 16 runs"), std::string::npos) << outcome.err;
+  EXPECT_EQ(runs("out").size(), 16U);  // 2 planners, 2 regions, 3 repeats and a profiled run
+  EXPECT_NE(content_of(folder_ / "out/index.html").find("</html>"), std::string::npos);
+  EXPECT_NE(content_of(folder_ / "out/report.md").find("rrt-bsc-euc"), std::string::npos);
+}
+
+TEST_F(EvaluateCommand, FindsTheSamePathsWithOneJobAndWithTwo) {
+  ASSERT_EQ(run_vandplan(words("one", {"--max-iterations", "300"})).status, 0);
+  ASSERT_EQ(run_vandplan(words("two", {"--max-iterations", "300", "--jobs", "2"})).status, 0);
+  EXPECT_EQ(paths_of(runs("one")), paths_of(runs("two")));
+}
+
+TEST_F(EvaluateCommand, StoresOnlyWhatTheJudgeAccepts) {
+  ASSERT_EQ(run_vandplan(words("out", {"--max-iterations", "400", "--repeats", "6"})).status, 0);
+  Store store = Store::open(store_file("out"));
+  const Scenario scenario = scenario_from_yaml(store.scenarios().at(0).yaml, "store");
+  const Problem problem = make_problem(scenario, 0);
+  int judged = 0;
+  for (const RunRecord& run : store.runs()) {
+    if (!run.result.path) continue;
+    Path path = *run.result.path;
+    EXPECT_EQ(path.start, scenario.start);
+    path.start = to_local(*problem.world, path.start);
+    const PathCheck check = check_path(problem, path, {run.result.cost, {}});
+    EXPECT_TRUE(check.valid) << run.planner << ", seed " << run.options.seed << ": "
+                             << check.reason;
+    ++judged;
+  }
+  EXPECT_GT(judged, 10);
+}
+
+TEST_F(EvaluateCommand, LosesOnlyRunsInFlightWhenKilledAndResumesWithTheRest) {
+  const Words all = words("out", {"--time", "0.02", "--repeats", "40", "--jobs", "2"});
+  Process killed(all);
+  EXPECT_TRUE(has_stored("out", 20));
+  killed.send(SIGKILL);
+  EXPECT_EQ(killed.wait().status, -SIGKILL);
+  const std::vector<RunRecord> before = runs("out");
+  EXPECT_GE(before.size(), 20U);
+  ASSERT_LT(before.size(), 164U);
+
+  Words again = all;
+  again.push_back("--resume");
+  const Outcome outcome = run_vandplan(again);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<RunRecord> after = runs("out");
+  EXPECT_EQ(after.size(), 164U);  // 2 planners, 2 regions, 40 repeats and a profiled run
+  EXPECT_EQ(paths_of(after).size(), 164U);
+  for (std::size_t i = 0; i < before.size(); ++i)  // nothing is run twice
+    EXPECT_EQ(before[i].result.time_total, after[i].result.time_total);
+}
+
+TEST_F(EvaluateCommand, EndsCleanlyWhenInterrupted) {
+  Process interrupted(words("out", {"--time", "0.05", "--repeats", "100"}));
+  EXPECT_TRUE(has_stored("out", 5));
+  interrupted.send(SIGINT);
+  const Outcome outcome = interrupted.wait();
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("runs are missing; --resume does them."), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/index.html"));
+}
+
+TEST_F(EvaluateCommand, DoesNotTouchAStoreUnlessToldTo) {
+  ASSERT_EQ(run_vandplan(words("out", {"--max-iterations", "20"})).status, 0);
+  const Outcome outcome = run_vandplan(words("out", {"--max-iterations", "20"}));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err.substr(outcome.err.find("vandplan: ")),
+            "vandplan: " + store_file("out") +
+                ": exists already, expected --resume or another --output\n");
+}
+
+TEST_F(EvaluateCommand, MergesCampaigns) {
+  ASSERT_EQ(run_vandplan(words("a", {"--max-iterations", "50", "--region", "scene"})).status, 0);
+  ASSERT_EQ(run_vandplan(words("b", {"--max-iterations", "50"})).status, 0);
+  const Outcome outcome =
+      run_vandplan({"evaluate", "--output", folder_ / "both", "--merge", store_file("a"), "--merge",
+                    store_file("b"), "--export", "csv,json,ompl"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(paths_of(runs("both")), paths_of(runs("b")));
+  const std::string csv = content_of(folder_ / "both/runs.csv");
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 17);
+  const auto json = nlohmann::json::parse(content_of(folder_ / "both/runs.json"));
+  EXPECT_EQ(json.at("runs").size(), 16U);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "both/plannerarena.db"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "both/index.html"));
+}
+
+TEST_F(EvaluateCommand, RefusesBadInputOnOneLine) {
+  write_content(folder_ / "no-store.sqlite", std::string(3000, 'x'));
+  const std::vector<std::pair<Words, std::string>> kinds = {
+      {{"--merge", folder_ / "no-store.sqlite"}, "file is not a database"},
+      {{"--merge", folder_ / "absent.sqlite"}, "does not exist"},
+      {{"--planners", "rrt"}, "\"rrt\" is unknown"},
+      {{"--scenarios", folder_ / "absent.yaml"}, "absent.yaml"},
+      {{"--region", "moon"}, "\"moon\" is not bounds or scene"},
+      {{"--repeats", "0"}, "repeats: must be at least 1"},
+      {{"--time", "-1"}, "time_limit"},
+      {{"--jobs", "1000"}, "jobs: 1000 runs at once"},
+      {{"--export", "xml"}, "xml"},
+      {{"--set", "goal_bias"}, "\"goal_bias\" is not KEY=VALUE"},
+  };
+  for (const auto& [options, complaint] : kinds) {
+    Words all = {"evaluate", "--output", folder_ / "out"};
+    if (options[0] != "--scenarios") all.insert(all.end(), {"--scenarios", scenario_});
+    all.insert(all.end(), options.begin(), options.end());
+    const Outcome outcome = run_vandplan(all);
+    EXPECT_EQ(outcome.status, 2) << options[0] << " " << options[1];
+    EXPECT_NE(outcome.err.find(complaint), std::string::npos) << outcome.err;
+    std::filesystem::remove_all(folder_ / "out");
+  }
+}
+
+}  // namespace
+}  // namespace vandplan

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "support/process.h"
+#include "support/shared_files.h"
+#include "support/yard.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::json;
+
+class PlanCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_content(scenario_, yard()); }
+
+  Outcome plan(std::vector<std::string> options) {
+    options.insert(options.begin(), {"plan", scenario_});
+    return run_vandplan(options);
+  }
+
+  /// The `path` of the result as text.
+  std::string planned_path(const std::string& planner, const std::string& seed) {
+    const Outcome outcome =
+        plan({"--json", "--max-iterations", "300", "--planner", planner, "--seed", seed});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return Json::parse(outcome.out).at("path").dump();
+  }
+
+  TemporaryFolder folder_;
+  const std::string scenario_ = folder_ / "yard.yaml";
+};
+
+TEST_F(PlanCommand, SummaryNamesPlannerAndOutcome) {
+  const Outcome outcome = plan({"--planner", "rrt-opt-rs", "--max-iterations", "100"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out.substr(0, 39), "yard, rrt-opt-rs, seed 1\nsolved: length");
+}
+
+TEST_F(PlanCommand, WithoutLimitsItRunsForASecondAtMost) {
+  const Outcome outcome = plan({"--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out).at("options").at("time_limit"), 1.0);
+}
+
+TEST_F(PlanCommand, JsonIsTheResultFile) {
+  const std::string file = folder_ / "result.json";
+  const Outcome outcome = plan({"--json", "--max-iterations", "100", "--output", file});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, content_of(file));
+  const Json result = Json::parse(outcome.out);
+  EXPECT_EQ(result.at("format"), "vandplan-result/1");
+  EXPECT_EQ(result.at("status"), "solved");
+  EXPECT_EQ(result.at("options").at("max_iterations"), 100);
+}
+
+TEST_F(PlanCommand, FlagsAndSetReachThePlanner) {
+  const Outcome outcome = plan({"--json", "--max-iterations", "7", "--max-nodes", "6", "--seed",
+                                "5", "--region", "scene", "--set", "goal_bias=0.5", "--set",
+                                "max_parents=3", "--planner", "rrt-bsc-euc"});
+  const Json result = Json::parse(outcome.out);
+  EXPECT_EQ(result.at("planner"), "rrt-bsc-euc");
+  EXPECT_EQ(result.at("seed"), 5);
+  const Json& options = result.at("options");
+  EXPECT_EQ(options.at("max_iterations"), 7);
+  EXPECT_EQ(options.at("max_nodes"), 6);
+  EXPECT_EQ(options.at("region"), "scene");
+  EXPECT_EQ(options.at("goal_bias"), 0.5);
+  EXPECT_EQ(options.at("max_parents"), 3);
+  EXPECT_EQ(options.at("time_limit"), nullptr);
+}
+
+TEST_F(PlanCommand, AnIterationBudgetRepeatsThePathToTheByte) {
+  for (const PlannerInfo* planner : {&default_planner(), &planner_named("rrt-opt-euc")}) {
+    const std::string name(planner->name);
+    EXPECT_TRUE(planned_path(name, "1") == planned_path(name, "1")) << name;
+  }
+  EXPECT_FALSE(planned_path("rrt-opt-euc", "1") == planned_path("rrt-opt-euc", "2"));
+}
+
+TEST_F(PlanCommand, ScenarioComesFromStandardInputToo) {
+  const std::vector<std::string> budget = {"--json", "--max-iterations", "100"};
+  const Outcome from_file = plan(budget);
+  const Outcome piped =
+      run_vandplan({"plan", "-", "--json", "--max-iterations", "100"}, {.input = scenario_});
+  ASSERT_EQ(piped.status, 0) << piped.err;
+  EXPECT_EQ(Json::parse(piped.out).at("path"), Json::parse(from_file.out).at("path"));
+}
+
+TEST_F(PlanCommand, ResultAndPictureAreWritten) {
+  const std::string result = folder_ / "result.json";
+  const std::string picture = folder_ / "picture.svg";
+  write_content(result, "old");
+  ASSERT_EQ(plan({"--max-iterations", "100", "--output", result, "--draw", picture}).status, 0);
+  EXPECT_EQ(Json::parse(content_of(result)).at("status"), "solved");
+  EXPECT_NE(content_of(picture).find("<svg"), std::string::npos);
+}
+
+// ---- statuses ----
+
+struct NoPath {
+  const char* status;
+  const char* from;
+  const char* to;
+  std::vector<std::string> options;
+};
+
+class PlanCommandWithoutPath : public PlanCommand, public testing::WithParamInterface<NoPath> {};
+
+TEST_P(PlanCommandWithoutPath, ExitsWithOneAndNamesTheStatus) {
+  const NoPath& no_path = GetParam();
+  write_content(scenario_, replaced(yard(), no_path.from, no_path.to));
+  const Outcome text = plan(no_path.options);
+  EXPECT_EQ(text.status, 1);
+  EXPECT_EQ(text.err, "");
+  EXPECT_NE(text.out.find(std::string("no path: ") + no_path.status), std::string::npos)
+      << text.out;
+
+  std::vector<std::string> options = no_path.options;
+  options.push_back("--json");
+  const Outcome json = plan(options);
+  EXPECT_EQ(json.status, 1);
+  const Json result = Json::parse(json.out);
+  EXPECT_EQ(result.at("status"), no_path.status);
+  EXPECT_FALSE(result.contains("path"));
+  EXPECT_FALSE(result.contains("length"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Statuses, PlanCommandWithoutPath,
+    testing::Values(NoPath{"start_in_collision", "start: {x: 0", "start: {x: 10", {}},
+                    NoPath{"start_in_collision", "start: {x: 0", "start: {x: -60", {}},
+                    NoPath{"goal_in_collision", "goal: {x: 20, y: 5", "goal: {x: 9, y: -2", {}},
+                    NoPath{"goal_in_collision", "goal: {x: 20", "goal: {x: 51", {}},
+                    NoPath{"iteration_limit", "", "", {"--max-iterations", "0"}},
+                    NoPath{"time_limit", "", "", {"--time", "0"}},
+                    // Shut in by walls, so that the tree fills up.
+                    NoPath{"node_limit",
+                           "[12, -9], [13, -9], [13, 9], [12, 9]",
+                           "[12, -60], [13, -60], [13, 60], [12, 60]",
+                           {"--planner", "rrt-opt-euc", "--max-nodes", "5", "--max-iterations",
+                            "100000"}}));
+
+TEST_F(PlanCommand, RowOfGoalsNamesTheFurthestReached) {
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5, heading: 0}",
+                                    "goals:\n"
+                                    "  - {distance: 20, goal: {x: 20, y: 5, heading: 0}}\n"
+                                    "  - {distance: 30, goal: {x: 30, y: 5, heading: 0}}\n"
+                                    "  - {distance: 60, goal: {x: 60, y: 5, heading: 0}}"));
+  const std::string picture = folder_ / "row.png";
+  const Outcome text = plan({"--max-iterations", "200", "--draw", picture});
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("60 m: no path: goal_in_collision"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("furthest: 30 m\n"), std::string::npos) << text.out;
+  EXPECT_TRUE(std::filesystem::exists(picture));
+
+  const Json result = Json::parse(plan({"--max-iterations", "200", "--json"}).out);
+  EXPECT_EQ(result.at("furthest"), 30);
+  EXPECT_EQ(result.at("goals").size(), 3);
+
+  EXPECT_EQ(plan({"--max-iterations", "0"}).status, 1);
+}
+
+// ---- signals ----
+
+/// Waits until the process handles SIGINT and has computed for a while.
+void wait_until_busy(const Process& process) {
+  const std::string folder = "/proc/" + std::to_string(process.id());
+  const auto field = [&](const std::string& name) {
+    const std::string status = content_of(folder + "/status");
+    const std::size_t place = status.find(name);
+    return place == std::string::npos ? "0" : status.substr(place + name.size());
+  };
+  const auto handles_signal = [&] {
+    return (std::stoull(field("SigCgt:"), nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+  };
+  const auto processor_time = [&] {  // in ticks, the 14th word of the line
+    std::istringstream words(content_of(folder + "/stat"));
+    std::string word;
+    for (int i = 0; i < 14; ++i) words >> word;
+    return std::stol(word);
+  };
+  const long enough = ::sysconf(_SC_CLK_TCK) / 2;
+  while (!handles_signal() || processor_time() < enough) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
+TEST_F(PlanCommand, SignalsEndTheRunWithTheBestSoFar) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string file = folder_ / "result.json";
+    Process process({"plan", scenario_, "--json", "--time", "1000", "--max-nodes", "10000000",
+                     "--planner", "rrt-opt-euc", "--output", file});
+    wait_until_busy(process);
+    process.send(signal);
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out).at("status"), "solved");
+    EXPECT_EQ(content_of(file), outcome.out);
+  }
+}
+
+TEST_F(PlanCommand, SignalBeforeTheFirstPathIsNamed) {
+  write_content(scenario_, replaced(yard(), "[12, -9], [13, -9], [13, 9], [12, 9]",
+                                    "[12, -60], [13, -60], [13, 60], [12, 60]"));
+  Process process(
+      {"plan", scenario_, "--time", "1000", "--max-nodes", "10000000", "--planner", "rrt-bsc-euc"});
+  wait_until_busy(process);
+  process.send(SIGINT);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("no path: stopped"), std::string::npos) << outcome.out;
+}
+
+// ---- the nine scenarios ----
+
+TEST(PlanCommandOnThesisScenarios, EveryOneIsReadAndPlanned) {
+  const auto files = yaml_files(repository() / "scenarios/thesis");
+  EXPECT_EQ(files.size(), 9);
+  for (const std::string& file : files) {
+    const Outcome outcome = run_vandplan({"plan", file, "--json", "--max-iterations", "20"});
+    EXPECT_LE(outcome.status, 1) << file << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out).at("format"), "vandplan-result/1");
+  }
+}
+
+}  // namespace
+}  // namespace vandplan

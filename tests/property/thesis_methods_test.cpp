@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+//
+// Does the judge accept what the thesis' methods find in the thesis' scenarios?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support/cases.h"
+#include "vandplan/io.h"
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+std::vector<Scenario> thesis_scenarios() {
+  std::vector<std::string> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(VANDPLAN_REPOSITORY "/scenarios/thesis")) {
+    files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Scenario> scenarios;
+  for (const std::string& file : files) scenarios.push_back(read_scenario(file));
+  return scenarios;
+}
+
+std::vector<std::string> thesis_methods() {
+  std::vector<std::string> names;
+  for (const PlannerInfo& info : planners()) {
+    if (info.name.starts_with("rrt-")) names.emplace_back(info.name);
+  }
+  return names;
+}
+
+class ThesisMethod : public testing::TestWithParam<std::string> {};
+
+TEST_P(ThesisMethod, FindsOnlyPathsThatTheJudgeAccepts) {
+  const std::vector<Scenario> scenarios = thesis_scenarios();
+  ASSERT_EQ(scenarios.size(), 9U);
+  const PlannerInfo& planner = planner_named(GetParam());
+  int solved = 0;
+  for (const Scenario& scenario : scenarios) {
+    // The nearest, a middle and the furthest goal of a row.
+    for (std::size_t goal = 0; goal < scenario.goals.size();
+         goal += std::max<std::size_t>(1, (scenario.goals.size() - 1) / 2)) {
+      const Problem problem = make_problem(scenario, goal);
+      for (int seed = 1; seed <= std::max(1, cases(3)); ++seed) {
+        SCOPED_TRACE(scenario.name + ", goal " + std::to_string(goal) + ", seed " +
+                     std::to_string(seed));
+        PlanOptions options;
+        options.seed = static_cast<std::uint64_t>(seed);
+        options.max_iterations = 400;
+        options.region = seed % 2 == 0 ? Region::bounds : Region::scene;
+        const PlanResult result = planner.function(problem, options);
+        EXPECT_EQ(result.status == PlanStatus::solved, result.path.has_value());
+        if (!result.path) continue;
+        ++solved;
+        const PathCheck check =
+            check_path(problem, *result.path, {result.cost, gear_changes(result.path->segments)});
+        EXPECT_TRUE(check.valid) << check.reason;
+        EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-9);
+      }
+    }
+  }
+  EXPECT_GE(solved, 8);  // open ground at the least, whatever the method
+}
+
+TEST_P(ThesisMethod, GrowsATreeWhoseEveryEdgeTheJudgeAccepts) {
+  const Problem cage =
+      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/5-leave-cage.yaml"), 0);
+  PlanOptions options;
+  options.max_iterations = 300;
+  options.region = Region::scene;
+  options.keep_tree = true;
+  const PlanResult result = planner_named(GetParam()).function(cage, options);
+  ASSERT_TRUE(result.tree);
+  const TreeSnapshot& tree = *result.tree;
+  ASSERT_EQ(static_cast<std::int64_t>(tree.poses.size()), result.nodes);
+  ASSERT_GT(tree.poses.size(), 30U);
+  EXPECT_EQ(tree.parents[0], -1);
+  for (std::size_t i = 1; i < tree.poses.size(); ++i) {
+    ASSERT_LT(static_cast<std::size_t>(tree.parents[i]), i);
+    const Pose& from = tree.poses[static_cast<std::size_t>(tree.parents[i])];
+    const Piece edge = reeds_shepp(from, tree.poses[i], 7.0);
+    const PathCheck check = check_path({cage.world, from, tree.poses[i]},
+                                       {from, {edge.view().begin(), edge.view().end()}}, {});
+    EXPECT_TRUE(check.valid) << "node " << i << ": " << check.reason;
+  }
+}
+
+std::string name_of_method(const testing::TestParamInfo<std::string>& method) {
+  std::string name = method.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ThesisMethod, testing::ValuesIn(thesis_methods()), name_of_method);
+
+TEST(Rrt, LeastTotalCostIsNeverLongerOnTheSameSamplesThanNearest) {
+  // Both draw the same samples; on open ground every one is connected at once.
+  const Problem open =
+      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/1-open.yaml"), 0);
+  PlanOptions options;
+  options.max_iterations = 200;
+  const PlanResult nearest = plan(open, planner_named("rrt-bsc-euc"), options);
+  const PlanResult least = plan(open, planner_named("rrt-opt-rs"), options);
+  ASSERT_TRUE(nearest.path && least.path);
+  EXPECT_LE(least.cost, nearest.cost);
+  EXPECT_NEAR(least.cost, reeds_shepp_length(open.start, open.goal, 7.0), 1e-9);
+}
+
+TEST(Rrt, WithoutGoalSamplesOnlyTryingTheGoalFromEveryNodeSolves) {
+  const Problem open =
+      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/1-open.yaml"), 0);
+  PlanOptions options;
+  options.max_iterations = 200;
+  options.goal_bias = 0.0;
+  EXPECT_EQ(plan(open, planner_named("rrt-bsc-euc"), options).status, PlanStatus::solved);
+  options.try_goal = false;
+  EXPECT_EQ(plan(open, planner_named("rrt-bsc-euc"), options).status, PlanStatus::iteration_limit);
+}
+
+TEST(Rrt, AFullTreeEndsTheRun) {
+  const Problem narrow =
+      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/4-narrow-turn.yaml"), 0);
+  PlanOptions options;
+  options.max_nodes = 5;
+  const PlanResult result = plan(narrow, planner_named("rrt-bsc-euc"), options);
+  EXPECT_EQ(result.status, PlanStatus::node_limit);
+  EXPECT_EQ(result.nodes, 5);
+}
+
+}  // namespace
+}  // namespace vandplan

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How many random cases does a law run through, and which one broke it?
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <initializer_list>
+#include <iterator>
+#include <string>
+
+#include "random.h"
+#include "vandplan/path.h"
+
+namespace vandplan {
+
+/// `n`, or a fiftieth of it where sanitizers make every step slow.
+inline int cases(int n) {
+#ifdef __SANITIZE_ADDRESS__
+  return std::max(1, n / 50);
+#else
+  return n;
+#endif
+}
+
+/// Calls `law(rng)` for `cases(n)` cases, each with its own stream of `seed`, and stops at the
+/// first case that fails, naming it.
+template <typename Law>
+void for_each_case(std::uint64_t seed, int n, Law law) {
+  for (int i = 0; i < cases(n) && !testing::Test::HasFailure(); ++i) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(i));
+    Rng rng(stream_seed(seed, static_cast<std::uint64_t>(i)));
+    law(rng);
+  }
+}
+
+// Values as C++ that can be pasted into a test.
+
+inline std::string as_code(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+inline std::string braced(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values) text.append(text.empty() ? "{" : ", ").append(as_code(value));
+  return text.append("}");
+}
+
+inline std::string as_code(const Point& p) { return braced({p.x, p.y}); }
+
+inline std::string as_code(const Pose& p) { return braced({p.x, p.y, p.heading}); }
+
+inline std::string as_code(const Segment& segment) {
+  return braced({segment.curvature, segment.length});
+}
+
+template <typename Range>
+requires requires(const Range& range) { as_code(*std::begin(range)); }
+std::string as_code(const Range& range) {
+  std::string text;
+  for (const auto& value : range) text += (text.empty() ? "{" : ", ") + as_code(value);
+  return text.empty() ? "{}" : text + "}";
+}
+
+inline std::string as_code(const Path& path) {
+  return "Path{" + as_code(path.start) + ", " + as_code(path.segments) + "}";
+}
+
+}  // namespace vandplan

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/draw.h"
+
+#include <cairo.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "draw/canvas.h"
+#include "draw/frame.h"
+#include "draw/scene.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+using picture::Colour;
+
+constexpr double pi = std::numbers::pi;
+constexpr double radius = 7.0;
+
+// A truck drives 20 m ahead, backs off over a quarter turn and passes a 4 m x 4 m block.
+Scenario yard() {
+  Scenario scenario;
+  scenario.name = "yard";
+  scenario.bounds = {-200, 200, -200, 200};
+  scenario.start = {0, 0, 0};
+  scenario.goals = {{{}, {13, -7, pi / 2}, {}}};
+  scenario.obstacles = {{{8, 8}, {12, 8}, {12, 12}, {8, 12}}};
+  return scenario;
+}
+
+Path yard_path() { return {{0, 0, 0}, {{0, 20}, {-1 / radius, -radius * pi / 2}}}; }
+
+Scenario moved(Scenario scenario, double x, double y) {
+  scenario.bounds = {scenario.bounds.x_min + x, scenario.bounds.x_max + x,
+                     scenario.bounds.y_min + y, scenario.bounds.y_max + y};
+  for (Pose* pose : {&scenario.start, &scenario.goals[0].pose}) {
+    pose->x += x;
+    pose->y += y;
+  }
+  for (Polygon& polygon : scenario.obstacles) {
+    for (Point& corner : polygon) corner = {corner.x + x, corner.y + y};
+  }
+  return scenario;
+}
+
+// A PNG read back, 8 bits for each of red, green and blue.
+class Image {
+ public:
+  explicit Image(const std::string& png) {
+    Source source{&png, 0};
+    surface_.reset(cairo_image_surface_create_from_png_stream(read, &source));
+    EXPECT_EQ(cairo_surface_status(surface_.get()), CAIRO_STATUS_SUCCESS);
+  }
+  int width() const { return cairo_image_surface_get_width(surface_.get()); }
+  int height() const { return cairo_image_surface_get_height(surface_.get()); }
+  std::array<int, 3> at(int x, int y) const {
+    const unsigned char* row = cairo_image_surface_get_data(surface_.get()) +
+                               y * cairo_image_surface_get_stride(surface_.get());
+    std::uint32_t pixel = 0;
+    std::memcpy(&pixel, row + 4 * x, sizeof pixel);
+    const auto channel = [&](int shift) { return static_cast<int>(pixel >> shift & 0xff); };
+    return {channel(16), channel(8), channel(0)};
+  }
+  std::array<int, 3> at(const Point& place) const {
+    return at(static_cast<int>(place.x), static_cast<int>(place.y));
+  }
+
+ private:
+  struct Source {
+    const std::string* bytes;
+    std::size_t position;
+  };
+  static cairo_status_t read(void* source, unsigned char* data, unsigned int size) {
+    auto& [bytes, position] = *static_cast<Source*>(source);
+    if (position + size > bytes->size()) return CAIRO_STATUS_READ_ERROR;
+    std::memcpy(data, bytes->data() + position, size);
+    position += size;
+    return CAIRO_STATUS_SUCCESS;
+  }
+  std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_{
+      nullptr, cairo_surface_destroy};
+};
+
+// Equal but for a trace of what is drawn over it, such as grid lines.
+bool matches(const std::array<int, 3>& pixel, const Colour& colour) {
+  const std::array<double, 3> wanted{colour.red, colour.green, colour.blue};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::abs(pixel[i] - 255 * wanted[i]) > 20) return false;
+  }
+  return true;
+}
+
+testing::AssertionResult looks(const std::array<int, 3>& pixel, const Colour& colour) {
+  if (matches(pixel, colour)) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << testing::PrintToString(pixel);
+}
+
+constexpr int page_width = 900;  // one pixel is one page unit
+
+// A drawing with the page it comes out on.
+struct Page {
+  explicit Page(const Drawing& drawing)
+      : image(draw(drawing, PictureFormat::png, page_width)),
+        view(picture::layout_of(picture::scene_of(drawing), !drawing.caption.empty()).view) {}
+  std::array<int, 3> at(const Point& local) const { return image.at(view.on_page(local)); }
+  Image image;
+  picture::View view;
+};
+
+// Every element that is opened is closed, in order.
+bool is_well_formed(const std::string& xml) {
+  std::vector<std::string> open;
+  for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
+    const std::size_t end = xml.find('>', at);
+    if (end == std::string::npos) return false;
+    const std::string tag = xml.substr(at + 1, end - at - 1);
+    const std::string name = tag.substr(0, tag.find_first_of(" \n/", 1));
+    if (tag[0] == '?' || tag[0] == '!' || tag.back() == '/') continue;
+    if (tag[0] != '/') {
+      open.push_back(name);
+    } else if (open.empty() || "/" + open.back() != tag) {
+      return false;
+    } else {
+      open.pop_back();
+    }
+  }
+  return open.empty() && !xml.empty();
+}
+
+TEST(PictureFormat, FollowsTheEndingOfTheFile) {
+  EXPECT_EQ(picture_format("a.png"), PictureFormat::png);
+  EXPECT_EQ(picture_format("out/b.svg"), PictureFormat::svg);
+  EXPECT_EQ(picture_format("c.d.pdf"), PictureFormat::pdf);
+  EXPECT_THROW((void)picture_format("picture.jpg"), InputError);
+  EXPECT_THROW((void)picture_format("png"), InputError);
+}
+
+TEST(Draw, BytesBeginAsTheFormatDoes) {
+  const Scenario scenario = yard();
+  const Drawing drawing{.scenario = &scenario};
+  EXPECT_TRUE(draw(drawing, PictureFormat::png, 300).starts_with("\x89PNG\r\n"));
+  EXPECT_TRUE(draw(drawing, PictureFormat::svg, 300).starts_with("<?xml"));
+  EXPECT_TRUE(draw(drawing, PictureFormat::pdf, 300).starts_with("%PDF-"));
+}
+
+TEST(Draw, PngHasTheWidthAskedForAndTheShapeOfThePage) {
+  const Scenario scenario = yard();
+  const Drawing drawing{.scenario = &scenario, .caption = "yard"};
+  const picture::Size page = picture::layout_of(picture::scene_of(drawing), true).page;
+  const Image image(draw(drawing, PictureFormat::png, 450));
+  EXPECT_EQ(image.width(), 450);
+  EXPECT_EQ(image.height(), std::lround(page.height / 2));
+}
+
+TEST(Draw, SvgIsWellFormedWhateverTheCaption) {
+  const Scenario scenario = yard();
+  const Path path = yard_path();
+  const Drawing drawing{.scenario = &scenario, .path = &path, .caption = "<&\"'> V\u00e4ndplan"};
+  EXPECT_TRUE(is_well_formed(draw(drawing, PictureFormat::svg, 900)));
+  EXPECT_FALSE(is_well_formed("<svg><g></svg>"));
+}
+
+TEST(Draw, EverythingHasItsColourAtItsPlace) {
+  const Scenario scenario = yard();
+  const Path path = yard_path();
+  const Page page({.scenario = &scenario, .path = &path});
+  EXPECT_TRUE(looks(page.at({10.3, 10.4}), picture::colour::obstacle));
+  EXPECT_TRUE(looks(page.at({-0.75, 1.275}), picture::colour::start)) << "the outline";
+  EXPECT_TRUE(looks(page.at({13 + 1.275, -7.75}), picture::colour::goal)) << "the outline";
+  EXPECT_TRUE(looks(page.at({9, 0}), picture::colour::forward));
+  const Pose backing = pose_at(path, 20 + radius * pi / 4);
+  EXPECT_TRUE(looks(page.at({backing.x, backing.y}), picture::colour::reverse));
+  EXPECT_TRUE(looks(page.at({20, 0}), picture::colour::paper)) << "inside the gear change's ring";
+  const auto swept = page.at({11, 0.7});
+  EXPECT_LT(swept[0], swept[2]) << "a bluish veil";
+  EXPECT_TRUE(looks(page.at({3.3, 10.4}), picture::colour::paper));
+}
+
+TEST(Draw, GroundOutOfBoundsIsShaded) {
+  Scenario scenario = yard();
+  scenario.bounds.x_max = 15;
+  const Page page({.scenario = &scenario});
+  EXPECT_TRUE(looks(page.at({14.2, 2.3}), picture::colour::paper));
+  EXPECT_TRUE(looks(page.at({15.5, 2.3}), picture::colour::outside));
+}
+
+TEST(Draw, ObstaclesOfTheGoalAreDrawnToo) {
+  Scenario scenario = yard();
+  scenario.goals[0].obstacles = {{{2, 8}, {5, 8}, {5, 12}, {2, 12}}};
+  EXPECT_TRUE(looks(Page({.scenario = &scenario}).at({3.3, 10.4}), picture::colour::obstacle));
+}
+
+TEST(Draw, TreeIsDrawnWhenThereIsOne) {
+  const Scenario scenario = yard();
+  // One straight edge along y = 5 m.
+  const TreeSnapshot tree{{{2, 5, 0}, {6, 5, 0}}, {-1, 0}};
+  const Drawing without{.scenario = &scenario};
+  const Drawing with{.scenario = &scenario, .tree = &tree};
+  const Page a(without);
+  const Page b(with);
+  // The line is half a pixel wide and may lie across two rows.
+  const Point begin = a.view.on_page({2, 5});
+  const Point end = a.view.on_page({6, 5});
+  int darker = 0;
+  for (int x = static_cast<int>(begin.x) + 1; x < static_cast<int>(end.x); ++x) {
+    int change = 0;
+    for (int y = static_cast<int>(begin.y) - 1; y <= static_cast<int>(begin.y) + 1; ++y) {
+      change += a.image.at(x, y)[0] - b.image.at(x, y)[0];
+    }
+    darker += change > 20;
+  }
+  EXPECT_GE(darker, static_cast<int>(end.x - begin.x) - 2) << "all along";
+}
+
+TEST(Draw, FarFromTheOriginOnlyTheLabelsDiffer) {
+  const double x = 4'517'230'000;  // [m]
+  const double y = -8'651'230'000;
+  const Scenario near = yard();
+  const Scenario far = moved(near, x, y);
+  const Path near_path = yard_path();
+  Path far_path = near_path;
+  far_path.start = {x, y, 0};
+  const Page a({.scenario = &near, .path = &near_path});
+  const Page b({.scenario = &far, .path = &far_path});
+  const picture::Box& plot = a.view.plot;
+  int different = 0;
+  for (int row = 0; row < static_cast<int>(plot.y + plot.height); ++row) {
+    for (int column = static_cast<int>(plot.x); column < page_width; ++column) {
+      different += a.image.at(column, row) != b.image.at(column, row);
+    }
+  }
+  EXPECT_EQ(different, 0);
+}
+
+TEST(Draw, FarObstaclesDoNotShrinkTheScene) {
+  Scenario scenario = yard();
+  const Bounds before = picture::framed(picture::scene_of({.scenario = &scenario}));
+  scenario.obstacles.push_back({{1e6, 1e6}, {1e6 + 5, 1e6}, {1e6, 1e6 + 5}});
+  EXPECT_EQ(picture::framed(picture::scene_of({.scenario = &scenario})), before);
+}
+
+TEST(Draw, AnObstacleThatReachesFarOutCoversTheViewWhereItShould) {
+  Scenario scenario = yard();
+  scenario.obstacles = {{{-1e8, 4}, {1e8, 4}, {1e8, 1e8}, {-1e8, 1e8}}};
+  const Page page({.scenario = &scenario});
+  EXPECT_TRUE(looks(page.at({3.3, 4.5}), picture::colour::obstacle));
+  EXPECT_TRUE(looks(page.at({3.3, 3.5}), picture::colour::paper));
+}
+
+TEST(Draw, EveryCellOfASheetShowsItsDrawing) {
+  const Scenario scenario = yard();
+  const Drawing drawing{.scenario = &scenario, .caption = "yard"};
+  const ContactSheet sheet{.drawings = {5, drawing}, .columns = 2, .caption = "five yards"};
+  const Image image(draw(sheet, PictureFormat::png, 720));
+  EXPECT_EQ(image.width(), 720);
+  // Dark pixels of the block, 3 rows of cells, the sixth one empty.
+  const int cell_height = 290;
+  for (int cell = 0; cell < 6; ++cell) {
+    int found = 0;
+    for (int row = 0; row < cell_height; ++row) {
+      for (int column = 0; column < 360; ++column) {
+        const auto pixel = image.at(360 * (cell % 2) + column, 40 + cell_height * (cell / 2) + row);
+        found += matches(pixel, picture::colour::obstacle);
+      }
+    }
+    EXPECT_EQ(found > 500, cell < 5) << "cell " << cell;
+  }
+}
+
+TEST(Draw, TheSameDrawingGivesTheSameBytes) {
+  const Scenario scenario = yard();
+  const Path path = yard_path();
+  const Drawing drawing{.scenario = &scenario, .path = &path, .caption = "yard"};
+  EXPECT_EQ(draw(drawing, PictureFormat::png, 300), draw(drawing, PictureFormat::png, 300));
+}
+
+TEST(Draw, APathOfAbsurdLengthIsDrawnAllTheSame) {
+  const Scenario scenario = yard();
+  const Path path{{0, 0, 0}, {{0, 1e9}, {1 / radius, 1e9}}};
+  EXPECT_FALSE(draw({.scenario = &scenario, .path = &path}, PictureFormat::png, 300).empty());
+}
+
+TEST(Draw, BadInputIsNamed) {
+  const Scenario scenario = yard();
+  const Path broken{{0, 0, 0}, {{0, std::numeric_limits<double>::quiet_NaN()}}};
+  const auto draw_png = [](const Drawing& drawing, int width) {
+    return draw(drawing, PictureFormat::png, width);
+  };
+  EXPECT_THROW((void)draw_png({.scenario = &scenario}, 49), InputError);
+  EXPECT_THROW((void)draw_png({.scenario = &scenario}, 10001), InputError);
+  EXPECT_THROW((void)draw_png({.scenario = &scenario, .goal = 1}, 300), InputError);
+  EXPECT_THROW((void)draw_png({.scenario = &scenario, .path = &broken}, 300), InputError);
+  EXPECT_THROW((void)draw_png({.scenario = &scenario, .caption = "\xff\xfe"}, 300), InputError);
+  EXPECT_THROW((void)draw(ContactSheet{.columns = 0}, PictureFormat::png, 300), InputError);
+}
+
+TEST(TickStep, IsOneTwoOrFiveTimesAPowerOfTen) {
+  EXPECT_DOUBLE_EQ(picture::tick_step(10.0, 85.0), 5.0);  // 8.5 m
+  EXPECT_DOUBLE_EQ(picture::tick_step(10.0, 45.0), 2.0);
+  EXPECT_DOUBLE_EQ(picture::tick_step(1.0, 100.0), 100.0);
+  EXPECT_DOUBLE_EQ(picture::tick_step(400.0, 85.0), 0.2);
+}
+
+}  // namespace
+}  // namespace vandplan

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/report.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "evaluation/runner.h"
+#include "support/made_up_runs.h"
+#include "support/temporary_folder.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+Campaign small_campaign() {
+  Campaign campaign{.planners = {planner_named("rrt-bsc-euc"), planner_named("rrt-bsc-hlut-1")},
+                    .repeats = 3,
+                    .repeats_per_goal = 2,
+                    .profile = true};
+  campaign.scenarios = {{open_ground("one</script>"), "one.yaml"},
+                        {open_ground("row", 2), "r.yaml"}};
+  campaign.options.max_nodes = 300;
+  return campaign;
+}
+
+TEST(Report, RepeatsARunThatWasCutByTheClock) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.options.time_limit = 0.003;
+  campaign.options.goal_bias = 0.2;
+  campaign.options.max_nodes = 100'000;
+  run_campaign(campaign, store, {});
+  const Report report = make_report(store);
+  int solved = 0;
+  for (const RunRecord& run : report.runs) {
+    // vandplan plan FILE --planner NAME --seed N ... as `plan` would read it.
+    std::istringstream words(reproduce_command(report, run));
+    std::string word, file, planner;
+    PlanOptions options;
+    words >> word >> word >> file >> word >> planner;
+    EXPECT_EQ(file, report.files[run.scenario].file);
+    for (std::string flag, value; words >> flag >> value;) {
+      if (flag == "--seed") set_option(options, "seed", value);
+      if (flag == "--region") set_option(options, "region", value);
+      if (flag == "--max-nodes") set_option(options, "max_nodes", value);
+      if (flag == "--max-iterations") set_option(options, "max_iterations", value);
+      if (flag != "--set") continue;
+      set_option(options, value.substr(0, value.find('=')), value.substr(value.find('=') + 1));
+    }
+    const Problem problem = make_problem(report.scenarios[run.scenario], run.goal);
+    const PlanResult again = plan(problem, planner_named(planner), options);
+    EXPECT_EQ(again.nodes, run.result.nodes);
+    ASSERT_EQ(again.path.has_value(), run.result.path.has_value());
+    if (!again.path) continue;
+    ++solved;
+    EXPECT_EQ(again.path->segments, run.result.path->segments);
+  }
+  EXPECT_GT(solved, 10);
+}
+
+TEST(Report, TellsOfTheRunsOfOneEnvironmentAndOptionsOnly) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.options.max_iterations = 30;
+  run_campaign(campaign, store, {});
+  campaign.options.max_iterations = 40;
+  run_campaign(campaign, store, {});
+  const Report last = make_report(store);
+  EXPECT_EQ(last.options.max_iterations, 40);
+  EXPECT_EQ(last.runs.size() * 2, store.runs().size());
+  EXPECT_EQ(last.left_out, static_cast<int>(last.runs.size()));
+  campaign.options.max_iterations = 30;
+  EXPECT_EQ(make_report(store, this_environment(), campaign.options).runs.size(), last.runs.size());
+  campaign.options.max_iterations = 50;
+  EXPECT_THROW(static_cast<void>(make_report(store, this_environment(), campaign.options)),
+               InputError);
+}
+
+TEST(Report, IsOnePageWithEverythingInIt) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.options.max_iterations = 100;
+  run_campaign(campaign, store, {});
+  const std::string page = report_html(make_report(store));
+  EXPECT_EQ(page.find("one</script>"), std::string::npos);  // text must not end the script
+  EXPECT_NE(page.find("one\\u003c/script>"), std::string::npos);
+  EXPECT_NE(page.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+  EXPECT_NE(page.find("Michael Bostock"), std::string::npos);
+  for (const char* const elsewhere : {"<link rel=\"stylesheet\"", "<script src", "@import"})
+    EXPECT_EQ(page.find(elsewhere), std::string::npos) << elsewhere;
+  for (const char* const mark : {"/*STYLE*/", "/*D3*/", "/*DATA*/", "/*PROGRAM*/", "<!--"})
+    EXPECT_EQ(page.find(mark), std::string::npos) << mark;
+}
+
+TEST(Report, IsATableInTheTerminal) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.options.max_iterations = 100;
+  run_campaign(campaign, store, {});
+  const Report report = make_report(store);
+  const std::string headline = headline_markdown(report);
+  EXPECT_NE(headline.find("| planner        | one</script> |"), std::string::npos) << headline;
+  EXPECT_NE(headline.find("| rrt-bsc-hlut-1 |"), std::string::npos);
+  EXPECT_NE(report_markdown(report).find("## row, samples from the scene"), std::string::npos);
+}
+
+TEST(Report, OfNothingIsRefused) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  EXPECT_THROW(static_cast<void>(make_report(store)), InputError);
+}
+
+}  // namespace
+}  // namespace vandplan

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "support/temporary_folder.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+#include "vandplan/version.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Scenario yard() {
+  Scenario scenario;
+  scenario.name = "yard";
+  scenario.bounds = {-100, 100, -100, 100};
+  scenario.start = {0.3, -1.0 / 3, 0.1};
+  scenario.goals = {{.distance = {}, .pose = {20, 0, 0}, .obstacles = {}}};
+  return scenario;
+}
+
+Scenario row() {
+  Scenario scenario = yard();
+  scenario.goals_are_a_row = true;
+  scenario.goals = {{20.0, {20, 0, 0}, {}}, {40.0, {40, 0, 0}, {}}, {60.0, {60, 0, 0}, {}}};
+  return scenario;
+}
+
+ResultRecord solved(const Scenario& scenario) {
+  constexpr double curvature = 1.0 / 7;  // the default vehicle's
+  ResultRecord record;
+  record.scenario = scenario.name;
+  record.planner = "rrt-opt-euc";
+  record.options.seed = std::numeric_limits<std::uint64_t>::max();
+  PlanResult& result = record.result;
+  result.status = PlanStatus::solved;
+  result.path = Path{scenario.start, {{curvature, 3.2}, {0, -12.34}, {-curvature, 0.1}, {0.05, 2}}};
+  result.cost = 17.65;
+  result.iterations = 8123;
+  result.nodes = 5000;
+  result.time_total = 0.5;
+  result.anytime = {{0.0031, 61, 375.9}, {0.0102, 190, 17.65}};
+  return record;
+}
+
+ResultRecord unsolved(const Scenario& scenario) {
+  ResultRecord record = solved(scenario);
+  record.result.status = PlanStatus::time_limit;
+  record.result.path.reset();
+  record.result.anytime.clear();
+  return record;
+}
+
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys;
+  for (const auto& item : json.items()) keys.push_back(item.key());
+  return keys;
+}
+
+using Keys = std::vector<std::string>;
+
+TEST(ResultFile, HoldsTheDocumentedKeysInTheirOrder) {
+  const Json json = Json::parse(results_to_json(yard(), {solved(yard())}));
+  EXPECT_EQ(keys_of(json), (Keys{"format", "scenario", "planner", "seed", "status", "length",
+                                 "cost", "gear_changes", "time", "iterations", "nodes", "anytime",
+                                 "path", "options", "build"}));
+  EXPECT_EQ(json["format"], "vandplan-result/1");
+  EXPECT_EQ(json["scenario"], "yard");
+  EXPECT_EQ(json["planner"], "rrt-opt-euc");
+  EXPECT_EQ(json["seed"], 18446744073709551615U);
+  EXPECT_EQ(json["status"], "solved");
+  EXPECT_EQ(json["length"], 3.2 + 12.34 + 0.1 + 2);
+  EXPECT_EQ(json["cost"], 17.65);
+  EXPECT_EQ(json["gear_changes"], 2);
+  EXPECT_EQ(json["time"], (Json{{"total", 0.5}, {"first_solution", 0.0031}}));
+  EXPECT_EQ(json["anytime"][1], (Json{{"time", 0.0102}, {"iteration", 190}, {"cost", 17.65}}));
+  EXPECT_EQ(json["build"]["version"], build_info().version);
+  EXPECT_EQ(json["options"]["max_nodes"], 5000);
+  EXPECT_EQ(json["options"]["region"], "bounds");
+}
+
+TEST(ResultFile, SegmentsAreTurnsAtFullSteeringOrCurvatures) {
+  const Json json = Json::parse(results_to_json(yard(), {solved(yard())}));
+  EXPECT_EQ(json["path"]["start"], (Json{{"x", 0.3}, {"y", -1.0 / 3}, {"heading", 0.1}}));
+  EXPECT_EQ(json["path"]["segments"], Json::parse(R"([{"turn": "left", "length": 3.2},
+      {"turn": "straight", "length": -12.34}, {"turn": "right", "length": 0.1},
+      {"curvature": 0.05, "length": 2.0}])"));
+}
+
+TEST(ResultFile, PosesFollowThePathAtMostTenCentimetresApart) {
+  const ResultRecord record = solved(yard());
+  const Json json = Json::parse(results_to_json(yard(), {record}));
+  const Json& poses = json["path"]["poses"];
+  EXPECT_EQ(keys_of(poses[0]), (Keys{"s", "x", "y", "heading", "curvature", "direction"}));
+  EXPECT_EQ(poses.front()["x"], 0.3);
+  EXPECT_EQ(poses.front()["y"], -1.0 / 3);
+  EXPECT_EQ(poses.back()["s"], json["length"]);
+  double last = 0.0;
+  for (const Json& pose : poses) {
+    EXPECT_LE(pose["s"].get<double>() - last, 0.1 + 1e-12);
+    last = pose["s"];
+    const Pose expected = pose_at(*record.result.path, last);
+    EXPECT_NEAR(pose["x"].get<double>(), expected.x, 1e-12);
+    EXPECT_NEAR(pose["y"].get<double>(), expected.y, 1e-12);
+    EXPECT_NEAR(pose["heading"].get<double>(), expected.heading, 1e-12);
+  }
+  EXPECT_EQ(poses[1]["curvature"], 1.0 / 7);
+  EXPECT_EQ(poses[1]["direction"], 1);
+  EXPECT_EQ(poses[40]["direction"], -1);
+}
+
+TEST(ResultFile, PosesFarAwayAreAsGoodAsADoubleIs) {
+  Scenario far = yard();
+  far.start = {4484378811.24645, -354286007.239762, 0.1};
+  Scenario near = yard();
+  near.start = {far.start.x - 4484378811, far.start.y + 354286007, 0.1};
+  const Json far_json = Json::parse(results_to_json(far, {solved(far)}));
+  const Json near_json = Json::parse(results_to_json(near, {solved(near)}));
+  EXPECT_EQ(far_json["path"]["start"]["x"], far.start.x);
+  const Json& poses = far_json["path"]["poses"];
+  ASSERT_EQ(poses.size(), near_json["path"]["poses"].size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Json& beside = near_json["path"]["poses"][i];
+    EXPECT_EQ(poses[i]["x"], beside["x"].get<double>() + 4484378811);
+    EXPECT_EQ(poses[i]["y"], beside["y"].get<double>() - 354286007);
+    EXPECT_EQ(poses[i]["heading"], beside["heading"]);
+  }
+}
+
+TEST(ResultFile, TheStartIsWrittenAsTheScenarioWritesIt) {
+  Scenario scenario = yard();
+  scenario.start.heading = -6.11698657169903;
+  ResultRecord record = solved(scenario);
+  record.result.path->start.heading = wrap_angle(scenario.start.heading);
+  const Json json = Json::parse(results_to_json(scenario, {record}));
+  EXPECT_EQ(json["path"]["start"]["heading"], -6.11698657169903);
+}
+
+TEST(ResultFile, WithoutAPathThereIsNothingOfAPath) {
+  const Json json = Json::parse(results_to_json(yard(), {unsolved(yard())}));
+  EXPECT_EQ(keys_of(json), (Keys{"format", "scenario", "planner", "seed", "status", "time",
+                                 "iterations", "nodes", "anytime", "options", "build"}));
+  EXPECT_EQ(json["status"], "time_limit");
+  EXPECT_EQ(keys_of(json["time"]), Keys{"total"});
+  EXPECT_EQ(json["anytime"], Json::array());
+}
+
+TEST(ResultFile, APathOfNoLengthIsAPath) {
+  ResultRecord record = solved(yard());
+  record.result.path->segments.clear();
+  const Json json = Json::parse(results_to_json(yard(), {record}));
+  EXPECT_EQ(json["length"], 0.0);
+  EXPECT_EQ(json["path"]["segments"], Json::array());
+  EXPECT_EQ(json["path"]["poses"].size(), 1U);
+}
+
+TEST(ResultFile, ARowHoldsAResultForEachGoalAndTheFurthestReached) {
+  std::vector<ResultRecord> records = {solved(row()), solved(row()), unsolved(row())};
+  for (std::size_t i = 0; i < 3; ++i) records[i].distance = row().goals[i].distance;
+  Json json = Json::parse(results_to_json(row(), records));
+  EXPECT_EQ(keys_of(json), (Keys{"format", "scenario", "planner", "seed", "goals", "furthest"}));
+  ASSERT_EQ(json["goals"].size(), 3U);
+  EXPECT_EQ(json["goals"][1]["distance"], 40);
+  EXPECT_EQ(json["goals"][1]["status"], "solved");
+  EXPECT_EQ(json["goals"][2]["status"], "time_limit");
+  EXPECT_EQ(json["furthest"], 40);
+  for (ResultRecord& record : records) record.result.status = PlanStatus::node_limit;
+  for (ResultRecord& record : records) record.result.path.reset();
+  json = Json::parse(results_to_json(row(), records));
+  EXPECT_TRUE(json["furthest"].is_null());
+}
+
+TEST(ResultFile, APoseIsALine) {
+  const std::string text = results_to_json(yard(), {unsolved(yard())});
+  EXPECT_EQ(text.substr(0, text.find("\"options\"")), R"({
+  "format": "vandplan-result/1",
+  "scenario": "yard",
+  "planner": "rrt-opt-euc",
+  "seed": 18446744073709551615,
+  "status": "time_limit",
+  "time": {"total": 0.5},
+  "iterations": 8123,
+  "nodes": 5000,
+  "anytime": [],
+  )");
+  EXPECT_NE(results_to_json(yard(), {solved(yard())})
+                .find("\n      {\"turn\": \"straight\", \"length\": -12.34},\n"),
+            std::string::npos);
+}
+
+class ResultReader : public testing::Test {
+ protected:
+  std::vector<ResultRecord> read(const std::string& text, const Scenario& scenario) {
+    return read_results(folder_.put("r.json", text), scenario);
+  }
+
+  std::string message_for(const std::string& text, const Scenario& scenario) {
+    try {
+      (void)read(text, scenario);
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      return message.substr(message.rfind('/', message.find("r.json")) + 1);
+    }
+    return "no error";
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(ResultReader, ReadsWhatWasWritten) {
+  ResultRecord record = solved(yard());
+  record.result.tree = TreeSnapshot{{{0, 0, 0}, {1, 0, 0.5}, {2, 0, 0}}, {-1, 0, 0}};
+  const std::vector<ResultRecord> read_back = read(results_to_json(yard(), {record}), yard());
+  ASSERT_EQ(read_back.size(), 1U);
+  const ResultRecord& copy = read_back[0];
+  EXPECT_EQ(copy.scenario, "yard");
+  EXPECT_EQ(copy.planner, "rrt-opt-euc");
+  EXPECT_EQ(copy.options.seed, record.options.seed);
+  EXPECT_EQ(copy.claims.length, length(record.result.path->segments));
+  EXPECT_EQ(copy.claims.gear_changes, 2);
+  EXPECT_EQ(copy.result.status, PlanStatus::solved);
+  EXPECT_EQ(copy.result.path, record.result.path);
+  EXPECT_EQ(copy.result.cost, 17.65);
+  EXPECT_EQ(copy.result.iterations, 8123);
+  EXPECT_EQ(copy.result.nodes, 5000);
+  EXPECT_EQ(copy.result.time_total, 0.5);
+  ASSERT_EQ(copy.result.anytime.size(), 2U);
+  EXPECT_EQ(copy.result.anytime[1].iteration, 190);
+  ASSERT_TRUE(copy.result.tree);
+  EXPECT_EQ(copy.result.tree->poses, record.result.tree->poses);
+  EXPECT_EQ(copy.result.tree->parents, record.result.tree->parents);
+}
+
+TEST_F(ResultReader, ReadsARow) {
+  std::vector<ResultRecord> records = {solved(row()), unsolved(row()), solved(row())};
+  for (std::size_t i = 0; i < 3; ++i) records[i].distance = row().goals[i].distance;
+  const auto copies = read(results_to_json(row(), records), row());
+  ASSERT_EQ(copies.size(), 3U);
+  EXPECT_EQ(copies[1].distance, 40);
+  EXPECT_EQ(copies[1].result.status, PlanStatus::time_limit);
+  EXPECT_FALSE(copies[1].result.path);
+  EXPECT_EQ(copies[2].result.path, records[2].result.path);
+}
+
+TEST_F(ResultReader, SomebodyElsesFileNeedsOnlyThePath) {
+  const auto records = read(R"({"format": "vandplan-result/1", "author": {"name": "me"},
+      "path": {"start": {"x": 1, "y": 2, "heading": 3, "v": 0},
+               "segments": [{"curvature": 0.1, "length": -2e0}]}})",
+                            yard());
+  ASSERT_EQ(records.size(), 1U);
+  EXPECT_EQ(records[0].result.path, (Path{{1, 2, 3}, {{0.1, -2}}}));
+  EXPECT_FALSE(records[0].claims.length);
+  EXPECT_FALSE(records[0].claims.gear_changes);
+}
+
+TEST_F(ResultReader, NumbersAreReadExactly) {
+  ResultRecord record = solved(yard());
+  record.result.path->segments = {{std::nextafter(1.0 / 7, 0), 0.1 + 0.2}, {1e-17, 5e-324}};
+  const auto copies = read(results_to_json(yard(), {record}), yard());
+  EXPECT_EQ(copies[0].result.path, record.result.path);
+}
+
+struct BadResult {
+  std::string text;
+  std::string message;
+};
+
+// A path on line 3, its segments on line 5.
+std::string result_with(const std::string& segment) {
+  return R"({"format": "vandplan-result/1",
+  "status": "solved",
+  "path": {
+    "start": {"x": 0, "y": 0, "heading": 0},
+    "segments": [{"turn": "left", "length": 1},
+                 )" +
+         segment + "]}}";
+}
+
+TEST_F(ResultReader, EveryErrorNamesLineKeyAndWhatWasExpected) {
+  const std::string path = R"("path": {"start": {"x": 0, "y": 0, "heading": 0}, "segments": []})";
+  const std::string start = "{\"format\": \"vandplan-result/1\"";
+  const BadResult bad[] = {
+      {"", "r.json:1: is not JSON"},
+      {"{\"format\": \"vandplan-result/1\",\n\"status\": solved}", "r.json:2: is not JSON"},
+      {start + ",\n\"length\": 1e999}", "r.json:2: is not JSON"},
+      {start + ",\n\"length\": NaN}", "r.json:2: is not JSON"},
+      {std::string("\0\1\2", 3), "r.json:1: is not JSON"},
+      {start + "} x", "r.json:1: is not JSON"},
+      {std::string(100'000, '['), "r.json:1: lists and maps are nested too deep"},
+      {"[]", "r.json:1: is a list, expected a map of keys"},
+      {"{}", "r.json:1: key \"format\" is missing, expected it"},
+      {"{\"format\": \"other/2\"}",
+       "r.json:1: format: is \"other/2\", expected \"vandplan-result/1\""},
+      {"{\"format\": 1,\n\"format\": 2}",
+       "r.json:2: key \"format\" is given again, expected it once (first on line 1)"},
+      {start + "}", "r.json:1: key \"status\" is missing, expected it"},
+      {start + ",\n\"status\": \"done\"}",
+       "r.json:2: status: is \"done\", expected one of solved, start_in_collision, "
+       "goal_in_collision, iteration_limit, node_limit, time_limit, stopped"},
+      {start + ",\n\"status\": \"solved\"}", "r.json:1: key \"path\" is missing, expected it"},
+      {start + ",\n\"status\": \"stopped\",\n" + path + "}",
+       "r.json:3: path: is given though the status is stopped, expected none"},
+      {start + ", \"path\": {\n\"segments\": []}}",
+       "r.json:1: path: key \"start\" is missing, expected it"},
+      {start + ", \"gear_changes\": 4294967296,\n" + path + "}",
+       "r.json:1: gear_changes: is 4294967296, expected a count of gear changes"},
+      {start + ",\n\"gear_changes\": -1,\n" + path + "}",
+       "r.json:2: gear_changes: is \"-1\", expected a whole number, 0 or more"},
+      {start + ",\n\"length\":\n2.5e0\n,\"cost\": null,\n" + path + "}",
+       "r.json:4: cost: is empty, expected a number"},
+      {start + ",\n\"length\":\n\"2\"\n," + path + "}",
+       "r.json:3: length: is \"2\", expected a number without quotes"},
+      {start + ", \"goals\": [], " + path + "}",
+       "r.json:1: goals: is a row, expected the scenario's one goal"},
+      {start + ", \"tree\": {\"poses\": [[0, 0, 0], [1, 0, 0]],\n\"parents\": [-1, 1]},\n" + path +
+           "}",
+       "r.json:2: tree.parents[1]: is 1, expected a node before node 1"},
+      {result_with("{\"turn\": \"left\"}"),
+       "r.json:6: path.segments[1]: key \"length\" is missing, expected it"},
+      {result_with("{\"turn\": \"left\", \"length\": true}"),
+       "r.json:6: path.segments[1].length: is \"true\", expected a number"},
+      {result_with("{\"turn\": \"up\", \"length\": 1}"),
+       "r.json:6: path.segments[1].turn: is \"up\", expected left, straight or right"},
+      {result_with("{\"length\": 1}"),
+       "r.json:6: path.segments[1]: has neither, expected either turn or curvature"},
+      {result_with("{\"turn\": \"left\", \"curvature\": 0, \"length\": 1}"),
+       "r.json:6: path.segments[1]: has both, expected either turn or curvature"},
+      {result_with("7"), "r.json:6: path.segments[1]: is \"7\", expected a map of keys"},
+  };
+  for (const BadResult& one : bad) {
+    const std::string message = message_for(one.text, yard());
+    EXPECT_EQ(message.substr(0, one.message.size()), one.message);
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+  EXPECT_EQ(message_for(start + ",\n\"goals\": []}", row()),
+            "r.json:2: goals: has 0 elements, expected the scenario's 3 goals");
+  EXPECT_EQ(message_for(start + ",\n" + path + "}", row()),
+            "r.json:1: key \"goals\" is missing, expected it");
+}
+
+}  // namespace
+}  // namespace vandplan

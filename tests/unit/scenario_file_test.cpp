@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/shared_files.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+// A scenario with every key; the tests of errors exchange a part of it.
+const std::string valid = R"(name: yard
+description: "a test"
+vehicle: {wheelbase: 4.5, front_overhang: 1.4, rear_overhang: 1.6, width: 2.55, min_turning_radius: 7}
+bounds: {x: [-50, 50], y: [-40, 40.5]}
+start: {x: 0, y: 1e-1, heading: -0.5}
+goal:
+  x: +20
+  y: 5.25   # metres
+  heading: .5
+obstacles:
+  - [[1, 2], [3, 2], [3, 4]]
+  - - [-1, -2]
+    - [-3, -2]
+    - [-3, -4]
+)";
+
+const std::string valid_row = R"(name: row
+vehicle: {wheelbase: 4.5, front_overhang: 1.4, rear_overhang: 1.6, width: 2.55, min_turning_radius: 7}
+bounds: {x: [-50, 50], y: [-40, 40]}
+start: {x: 0, y: 0, heading: 0}
+goals:
+  - distance: 20
+    goal: {x: 20, y: 0, heading: 0}
+  - {distance: 40, goal: {x: 40, y: 0, heading: 0}, obstacles: [[[1, 2], [3, 2], [3, 4]]]}
+obstacles: []
+)";
+
+std::string message_for(const std::string& text) {
+  try {
+    (void)scenario_from_yaml(text, "s.yaml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string exchanged(std::string text, const std::string& part, const std::string& by) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), by);
+}
+
+void expect_equal(const Scenario& a, const Scenario& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.description, b.description);
+  EXPECT_EQ(a.vehicle, b.vehicle);
+  EXPECT_EQ(a.bounds, b.bounds);
+  EXPECT_EQ(a.start, b.start);
+  EXPECT_EQ(a.goals_are_a_row, b.goals_are_a_row);
+  EXPECT_EQ(a.obstacles, b.obstacles);
+  ASSERT_EQ(a.goals.size(), b.goals.size());
+  for (std::size_t i = 0; i < a.goals.size(); ++i) {
+    EXPECT_EQ(a.goals[i].distance, b.goals[i].distance);
+    EXPECT_EQ(a.goals[i].pose, b.goals[i].pose);
+    EXPECT_EQ(a.goals[i].obstacles, b.goals[i].obstacles);
+  }
+}
+
+TEST(ScenarioFile, EveryKeyIsRead) {
+  const Scenario scenario = scenario_from_yaml(valid, "s.yaml");
+  EXPECT_EQ(scenario.name, "yard");
+  EXPECT_EQ(scenario.description, "a test");
+  EXPECT_EQ(scenario.vehicle, (Vehicle{4.5, 1.4, 1.6, 2.55, 7}));
+  EXPECT_EQ(scenario.bounds, (Bounds{-50, 50, -40, 40.5}));
+  EXPECT_EQ(scenario.start, (Pose{0, 0.1, -0.5}));
+  EXPECT_FALSE(scenario.goals_are_a_row);
+  ASSERT_EQ(scenario.goals.size(), 1U);
+  EXPECT_EQ(scenario.goals[0].pose, (Pose{20, 5.25, 0.5}));
+  EXPECT_EQ(scenario.obstacles,
+            (std::vector<Polygon>{{{1, 2}, {3, 2}, {3, 4}}, {{-1, -2}, {-3, -2}, {-3, -4}}}));
+}
+
+TEST(ScenarioFile, ARowOfGoalsIsRead) {
+  const Scenario scenario = scenario_from_yaml(valid_row, "s.yaml");
+  EXPECT_TRUE(scenario.goals_are_a_row);
+  ASSERT_EQ(scenario.goals.size(), 2U);
+  EXPECT_EQ(scenario.goals[1].distance, 40);
+  EXPECT_EQ(scenario.goals[1].pose, (Pose{40, 0, 0}));
+  EXPECT_EQ(scenario.goals[1].obstacles.size(), 1U);
+}
+
+TEST(ScenarioFile, WindowsLinesAndAByteOrderMarkAreRead) {
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : valid) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  expect_equal(scenario_from_yaml(text, "s.yaml"), scenario_from_yaml(valid, "s.yaml"));
+}
+
+struct BadFile {
+  std::string text;
+  std::string message;
+};
+
+BadFile spoilt(const std::string& part, const std::string& by, const std::string& message) {
+  return {exchanged(valid, part, by), "s.yaml:" + message};
+}
+
+BadFile spoilt_row(const std::string& part, const std::string& by, const std::string& message) {
+  return {exchanged(valid_row, part, by), "s.yaml:" + message};
+}
+
+std::vector<BadFile> bad_files() {
+  const std::string no_text = "is not a text file, expected YAML in UTF-8";
+  return {
+      // Not YAML at all
+      {"", "s.yaml:1: is empty, expected keys and values"},
+      {"# nothing\n", "s.yaml:1: is empty, expected keys and values"},
+      {std::string("\x7f"
+                   "ELF\0\1",
+                   6),
+       "s.yaml:1: " + no_text},
+      {valid + "\x04", "s.yaml:15: " + no_text},
+      {exchanged(valid, "a test", "caf\xE9"), "s.yaml:2: " + no_text},
+      {"hello", "s.yaml:1: is \"hello\", expected a map of keys"},
+      {"[1, 2]", "s.yaml:1: is a list, expected a map of keys"},
+      {valid + "---\n" + valid, "s.yaml:16: begins a second document, expected one"},
+      spoilt("[3, 4]]", "[3, 4]", "12: "),
+      spoilt("[3, 4]]", "[3, 4]]]", "11: "),
+      // Tricks
+      {"a: &a [1]\nb: *a\n", "s.yaml:2: uses an alias (*name), expected the value itself"},
+      spoilt("40.5", "!!float 40.5", "4: has a tag (!name), expected the value alone"),
+      spoilt("name: yard", "? [a]\n: b", "1: a key is a list, expected a word"),
+      {std::string(100, '['),
+       "s.yaml:1: lists and maps are nested too deep, expected at most 64 levels"},
+      // Keys
+      spoilt("width:", "widht:",
+             "3: vehicle: unknown key \"widht\", expected one of wheelbase, front_overhang, "
+             "rear_overhang, width, min_turning_radius"),
+      spoilt("name: yard", "title: yard",
+             "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
+             "goal, goals, obstacles"),
+      spoilt("name: yard\n", "", "1: key \"name\" is missing, expected it"),
+      spoilt("width: 2.55, ", "", "3: vehicle: key \"width\" is missing, expected it"),
+      spoilt("  y: 5.25   # metres\n", "", "7: goal: key \"y\" is missing, expected it"),
+      spoilt("goal:\n  x: +20\n  y: 5.25   # metres\n  heading: .5\n", "",
+             "1: key \"goal\" is missing, expected either goal or goals"),
+      spoilt("goal:", "gaol:",
+             "6: unknown key \"gaol\", expected one of name, description, vehicle, bounds, start, "
+             "goal, goals, obstacles"),
+      spoilt("heading: .5", "y: 6",
+             "9: key \"y\" is given again, expected it once (first on line 8)"),
+      spoilt("start:", "map: yard.yaml\nstart:",
+             "5: map: maps are not supported yet, expected obstacles"),
+      spoilt(
+          "start:", "goals: []\nstart:", "5: goals: is given beside goal, expected one of the two"),
+      // Types
+      spoilt("+20", "\"20\"", "7: goal.x: is \"20\", expected a number without quotes"),
+      spoilt("+20", "20 m", "7: goal.x: is \"20 m\", expected a number"),
+      spoilt("+20", "1,5", "7: goal.x: is \"1,5\", expected a number"),
+      spoilt("+20", "0x10", "7: goal.x: is \"0x10\", expected a number"),
+      spoilt("+20", "+-20", "7: goal.x: is \"+-20\", expected a number"),
+      spoilt("+20", "", "7: goal.x: is empty, expected a number"),
+      spoilt("+20", "[20]", "7: goal.x: is a list, expected a number"),
+      spoilt("+20", ".nan", "7: goal.x: is \".nan\", expected a finite number"),
+      spoilt("+20", "-.INF", "7: goal.x: is \"-.INF\", expected a finite number"),
+      spoilt("+20", "nan", "7: goal.x: is \"nan\", expected a finite number"),
+      spoilt("+20", "1e999", "7: goal.x: is \"1e999\", expected a number that fits a double"),
+      spoilt("name: yard", "name: [yard]", "1: name: is a list, expected a text"),
+      spoilt("{x: 0, y: 1e-1, heading: -0.5}", "[0, 0.1, 0]",
+             "5: start: is a list, expected a map of keys"),
+      spoilt("[-50, 50]", "[-50]", "4: bounds.x: has 1 element, expected [smallest, largest]"),
+      spoilt("[-50, 50]", "50", "4: bounds.x: is \"50\", expected [smallest, largest]"),
+      spoilt("[-1, -2]", "[-1, -2, 0]",
+             "12: obstacles[1][0]: has 3 elements, expected a corner [x, y]"),
+      spoilt("[-3, -2]", "[-3, here]", "13: obstacles[1][1][1]: is \"here\", expected a number"),
+      spoilt("[[1, 2], [3, 2], [3, 4]]", "7",
+             "11: obstacles[0]: is \"7\", expected a polygon [[x, y], ...]"),
+      {valid.substr(0, valid.find("  - [[1")),
+       "s.yaml:10: obstacles: is empty, expected a list of polygons"},
+      // One pair of brackets too few
+      spoilt("[[1, 2], [3, 2], [3, 4]]", "[1, 2]",
+             "11: obstacles[0][0]: is \"1\", expected a corner [x, y]"),
+      spoilt("  - - [-1, -2]\n    - [-3, -2]\n    - [-3, -4]\n", "  - {x: 1, y: 2}\n",
+             "12: obstacles[1]: is a map of keys, expected a polygon [[x, y], ...]"),
+      // Meaning; more of it in problem_test
+      spoilt("2.55", "-2.55", "3: vehicle.width: is -2.55, expected more than 0 m"),
+      spoilt("[-40, 40.5]", "[40.5, -40]",
+             "4: bounds.y: is [40.5, -40], expected the smaller number first"),
+      spoilt("heading: .5", "heading: 1e7",
+             "9: goal.heading: is 1e+07, expected a number between -1e+06 and 1e+06"),
+      spoilt("    - [-3, -4]\n", "", "12: obstacles[1]: has 2 corners, expected at least 3"),
+      spoilt("[[1, 2], [3, 2], [3, 4]]", "[[0, 0], [1, 1], [1, 0], [0, 1]]",
+             "11: obstacles[0]: crosses or touches itself where the sides that begin at [0, 0] and "
+             "[1, 0] meet, expected a simple polygon"),
+      // Rows
+      spoilt_row("  - distance: 20\n    goal: {x: 20, y: 0, heading: 0}\n"
+                 "  - {distance: 40, goal: {x: 40, y: 0, heading: 0}, obstacles: [[[1, 2], [3, 2], "
+                 "[3, 4]]]}\n",
+                 "  []\n", "6: goals: is empty, expected at least one goal"),
+      spoilt_row("distance: 20\n    ", "", "6: goals[0]: key \"distance\" is missing, expected it"),
+      spoilt_row("distance: 20", "distance: far",
+                 "6: goals[0].distance: is \"far\", expected a number"),
+      spoilt_row("distance: 40", "distance: -40",
+                 "8: goals[1].distance: is -40, expected 0 m or more"),
+      spoilt_row("x: 40", "x: 1e13",
+                 "8: goals[1].goal.x: is 1e+13, expected a number between -1e+12 and 1e+12"),
+      spoilt_row("[3, 2], [3, 4]", "[3, 2]",
+                 "8: goals[1].obstacles[0]: has 2 corners, expected at least 3"),
+      spoilt_row("goals:", "goal:", "6: goal: is a list, expected a map of keys"),
+  };
+}
+
+TEST(ScenarioFile, EveryErrorNamesLineKeyAndWhatWasExpected) {
+  for (const BadFile& bad : bad_files()) {
+    const std::string message = message_for(bad.text);
+    // Where the wording is the parser's own only the place is promised.
+    if (bad.message.ends_with(": ")) {
+      EXPECT_EQ(message.substr(0, bad.message.size()), bad.message);
+      EXPECT_NE(message.find("is not YAML ("), std::string::npos) << message;
+    } else {
+      EXPECT_EQ(message, bad.message);
+    }
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+}
+
+TEST(ScenarioFile, WritingAndReadingBackChangesNothing) {
+  for (const std::string& text : {valid, valid_row}) {
+    Scenario scenario = scenario_from_yaml(text, "s.yaml");
+    scenario.name = "quotes \" and \\ and\nlines\tand \x01 v\xC3\xA4nd: #1";
+    scenario.start = {1.0 / 3, 4484378811.24645, -6.11698657169903};
+    scenario.bounds.y_max = 1e10;
+    scenario.vehicle.width = 0.1 + 0.2;
+    expect_equal(scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml"), scenario);
+  }
+}
+
+TEST(ScenarioFile, WritingJoinsTheObstaclesOfASingleGoalToTheOthers) {
+  Scenario scenario = scenario_from_yaml(valid, "s.yaml");
+  scenario.goals[0].obstacles.push_back({{7, 8}, {8, 8}, {8, 9}});
+  const Scenario copy = scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml");
+  EXPECT_EQ(copy.obstacles.size(), 3U);
+  EXPECT_EQ(copy.obstacles.back(), scenario.goals[0].obstacles[0]);
+}
+
+TEST(ScenarioFile, OurScenariosReadBackUnchanged) {
+  const auto files = yaml_files(repository() / "scenarios" / "thesis");
+  ASSERT_EQ(files.size(), 9U);
+  for (const std::string& file : files) {
+    SCOPED_TRACE(file);
+    const Scenario scenario = read_scenario(file);
+    expect_equal(scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml"), scenario);
+  }
+}
+
+TEST(ScenarioFile, OtherPeoplesScenariosAreRead) {
+  for (const std::string folder : {"tpcap", "dlp"}) {
+    const auto files = yaml_files(shared_folder() / "scenarios" / folder);
+    if (files.empty()) GTEST_SKIP() << "no shared scenarios beside the repository";
+    for (const std::string& file : files) {
+      SCOPED_TRACE(file);
+      const Scenario scenario = read_scenario(file);
+      EXPECT_NO_THROW((void)make_problem(scenario, 0));
+    }
+  }
+}
+
+TEST(ScenarioFile, TheFarCaseIsTheSameProblemAsTheNearOne) {
+  const auto folder = shared_folder() / "scenarios" / "tpcap";
+  if (yaml_files(folder).empty()) GTEST_SKIP() << "no shared scenarios beside the repository";
+  const Problem far = make_problem(read_scenario(folder / "case13.yaml"), 0);
+  const Problem near = make_problem(read_scenario(folder / "case13-local.yaml"), 0);
+  EXPECT_EQ(far.start, near.start);
+  EXPECT_EQ(far.goal, near.goal);
+  EXPECT_EQ(far.world->bounds(), near.world->bounds());
+  EXPECT_EQ(far.world->obstacles(), near.world->obstacles());
+}
+
+}  // namespace
+}  // namespace vandplan

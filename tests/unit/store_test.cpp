@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/store.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/temporary_folder.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+const Environment here{"1.0", "GNU 12", "Release", "0123", "a processor", 2, "Debian"};
+const StoredScenario open_ground{"open", "scenarios/open.yaml", "name: open\n"};
+
+RunRecord solved_run(Store& store, std::uint64_t seed) {
+  RunRecord run;
+  run.environment = store.index_of(here);
+  run.scenario = store.index_of(open_ground);
+  run.goal = 2;
+  run.planner = "rrt-bsc-euc";
+  run.options.seed = seed;
+  run.options.time_limit = 0.1;
+  run.options.goal_bias = 1.0 / 3.0;
+  run.options.region = Region::scene;
+  run.jobs = 2;
+  run.started = "2026-11-21T05:16:33Z";
+  run.result.status = PlanStatus::solved;
+  run.result.path = Path{{0.1, 4.5e9, -0.3}, {{1.0 / 7.0, 1.0 / 3.0}, {0.0, -2e-7}}};
+  run.result.cost = 1.0 / 3.0 + 2e-7;
+  run.result.iterations = 812;
+  run.result.nodes = 500;
+  run.result.time_total = 0.0625;
+  run.result.anytime = {{0.01, 7, 1e3}, {0.02, 90, 1.0 / 3.0 + 2e-7}};
+  run.result.exact_solves = 1234;
+  run.result.edge_checks = 567;
+  run.result.time_ranking = 0.5;
+  run.result.time_steering = 0.25;
+  run.result.time_checking = 0.125;
+  return run;
+}
+
+RunRecord unsolved_run(Store& store, std::uint64_t seed) {
+  RunRecord run = solved_run(store, seed);
+  run.result = PlanResult{};
+  run.result.status = PlanStatus::time_limit;
+  return run;
+}
+
+void expect_equal(const RunRecord& a, const RunRecord& b) {
+  EXPECT_EQ(a.environment, b.environment);
+  EXPECT_EQ(a.scenario, b.scenario);
+  EXPECT_EQ(a.goal, b.goal);
+  EXPECT_EQ(a.planner, b.planner);
+  for (const OptionInfo& option : option_table())
+    EXPECT_EQ(option.get(a.options), option.get(b.options)) << option.name;
+  EXPECT_EQ(a.jobs, b.jobs);
+  EXPECT_EQ(a.started, b.started);
+  EXPECT_EQ(a.result.status, b.result.status);
+  EXPECT_EQ(a.result.path, b.result.path);
+  EXPECT_EQ(a.result.cost, b.result.cost);
+  EXPECT_EQ(a.result.iterations, b.result.iterations);
+  EXPECT_EQ(a.result.nodes, b.result.nodes);
+  EXPECT_EQ(a.result.time_total, b.result.time_total);
+  EXPECT_EQ(a.result.exact_solves, b.result.exact_solves);
+  EXPECT_EQ(a.result.edge_checks, b.result.edge_checks);
+  EXPECT_EQ(a.result.time_ranking, b.result.time_ranking);
+  EXPECT_EQ(a.result.time_steering, b.result.time_steering);
+  EXPECT_EQ(a.result.time_checking, b.result.time_checking);
+  ASSERT_EQ(a.result.anytime.size(), b.result.anytime.size());
+  for (std::size_t i = 0; i < a.result.anytime.size(); ++i) {
+    EXPECT_EQ(a.result.anytime[i].time, b.result.anytime[i].time);
+    EXPECT_EQ(a.result.anytime[i].iteration, b.result.anytime[i].iteration);
+    EXPECT_EQ(a.result.anytime[i].cost, b.result.anytime[i].cost);
+  }
+}
+
+// What opening the file says is wrong with it.
+std::string complaint(const std::string& file) {
+  try {
+    const Store store = Store::open(file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(Store, GivesBackEveryRunBitForBit) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  {
+    Store store = Store::create(file);
+    EXPECT_TRUE(store.add(solved_run(store, 1)));
+    EXPECT_TRUE(store.add(unsolved_run(store, 0xffffffffffffffff)));
+  }
+  Store store = Store::open(file);
+  const std::vector<RunRecord> runs = store.runs();
+  ASSERT_EQ(runs.size(), 2U);
+  expect_equal(runs[0], solved_run(store, 1));
+  expect_equal(runs[1], unsolved_run(store, 0xffffffffffffffff));
+  EXPECT_EQ(store.environments(), std::vector<Environment>{here});
+  ASSERT_EQ(store.scenarios().size(), 1U);
+  EXPECT_EQ(store.scenarios()[0].yaml, open_ground.yaml);
+  EXPECT_EQ(store.scenarios()[0].file, open_ground.file);
+}
+
+TEST(Store, KeepsARunOnce) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  EXPECT_FALSE(store.contains(solved_run(store, 1)));
+  EXPECT_TRUE(store.add(solved_run(store, 1)));
+  EXPECT_TRUE(store.contains(solved_run(store, 1)));
+  EXPECT_FALSE(store.add(unsolved_run(store, 1)));
+  EXPECT_EQ(store.runs().size(), 1U);
+}
+
+TEST(Store, TellsRunsApartByEverythingThatIsPutIn) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  const RunRecord run = solved_run(store, 1);
+  store.add(run);
+  Environment elsewhere = here;
+  elsewhere.executable = "4567";
+  std::vector<RunRecord> others(6, run);
+  others[0].environment = store.index_of(elsewhere);
+  others[1].scenario = store.index_of(StoredScenario{"open", "scenarios/open.yaml", "name: o\n"});
+  others[2].goal = 0;
+  others[3].planner = "rrt-opt-euc";
+  others[4].options.seed = 2;
+  others[5].options.max_parents = 49;
+  for (const RunRecord& other : others) EXPECT_FALSE(store.contains(other));
+}
+
+TEST(Store, CanBeReadAndWrittenWhileARunIsBeingAddedElsewhere) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  Store store = Store::create(file);
+  store.add(solved_run(store, 1));
+  Store second = Store::open(file);
+  EXPECT_EQ(second.runs().size(), 1U);
+  store.add(solved_run(store, 2));
+  EXPECT_EQ(second.runs().size(), 2U);
+}
+
+TEST(Store, MergesWhatIsNew) {
+  const TemporaryFolder folder;
+  Store first = Store::create(folder / "first.sqlite");
+  Store second = Store::create(folder / "second.sqlite");
+  first.add(solved_run(first, 1));
+  second.index_of(Environment{});  // so that indices differ
+  second.index_of(StoredScenario{"other", "other.yaml", "name: other\n"});
+  second.add(solved_run(second, 1));
+  second.add(solved_run(second, 2));
+  second.add(Session{.environment = 1, .started = "2026-11-21T05:16:33Z", .runs = 2});
+  EXPECT_EQ(first.merge(second), 1);
+  const std::vector<RunRecord> runs = first.runs();
+  ASSERT_EQ(runs.size(), 2U);
+  expect_equal(runs[1], solved_run(first, 2));
+  EXPECT_EQ(first.sessions().size(), 1U);
+  EXPECT_EQ(first.merge(second), 0);
+  EXPECT_EQ(first.sessions().size(), 1U);
+}
+
+TEST(Store, RefusesWhatIsNotThere) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  EXPECT_EQ(complaint(file), file + ": does not exist");
+}
+
+TEST(Store, RefusesToReplaceAFile) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  const Store store = Store::create(file);
+  EXPECT_THROW(static_cast<void>(Store::create(file)), InputError);
+}
+
+TEST(Store, RefusesAFileThatIsNoDatabase) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  std::ofstream(file) << std::string(5000, 'x');
+  EXPECT_EQ(complaint(file), file + ": file is not a database");
+  std::ofstream(file, std::ios::trunc).flush();
+  EXPECT_EQ(complaint(file), file + ": is not a result store of vandplan");
+}
+
+TEST(Store, RefusesAnotherFormat) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  { const Store store = Store::create(file); }
+  Database(file, Database::Mode::write).execute("PRAGMA user_version = 99");
+  EXPECT_EQ(complaint(file), file + ": is a result store of format 99, expected 1");
+}
+
+TEST(Store, RefusesADamagedFile) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  {
+    Store store = Store::create(file);
+    for (std::uint64_t seed = 0; seed < 200; ++seed) store.add(solved_run(store, seed));
+  }
+  const auto size = std::filesystem::file_size(file);
+  {
+    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekp(static_cast<std::streamoff>(size / 2));
+    bytes << std::string(size / 4, '\x5a');
+  }
+  EXPECT_NE(complaint(file).find(file + ": "), std::string::npos);
+  EXPECT_NE(complaint(file).find("is damaged"), std::string::npos) << complaint(file);
+  std::filesystem::resize_file(file, size / 2);
+  EXPECT_NE(complaint(file), "nothing");
+}
+
+TEST(Store, RefusesRowsThatReferToNothing) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  {
+    Store store = Store::create(file);
+    store.add(solved_run(store, 1));
+  }
+  Database(file, Database::Mode::write).execute("DELETE FROM scenarios");
+  EXPECT_EQ(complaint(file), file + ": is damaged: a row of runs refers to nothing");
+}
+
+TEST(Store, WritesOptionsAsJsonThatReadsBack) {
+  PlanOptions options;
+  options.time_limit = 1e-7;
+  options.goal_bias = 1.0 / 3.0;
+  options.max_iterations = 1'000'000'000'000;
+  options.region = Region::scene;
+  options.keep_tree = true;
+  const PlanOptions read = options_from_json(options_to_json(options));
+  for (const OptionInfo& option : option_table())
+    EXPECT_EQ(option.get(read), option.get(options)) << option.name;
+}
+
+TEST(Store, RefusesOptionsThatAreNoJson) {
+  EXPECT_THROW(static_cast<void>(options_from_json("{\"goal_bias\": ")), InputError);
+  EXPECT_THROW(static_cast<void>(options_from_json("{\"gaol_bias\": 0.1}")), InputError);
+}
+
+}  // namespace
+}  // namespace vandplan

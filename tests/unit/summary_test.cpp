@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/summary.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "evaluation/findings.h"
+#include "support/made_up_runs.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Verdict = PairedComparison::Verdict;
+
+const MethodSummary& method(const Summary& summary, const std::string& planner) {
+  for (const MethodSummary& found : summary.scenarios.at(0).methods)
+    if (found.planner == planner) return found;
+  throw std::out_of_range(planner);
+}
+
+TEST(Summary, TakesTheCostAsItStoodAtATime) {
+  const RunRecord run = made_up_run("a", 1, 70.0, 0.01);
+  EXPECT_EQ(first_solution_time(run), 0.01);
+  EXPECT_EQ(cost_at(run, 0.0099), infinity);
+  EXPECT_EQ(cost_at(run, 0.01), 140.0);
+  EXPECT_EQ(cost_at(run, 0.1), 70.0);
+  EXPECT_EQ(final_cost(run), 70.0);
+}
+
+TEST(Summary, CountsUnsolvedRunsAsInfinite) {
+  const RunRecord run = made_up_run("a", 1, std::nullopt);
+  EXPECT_EQ(first_solution_time(run), infinity);
+  EXPECT_EQ(cost_at(run, 1.0), infinity);
+  EXPECT_EQ(final_cost(run), infinity);
+  const std::vector<RunRecord> runs = {made_up_run("a", 1, 50.0), made_up_run("a", 2, {}),
+                                       made_up_run("a", 3, {})};
+  const Summary summary = summarize({open_ground("open")}, runs);
+  EXPECT_EQ(method(summary, "a").solved, 1);
+  EXPECT_EQ(method(summary, "a").cost_at_end.median, infinity);
+  EXPECT_EQ(method(summary, "a").first_time.median, infinity);
+}
+
+TEST(Summary, DescribesEveryPlannerOfAScenario) {
+  std::vector<RunRecord> runs;
+  for (std::uint64_t seed = 0; seed < 25; ++seed)
+    runs.push_back(made_up_run("a", seed, 50.0 + static_cast<double>(seed), 0.008));
+  runs[3].result.nodes = 5000;
+  const Summary summary = summarize({open_ground("open")}, runs);
+  const MethodSummary& found = method(summary, "a");
+  EXPECT_EQ(found.runs, 25);
+  EXPECT_EQ(found.solved, 25);
+  EXPECT_EQ(found.cost_at_end.median, 62.0);
+  EXPECT_EQ(found.cost_at_end.interval.low, 57.0);
+  EXPECT_EQ(found.cost_at_end.interval.high, 67.0);
+  EXPECT_EQ(found.cost_at_10ms.median, 124.0);
+  EXPECT_EQ(found.cost_at_100ms.median, 62.0);
+  EXPECT_EQ(found.full, 1);
+  EXPECT_EQ(found.cost_when_full.median, 53.0);
+  EXPECT_EQ(found.cost_quantiles, (std::vector{50.0, 56.0, 62.0, 68.0, 74.0}));
+  EXPECT_EQ(found.best, 0U);
+  EXPECT_EQ(found.typical, 12U);
+  EXPECT_FALSE(found.phases);
+  EXPECT_EQ(found.curve.front().cost.median, infinity);
+  EXPECT_EQ(found.curve.back().cost.median, 62.0);
+  EXPECT_EQ(found.curve.back().solved, 1.0);
+}
+
+TEST(Summary, KeepsProfiledRunsApart) {
+  RunRecord profiled = made_up_run("a", 1, 10.0);
+  profiled.options.profile = true;
+  profiled.result.time_ranking = 0.05;
+  profiled.result.time_steering = 0.02;
+  profiled.result.time_checking = 0.01;
+  const Summary summary = summarize({open_ground("open")}, {made_up_run("a", 1, 50.0), profiled});
+  EXPECT_EQ(method(summary, "a").runs, 1);
+  EXPECT_EQ(method(summary, "a").cost_at_end.median, 50.0);
+  ASSERT_TRUE(method(summary, "a").phases);
+  EXPECT_DOUBLE_EQ(method(summary, "a").phases->ranking, 0.5);
+  EXPECT_DOUBLE_EQ(method(summary, "a").phases->checking, 0.1);
+}
+
+TEST(Summary, OfARowOfGoalsSaysHowFarMoreThanHalfGet) {
+  std::vector<RunRecord> runs;
+  const int solved[] = {4, 3, 2, 0};  // of 4, at 20, 40, 60 and 80 m
+  for (std::size_t goal = 0; goal < 4; ++goal)
+    for (int i = 0; i < 4; ++i) {
+      const double cost = 30.0 * static_cast<double>(goal + 1);
+      runs.push_back(made_up_run("a", static_cast<std::uint64_t>(i),
+                                 i < solved[goal] ? std::optional(cost) : std::nullopt));
+      runs.back().goal = goal;
+    }
+  const Summary summary = summarize({open_ground("row", 4)}, runs);
+  const MethodSummary& found = method(summary, "a");
+  EXPECT_EQ(found.furthest, 40.0);
+  ASSERT_EQ(found.goals.size(), 4U);
+  EXPECT_EQ(found.goals[1].solved, 3);
+  EXPECT_EQ(found.goals[1].cost, 60.0);
+  EXPECT_EQ(found.goals[2].cost, infinity);
+  EXPECT_EQ(found.cost_at_end.median, 1.5);  // per metre
+  ASSERT_TRUE(found.best);
+  EXPECT_EQ(runs[*found.best].goal, 1U);
+}
+
+TEST(Summary, ComparesWithTheTwinThatRanksByEuclid) {
+  EXPECT_EQ(euclid_twin("rrt-bsc-hlut-4"), "rrt-bsc-euc");
+  EXPECT_EQ(euclid_twin("rrt-opt-rs"), "rrt-opt-euc");
+  EXPECT_EQ(euclid_twin("rrt-opt-euc"), std::nullopt);
+  EXPECT_EQ(euclid_twin("anytime"), std::nullopt);
+  std::vector<RunRecord> runs;
+  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+    const double cost = 50.0 + 10.0 * static_cast<double>(seed);
+    runs.push_back(made_up_run("rrt-bsc-euc", seed, cost));
+    runs.push_back(made_up_run("rrt-bsc-hlut-1", 24 - seed, 0.8 * (290.0 - (cost - 50.0))));
+  }
+  const Summary summary = summarize({open_ground("open")}, runs);
+  ASSERT_EQ(summary.scenarios[0].twins.size(), 1U);
+  const TwinComparison& twins = summary.scenarios[0].twins[0];
+  EXPECT_EQ(twins.cost.pairs, 25);
+  EXPECT_NEAR(twins.cost.ratio, 0.8, 1e-12);  // pair by pair, though the spread is larger
+  EXPECT_EQ(twins.cost.verdict, Verdict::smaller);
+  EXPECT_EQ(twins.first_time.verdict, Verdict::no_difference);
+}
+
+// Nine scenarios; the table halves the cost in `better` of them and doubles the time in all.
+std::vector<Finding> findings_when_better_in(std::size_t better) {
+  std::vector<Scenario> scenarios;
+  std::vector<RunRecord> runs;
+  for (std::size_t s = 0; s < 9; ++s) {
+    scenarios.push_back(open_ground("s" + std::to_string(s)));
+    for (std::uint64_t seed = 0; seed < 25; ++seed) {
+      runs.push_back(made_up_run("rrt-opt-euc", seed, 100.0, 0.001));
+      runs.back().scenario = s;
+      runs.push_back(made_up_run("rrt-opt-hlut-2", seed, s < better ? 50.0 : 100.0, 0.002));
+      runs.back().scenario = s;
+    }
+  }
+  return findings(summarize(scenarios, runs), scenarios);
+}
+
+TEST(Findings, SayWhatIsLeftOfTheThesisClaims) {
+  const std::vector<Finding> five = findings_when_better_in(5);
+  ASSERT_EQ(five.size(), 3U);
+  EXPECT_FALSE(five[0].holds);
+  EXPECT_TRUE(findings_when_better_in(6)[0].holds);
+  EXPECT_EQ(five[0].found, "At most in 5 of 9, by rrt-opt-hlut-2; worse in 0, no difference in 4");
+  EXPECT_FALSE(five[1].holds);
+  EXPECT_EQ(five[1].found,
+            "First solution: at best nothing beyond chance; at worst +100 % (+100 % to +100 %) by "
+            "rrt-opt-hlut-2 in s0. Whole run: at best nothing beyond chance; at worst nothing "
+            "beyond chance");
+  EXPECT_FALSE(five[2].holds);  // 50 % better, not 90 %
+}
+
+TEST(Findings, WriteRatiosAsChanges) {
+  EXPECT_EQ(change_text(1.0), "0 %");
+  EXPECT_EQ(change_text(0.875), "-12 %");
+  EXPECT_EQ(change_text(1.034), "+3.4 %");
+  EXPECT_EQ(change_text(8.1), "x 8.1");
+  EXPECT_EQ(change_text(0.0), "from unsolved to solved");
+  EXPECT_EQ(change_text(infinity), "from solved to unsolved");
+}
+
+}  // namespace
+}  // namespace vandplan
