@@ -11,10 +11,16 @@ add_library(
   path.cpp
   reeds_shepp.cpp
   simd/bound_kernels_scalar.cpp
+  simd/length_kernels_scalar.cpp
   simd/table_kernels_scalar.cpp
-  $<IF:$<BOOL:${VANDPLAN_SIMD}>,simd/kernels_highway_tables.cpp,simd/kernels_plain.cpp>
   table_file.cpp
   trigonometry.cpp)
+if(VANDPLAN_SIMD)
+  target_sources(vandplan_tables PRIVATE simd/kernels_highway_lengths.cpp
+                                         simd/kernels_highway_tables.cpp)
+else()
+  target_sources(vandplan_tables PRIVATE simd/kernels_plain.cpp)
+endif()
 vandplan_core_target(vandplan_tables)
 target_include_directories(vandplan_tables PRIVATE ${PROJECT_SOURCE_DIR}/include)
 

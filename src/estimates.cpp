@@ -23,16 +23,11 @@ void euclid(const Tree& tree, const Pose& sample, std::span<float> lengths) {
   }
 }
 
-void exact(const Tree& tree, const Pose& sample, double radius, std::span<float> lengths) {
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const Pose& node = tree.pose(static_cast<NodeId>(i));
-    lengths[i] = static_cast<float>(reeds_shepp_length(node, sample, radius));
-  }
-}
+PoseColumns columns(const Tree& tree) { return {tree.x(), tree.y(), tree.heading()}; }
 
 void from_table(int number, const Tree& tree, const Pose& sample, double radius,
                 std::span<float> lengths) {
-  thesis_table(number).distances({tree.x(), tree.y(), tree.heading()}, sample, radius, lengths);
+  thesis_table(number).distances(columns(tree), sample, radius, lengths);
 }
 
 }  // namespace
@@ -51,7 +46,7 @@ void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, d
     case Estimate::hlut_4:
       return from_table(4, tree, sample, radius, lengths);
     case Estimate::reeds_shepp:
-      return exact(tree, sample, radius, lengths);
+      return reeds_shepp_lengths(columns(tree), sample, radius, lengths);
   }
 }
 

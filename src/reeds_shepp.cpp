@@ -3,6 +3,7 @@
 #include "vandplan/reeds_shepp.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "mean_frame.h"
 #include "reeds_shepp_formulas.h"
+#include "simd/length_kernels.h"
 
 namespace vandplan {
 namespace {
@@ -131,6 +133,16 @@ Piece reeds_shepp(const Pose& from, const Pose& to, double radius) noexcept {
   const MeanFrame frame = mean_frame(from, to, radius);
   const auto [word, arcs] = shortest(folded(frame));
   return piece_of(word, without_noise(word, arcs), unfolding(frame), radius);
+}
+
+void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
+                         std::span<float> out) noexcept {
+  assert(nodes.x.size() == out.size() && nodes.y.size() == out.size() &&
+         nodes.heading.size() == out.size());
+  const kernels::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
+                                 static_cast<float>(wrap_angle(sample.heading))};
+  kernels::reeds_shepp_lengths(nodes.x, nodes.y, nodes.heading, to, static_cast<float>(radius),
+                               out);
 }
 
 namespace {

@@ -6,8 +6,10 @@
 // Reeds & Shepp 1990: a shortest path is one of 48 words of arcs and at most one line.
 // Derivation, formulas and errata: docs/algorithms/steering.md.
 
+#include <span>
 #include <vector>
 
+#include "vandplan/geometry.h"
 #include "vandplan/path.h"
 
 namespace vandplan {
@@ -18,6 +20,12 @@ namespace vandplan {
 
 /// Length of `reeds_shepp(from, to, radius)` [m], bit for bit.
 [[nodiscard]] double reeds_shepp_length(const Pose& from, const Pose& to, double radius) noexcept;
+
+/// `reeds_shepp_length` from every node to one sample, in float, for ranking: out[i] belongs to
+/// node i; equal sizes. The same bits on every processor. They are within 4e-6 * (length + radius)
+/// of the exact lengths between the poses as rounded to float.
+void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
+                         std::span<float> out) noexcept;
 
 /// Every one of the 48 words that joins the poses, shortest or not.
 [[nodiscard]] std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double radius);

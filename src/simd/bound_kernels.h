@@ -9,6 +9,7 @@
 #include <span>
 
 #include "simd/bound_grid.h"
+#include "simd/series.h"
 
 namespace vandplan::kernels {
 
@@ -43,9 +44,6 @@ void length_bounds(const BoundEntry* entries, std::span<const float> x, std::spa
 
 /// Relative error that float may make of a distance; turns are off by less than four times it.
 inline constexpr float noise = 0x1p-20F;
-
-/// pi - float(pi).
-inline constexpr float rest_of_pi = -8.742278e-8F;
 
 /// Taylor's series of sin(x) / x and of cos(x) in x^2, last term first: to 1e-7 up to pi/2.
 inline constexpr float sine_series[] = {-1.0F / 39916800, 1.0F / 362880, -1.0F / 5040,

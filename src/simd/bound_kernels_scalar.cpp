@@ -17,13 +17,6 @@ struct Direction {
   float sin, cos;
 };
 
-template <std::size_t n>
-float horner(const float (&series)[n], float x) noexcept {
-  float sum = series[0];
-  for (std::size_t i = 1; i < n; ++i) sum = series[i] + x * sum;
-  return sum;
-}
-
 Direction direction_up_to_sign(float angle) noexcept {
   const float turns = std::nearbyint(angle * (1 / pi));
   const float x = (angle - turns * pi) - turns * rest_of_pi;

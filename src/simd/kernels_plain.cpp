@@ -4,6 +4,7 @@
 // The kernels of a build without vectors: the scalar functions.
 
 #include "simd/bound_kernels.h"
+#include "simd/length_kernels.h"
 #include "simd/table_kernels.h"
 #include "simd/target.h"
 
@@ -21,6 +22,12 @@ void length_bounds(const BoundEntry* entries, std::span<const float> x, std::spa
                    std::span<const float> heading, const BoundSample& sample, float radius,
                    std::span<float> low, std::span<float> high) noexcept {
   scalar::length_bounds(entries, x, y, heading, sample, radius, low, high);
+}
+
+void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
+                         std::span<const float> heading, const LengthSample& sample, float radius,
+                         std::span<float> out) noexcept {
+  scalar::reeds_shepp_lengths(x, y, heading, sample, radius, out);
 }
 
 }  // namespace vandplan::kernels

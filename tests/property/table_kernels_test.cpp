@@ -4,30 +4,17 @@
 // Vector kernels of the tables give the bits of the scalar ones, on every target of this machine.
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
-#include <cstring>
 #include <numbers>
-#include <string_view>
 #include <vector>
 
 #include "random.h"
 #include "simd/bound_kernels.h"
 #include "simd/table_kernels.h"
-#include "simd/target.h"
-#include "support/cases.h"
+#include "support/simd_targets.h"
 
 namespace vandplan {
 namespace {
-
-/// Makes the kernels run on one target as long as it lives.
-class ForcedTarget {
- public:
-  explicit ForcedTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
-  ~ForcedTarget() { hwy::SetSupportedTargetsForTest(0); }
-  ForcedTarget(const ForcedTarget&) = delete;
-  ForcedTarget& operator=(const ForcedTarget&) = delete;
-};
 
 /// Nodes with coordinates up to `reach`, on axes and grid lines among them.
 struct Nodes {
@@ -48,37 +35,22 @@ struct Nodes {
   }
 };
 
-bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
-  return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0);
-}
-
-/// Calls `law(nodes, x, y, heading, rng)` on every target with sizes around those of a vector and
-/// of a block, and many others.
+/// Calls `law(nodes, sample, rng)` on every target.
 template <typename Law>
-void on_every_target(Law law) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    const ForcedTarget forced(target);
-    SCOPED_TRACE(hwy::TargetName(target));
-    ASSERT_EQ(kernels::simd_target(), std::string_view(hwy::TargetName(target)));
-    Rng rng(11);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cases(1000)); ++i) {
-      const std::size_t count = i < 300 ? i : rng() % 1000;
-      const double reach = uniform01(rng) < 0.5 ? 12.0 : 300.0;
-      const Nodes nodes(count, reach, rng);
-      const Nodes sample(1, reach, rng);
-      SCOPED_TRACE("case " + std::to_string(i));
-      law(nodes, sample, rng);
-      if (testing::Test::HasFailure()) return;
-    }
-  }
+void with_nodes_on_every_target(Law law) {
+  on_every_target([&law](std::size_t count, Rng& rng) {
+    const double reach = uniform01(rng) < 0.5 ? 12.0 : 300.0;
+    const Nodes nodes(count, reach, rng);
+    const Nodes sample(1, reach, rng);
+    law(nodes, sample, rng);
+  });
 }
 
 TEST(TableKernels, DistancesHaveTheBitsOfTheScalarOnes) {
   std::vector<float> entries(31 * 31 * 25 * 25);
   Rng entries_rng(12);
   for (float& entry : entries) entry = static_cast<float>(uniform(0.0, 50.0, entries_rng));
-  on_every_target([&entries](const Nodes& nodes, const Nodes& sample, Rng& rng) {
+  with_nodes_on_every_target([&entries](const Nodes& nodes, const Nodes& sample, Rng& rng) {
     const auto scale = static_cast<float>(uniform(0.5, 2.0, rng));
     const kernels::TableView table{.entries = entries.data(),
                                    .positions = 31,
@@ -102,7 +74,7 @@ TEST(TableKernels, BoundsHaveTheBitsOfTheScalarOnes) {
   for (kernels::BoundEntry& entry : entries) {
     entry = {static_cast<std::uint32_t>(entries_rng()), static_cast<std::uint32_t>(entries_rng())};
   }
-  on_every_target([&entries](const Nodes& nodes, const Nodes& sample, Rng& rng) {
+  with_nodes_on_every_target([&entries](const Nodes& nodes, const Nodes& sample, Rng& rng) {
     const auto radius = static_cast<float>(uniform(0.5, 20.0, rng));
     const kernels::BoundSample to{sample.x[0], sample.y[0], sample.heading[0]};
     const std::size_t count = nodes.x.size();
