@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "evaluation/metrics.h"
 #include "vandplan/io.h"
 #include "vandplan/path_check.h"
 
@@ -17,6 +18,8 @@ struct CheckArguments {
   std::string scenario;
   std::string result;
   bool json = false;
+  bool metrics = false;
+  DrivingStyle style;
 };
 
 /// The verdict on one goal; none without a path. The place is in the scenario's frame.
@@ -69,7 +72,27 @@ std::string text_of(const ResultRecord& record, const Verdict& verdict) {
                      verdict->reason, s, pose.x, pose.y, pose.heading);
 }
 
+nlohmann::ordered_json json_of(const PathMetrics& metrics, const DrivingStyle& style) {
+  return {{"length", metrics.length},
+          {"gear_changes", metrics.gear_changes},
+          {"reverse_share", metrics.reverse_share},
+          {"turning", metrics.turning},
+          {"curvature_changes", metrics.curvature_changes},
+          {"driving_time", metrics.driving_time},
+          {"speed", style.speed},
+          {"pause", style.pause}};
+}
+
+std::string text_of(const PathMetrics& metrics, const DrivingStyle& style) {
+  return fmt::format(
+      "in reverse {:.1f} %, turning {:.3f} rad, curvature changes {}, "
+      "driven in {:.1f} s (at {} m/s, {} s for each gear change)",
+      100.0 * metrics.reverse_share, metrics.turning, metrics.curvature_changes,
+      metrics.driving_time, style.speed, style.pause);
+}
+
 int run(const CheckArguments& arguments) {
+  validate(arguments.style);
   const Scenario scenario = read_scenario(arguments.scenario);
   const std::vector<ResultRecord> records = read_results(arguments.result, scenario);
   nlohmann::ordered_json goals = nlohmann::ordered_json::array();
@@ -79,9 +102,15 @@ int run(const CheckArguments& arguments) {
     const Verdict verdict = judge(scenario, i, records[i]);
     if (verdict) ++(verdict->valid ? valid : invalid);
     goals.push_back(json_of(records[i], verdict));
+    std::string text = text_of(records[i], verdict);
+    if (arguments.metrics && records[i].result.path) {
+      const PathMetrics metrics = metrics_of(*records[i].result.path, arguments.style);
+      goals.back()["metrics"] = json_of(metrics, arguments.style);
+      text += "\n  " + text_of(metrics, arguments.style);
+    }
     if (arguments.json) continue;
     if (scenario.goals_are_a_row) fmt::print("goals[{}]: ", i);
-    fmt::print("{}\n", text_of(records[i], verdict));
+    fmt::print("{}\n", text);
   }
   // A row of goals may hold some that were not reached.
   const bool passed = valid > 0 && invalid == 0;
@@ -104,6 +133,17 @@ void add_check(CLI::App& vandplan, int& status) {
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
       ->required();
   command->add_option("RESULT", arguments->result, "Result file (JSON)")->required();
+  CLI::Option* const metrics = command->add_flag(
+      "--metrics", arguments->metrics,
+      "Also what the path is like to drive: share in reverse, turning, curvature changes, time");
+  command->add_option("--speed", arguments->style.speed, "It is driven at [m/s]; > 0")
+      ->type_name("M/S")
+      ->needs(metrics)
+      ->capture_default_str();
+  command->add_option("--pause", arguments->style.pause, "Each gear change takes [s]; >= 0")
+      ->type_name("S")
+      ->needs(metrics)
+      ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->callback([arguments, &status] { status = run(*arguments); });
 }

@@ -8,9 +8,15 @@
 
 namespace vandplan {
 
+void validate(const DrivingStyle& style) {
+  if (!(style.speed > 0.0 && std::isfinite(style.speed)))
+    throw InputError("speed", "must be > 0 [m/s]");
+  if (!(style.pause >= 0.0 && std::isfinite(style.pause)))
+    throw InputError("pause", "must be >= 0 [s]");
+}
+
 PathMetrics metrics_of(const Path& path, const DrivingStyle& style) {
-  if (!(style.speed > 0.0)) throw InputError("speed", "must be > 0 [m/s]");
-  if (!(style.pause >= 0.0)) throw InputError("pause", "must be >= 0 [s]");
+  validate(style);
   const std::vector<Segment> segments = merged(path.segments);
   PathMetrics metrics{.length = length(segments), .gear_changes = gear_changes(segments)};
   double reverse = 0.0;

@@ -24,6 +24,9 @@ struct PathMetrics {
 };
 
 /// Throws InputError when the style is out of range.
+void validate(const DrivingStyle& style);
+
+/// Throws InputError when the style is out of range.
 [[nodiscard]] PathMetrics metrics_of(const Path& path, const DrivingStyle& style);
 
 }  // namespace vandplan

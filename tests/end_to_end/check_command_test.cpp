@@ -66,6 +66,40 @@ TEST_F(CheckCommand, JsonHoldsTheFigures) {
   EXPECT_NEAR(verdict.at("clearance").get<double>(), 1.1, 1e-3);
 }
 
+/// 7 m to the left (1 rad), 2 m back in the same turn, and straight ahead: nowhere near the goal.
+Json wander() {
+  return Json::parse(R"({"format": "vandplan-result/1",
+    "path": {"start": {"x": 0, "y": 0, "heading": 0},
+             "segments": [{"turn": "left", "length": 7}, {"turn": "left", "length": -2},
+                          {"turn": "straight", "length": 1}]}})");
+}
+
+TEST_F(CheckCommand, MetricsSayWhatAPathIsLikeToDrive) {
+  const Outcome outcome = check(wander(), {"--metrics", "--speed", "0.5", "--pause", "4"});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;  // the path is measured though it is no good
+  EXPECT_NE(outcome.out.find("\n  in reverse 20.0 %, turning 1.286 rad, curvature changes 1, "
+                             "driven in 28.0 s (at 0.5 m/s, 4 s for each gear change)\n"),
+            std::string::npos)
+      << outcome.out;
+  const Json metrics = Json::parse(check(wander(), {"--metrics", "--json"}).out).at("metrics");
+  EXPECT_EQ(metrics.at("length"), 10);
+  EXPECT_EQ(metrics.at("gear_changes"), 2);
+  EXPECT_EQ(metrics.at("reverse_share"), 0.2);
+  EXPECT_NEAR(metrics.at("turning").get<double>(), 9.0 / 7.0, 1e-15);
+  EXPECT_EQ(metrics.at("curvature_changes"), 1);
+  EXPECT_EQ(metrics.at("driving_time"),
+            10 / metrics.at("speed").get<double>() + 2 * metrics.at("pause").get<double>());
+}
+
+TEST_F(CheckCommand, MetricsAreAskedForAndNeedASpeed) {
+  EXPECT_FALSE(Json::parse(check(wander(), {"--json"}).out).contains("metrics"));
+  EXPECT_EQ(check(wander(), {"--speed", "1"}).status, 2);
+  EXPECT_EQ(check(wander(), {"--metrics", "--speed", "0"}).err,
+            "vandplan: speed: must be > 0 [m/s]\n");
+  EXPECT_EQ(check(wander(), {"--metrics", "--pause", "-1"}).err,
+            "vandplan: pause: must be >= 0 [s]\n");
+}
+
 TEST_F(CheckCommand, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(verdict([](Json& result) { result["path"]["segments"][1]["length"] = 7; }),
             "invalid: the footprint hits obstacles[0] at s = 6.1000 m, where x = 6.1 m, y = 0 m, "
