@@ -65,6 +65,8 @@ class Statement {
   }
   /// Goes to the next row; false when there is none.
   bool step();
+  /// Lets go of the row: until then nobody can clear the write-ahead log.
+  void reset() noexcept;
 
   [[nodiscard]] bool is_null(int column) const noexcept;
   [[nodiscard]] std::int64_t integer(int column) const noexcept;
@@ -73,7 +75,6 @@ class Statement {
   [[nodiscard]] std::string text(int column) const;
 
  private:
-  void reset() noexcept;
   void set(int index, std::int64_t value);
   void set(int index, int value) { set(index, std::int64_t{value}); }
   void set(int index, double value);

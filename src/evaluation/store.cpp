@@ -83,24 +83,6 @@ void check_is_store(Database& database) {
     throw InputError(database.file(), "is damaged: a row of " + orphan + " refers to nothing");
 }
 
-std::int64_t find_configuration(Database& database, const RunRecord& run) {
-  Statement find(database, "SELECT id FROM configurations WHERE planner = ? AND options = ?");
-  find.bind(run.planner, options_to_json(run.options));
-  return find.step() ? find.integer(0) : 0;
-}
-
-void insert_traces(Database& database, std::int64_t run, const PlanResult& result) {
-  Statement insert_cost(database, "INSERT INTO costs VALUES (?, ?, ?, ?, ?)");
-  int number = 0;
-  for (const CostSample& sample : result.anytime)
-    insert_cost.run(run, number++, sample.time, sample.iteration, sample.cost);
-  if (!result.path) return;
-  Statement insert_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?)");
-  number = 0;
-  for (const Segment& segment : result.path->segments)
-    insert_segment.run(run, number++, segment.curvature, segment.length);
-}
-
 // The part of a run that is in the table of runs; the columns as in `Store::runs`.
 RunRecord run_of(const Statement& row) {
   RunRecord run;
@@ -128,14 +110,46 @@ RunRecord run_of(const Statement& row) {
 
 }  // namespace
 
+// What adding a run needs, made ready once: preparing it costs more than carrying it out.
+struct Store::Statements {
+  explicit Statements(Database& database)
+      : find_configuration(database,
+                           "SELECT id FROM configurations WHERE planner = ? AND options = ?"),
+        add_configuration(database, "INSERT INTO configurations VALUES (NULL, ?, ?)"),
+        find_run(database,
+                 "SELECT id FROM runs WHERE environment = ? AND scenario = ? AND goal = ?"
+                 " AND configuration = ? AND seed = ?"),
+        add_run(database,
+                "INSERT INTO runs(environment, scenario, goal, configuration, seed, jobs, started,"
+                " status, cost, start_x, start_y, start_heading, iterations, nodes, time_total,"
+                " exact_solves, edge_checks, time_ranking, time_steering, time_checking)"
+                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        add_cost(database, "INSERT INTO costs VALUES (?, ?, ?, ?, ?)"),
+        add_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?)") {}
+
+  // The id in the first row, or 0.
+  template <class... Values>
+  static std::int64_t find(Statement& statement, const Values&... values) {
+    const std::int64_t id = statement.bind(values...).step() ? statement.integer(0) : 0;
+    statement.reset();
+    return id;
+  }
+
+  Statement find_configuration, add_configuration, find_run, add_run, add_cost, add_segment;
+};
+
 Store::Store(const std::string& file) : database_(file, Database::Mode::write) {
   check_is_store(database_);
-  // With a write-ahead log this never waits for the disk at a commit, survives the death of the
-  // program whole, and of the machine but for the last runs.
+  // With a write-ahead log a commit never waits for the disk; only the log's clearing does, every
+  // 16 MB. What is committed survives the death of the program, and of the machine but for the
+  // last runs.
   database_.execute(
       "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
-      "PRAGMA foreign_keys = ON");
+      "PRAGMA wal_autocheckpoint = 4096; PRAGMA foreign_keys = ON");
+  statements_ = std::make_unique<Statements>(database_);
 }
+
+Store::~Store() = default;
 
 Store Store::open(const std::string& file) {
   if (!std::filesystem::exists(file)) throw InputError(file, "does not exist");
@@ -177,21 +191,24 @@ std::size_t Store::index_of(const StoredScenario& scenario) {
   return index_of_id(find.integer(0));
 }
 
-bool Store::contains(const RunRecord& run) {
-  Statement find(database_,
-                 "SELECT 1 FROM runs WHERE environment = ? AND scenario = ? AND goal = ?"
-                 " AND configuration = ? AND seed = ?");
-  find.bind(id_of(run.environment), id_of(run.scenario), static_cast<std::int64_t>(run.goal),
-            find_configuration(database_, run), signed_seed(run.options.seed));
-  return find.step();
+std::int64_t Store::configuration_of(const RunRecord& run) {
+  return Statements::find(statements_->find_configuration, run.planner,
+                          options_to_json(run.options));
 }
 
+bool Store::contains(const RunRecord& run, std::int64_t configuration) {
+  return Statements::find(statements_->find_run, id_of(run.environment), id_of(run.scenario),
+                          static_cast<std::int64_t>(run.goal), configuration,
+                          signed_seed(run.options.seed)) != 0;
+}
+
+bool Store::contains(const RunRecord& run) { return contains(run, configuration_of(run)); }
+
 bool Store::insert(const RunRecord& run) {
-  if (contains(run)) return false;
-  std::int64_t configuration = find_configuration(database_, run);
+  std::int64_t configuration = configuration_of(run);
+  if (contains(run, configuration)) return false;
   if (configuration == 0) {
-    Statement(database_, "INSERT INTO configurations VALUES (NULL, ?, ?)")
-        .run(run.planner, options_to_json(run.options));
+    statements_->add_configuration.run(run.planner, options_to_json(run.options));
     configuration = database_.last_id();
   }
   const PlanResult& result = run.result;
@@ -202,17 +219,19 @@ bool Store::insert(const RunRecord& run) {
     y = result.path->start.y;
     heading = result.path->start.heading;
   }
-  Statement(database_,
-            "INSERT INTO runs(environment, scenario, goal, configuration, seed, jobs, started,"
-            " status, cost, start_x, start_y, start_heading, iterations, nodes, time_total,"
-            " exact_solves, edge_checks, time_ranking, time_steering, time_checking)"
-            " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .run(id_of(run.environment), id_of(run.scenario), static_cast<std::int64_t>(run.goal),
-           configuration, signed_seed(run.options.seed), run.jobs, run.started,
-           name_of(result.status), cost, x, y, heading, result.iterations, result.nodes,
-           result.time_total, result.exact_solves, result.edge_checks, result.time_ranking,
-           result.time_steering, result.time_checking);
-  insert_traces(database_, database_.last_id(), result);
+  statements_->add_run.run(
+      id_of(run.environment), id_of(run.scenario), static_cast<std::int64_t>(run.goal),
+      configuration, signed_seed(run.options.seed), run.jobs, run.started, name_of(result.status),
+      cost, x, y, heading, result.iterations, result.nodes, result.time_total, result.exact_solves,
+      result.edge_checks, result.time_ranking, result.time_steering, result.time_checking);
+  const std::int64_t id = database_.last_id();
+  int number = 0;
+  for (const CostSample& sample : result.anytime)
+    statements_->add_cost.run(id, number++, sample.time, sample.iteration, sample.cost);
+  if (!result.path) return true;
+  number = 0;
+  for (const Segment& segment : result.path->segments)
+    statements_->add_segment.run(id, number++, segment.curvature, segment.length);
   return true;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ class Store {
   [[nodiscard]] static Store open(const std::string& file);
   /// Makes an empty store. Throws InputError if the file exists.
   [[nodiscard]] static Store create(const std::string& file);
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
 
   /// The index of what is equal, added if there is none.
   std::size_t index_of(const Environment& environment);
@@ -54,10 +58,16 @@ class Store {
   [[nodiscard]] std::vector<RunRecord> runs();
 
  private:
+  struct Statements;
+
   explicit Store(const std::string& file);
+  // 0 if it is not there.
+  std::int64_t configuration_of(const RunRecord& run);
+  bool contains(const RunRecord& run, std::int64_t configuration);
   bool insert(const RunRecord& run);
 
   Database database_;
+  std::unique_ptr<Statements> statements_;
 };
 
 /// The options but for the seed as a JSON object, and back.
