@@ -33,6 +33,7 @@ struct EvaluateArguments {
   std::string output = "out/evaluation";
   bool resume = false;
   bool report_only = false;
+  bool json = false;
   std::vector<std::string> merged;
   std::vector<std::string> exports;
 };
@@ -131,11 +132,19 @@ void write_exports(const EvaluateArguments& arguments, Store& store) {
   }
 }
 
-void write_report(const EvaluateArguments& arguments, const Report& report) {
-  write_file(arguments.output + "/report.md", report_markdown(report));
-  write_file(arguments.output + "/index.html", report_html(report));
-  fmt::print("{0}\nMore: {1}/index.html (in a browser), {1}/report.md\n", headline_markdown(report),
-             arguments.output);
+void write_report(const EvaluateArguments& arguments, const Report& report, int missing) {
+  const std::string page = arguments.output + "/index.html", text = arguments.output + "/report.md";
+  write_file(text, report_markdown(report));
+  write_file(page, report_html(report));
+  if (arguments.json) {
+    auto json = nlohmann::ordered_json::parse(headline_json(report));
+    json["missing"] = missing;
+    json["output"] = {{"store", arguments.output + "/runs.sqlite"}, {"page", page}, {"text", text}};
+    print(json);
+    return;
+  }
+  fmt::print("{}\nMore: {} (in a browser), {}\n", headline_markdown(report), page, text);
+  if (missing > 0) fmt::print("{} runs are missing; --resume does them.\n", missing);
 }
 
 int run(const EvaluateArguments& arguments) {
@@ -143,7 +152,7 @@ int run(const EvaluateArguments& arguments) {
     Store store = open_store(arguments);
     merge(arguments.merged, store);
     write_exports(arguments, store);
-    write_report(arguments, make_report(store));
+    write_report(arguments, make_report(store), 0);
     return exit_status::done;
   }
   const Campaign campaign = campaign_of(arguments);
@@ -151,10 +160,8 @@ int run(const EvaluateArguments& arguments) {
   Store store = open_store(arguments);
   const int missing = run_missing(campaign, store, arguments.jobs);
   write_exports(arguments, store);
-  write_report(arguments, make_report(store, this_environment(), campaign.options));
-  if (missing == 0) return exit_status::done;
-  fmt::print("{} runs are missing; --resume does them.\n", missing);
-  return exit_status::failed;
+  write_report(arguments, make_report(store, this_environment(), campaign.options), missing);
+  return missing == 0 ? exit_status::done : exit_status::failed;
 }
 
 // ---- the command line ----
@@ -183,6 +190,28 @@ void add_options_of_runs(CLI::App& command, EvaluateArguments& arguments) {
   command.add_option_function<std::vector<std::string>>("--set", set, "Set any option by its key")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void add_options_of_output(CLI::App& command, EvaluateArguments& arguments) {
+  command.add_option("--output", arguments.output, "Folder of the result store and the report")
+      ->type_name("DIR")
+      ->take_last()
+      ->capture_default_str();
+  command.add_flag("--resume", arguments.resume, "Do what a store that exists does not hold yet");
+  command.add_flag("--report-only", arguments.report_only,
+                   "Run nothing, tell of the store's last comparison");
+  command
+      .add_option("--merge", arguments.merged,
+                  "Run nothing, add the runs of another store (runs.sqlite)")
+      ->type_name("STORE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--export", arguments.exports,
+                  "Write all runs of the store too: runs.csv, runs.json, plannerarena.db (OMPL)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"csv", "json", "ompl"}))
+      ->type_name("csv|json|ompl");
+  command.add_flag("--json", arguments.json, "Print one JSON object instead of a summary");
 }
 
 }  // namespace
@@ -225,24 +254,7 @@ void add_evaluate(CLI::App& vandplan, int& status) {
       ->type_name("N")
       ->take_last()
       ->capture_default_str();
-  command->add_option("--output", arguments->output, "Folder of the result store and the report")
-      ->type_name("DIR")
-      ->take_last()
-      ->capture_default_str();
-  command->add_flag("--resume", arguments->resume, "Do what a store that exists does not hold yet");
-  command->add_flag("--report-only", arguments->report_only,
-                    "Run nothing, tell of the store's last comparison");
-  command
-      ->add_option("--merge", arguments->merged,
-                   "Run nothing, add the runs of another store (runs.sqlite)")
-      ->type_name("STORE")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--export", arguments->exports,
-                   "Write all runs of the store too: runs.csv, runs.json, plannerarena.db (OMPL)")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"csv", "json", "ompl"}))
-      ->type_name("csv|json|ompl");
+  add_options_of_output(*command, *arguments);
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -10,14 +10,13 @@
 #include <optional>
 #include <tuple>
 
+#include "evaluation/report_json.h"
 #include "vandplan/io.h"
 
 namespace vandplan {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-const char* name_of(Region region) { return region == Region::bounds ? "bounds" : "scene"; }
+using Json = OrderedJson;
 
 // A field of CSV (RFC 4180).
 std::string quoted(const std::string& text) {
@@ -35,20 +34,12 @@ std::string csv_line(const RunRecord& run, const StoredScenario& scenario,
   };
   return fmt::format(
       "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(scenario.name),
-      run.goal, run.planner, name_of(run.options.region), run.options.seed,
-      vandplan::name_of(result.status), when_solved(result.cost),
-      when_solved(result.path ? gear_changes(result.path->segments) : 0),
+      run.goal, run.planner, name_of(run.options.region), run.options.seed, name_of(result.status),
+      when_solved(result.cost), when_solved(result.path ? gear_changes(result.path->segments) : 0),
       result.anytime.empty() ? "" : fmt::format("{}", result.anytime.front().time),
       result.time_total, result.iterations, result.nodes, result.exact_solves, result.edge_checks,
       result.time_ranking, result.time_steering, result.time_checking, run.jobs, run.started,
       quoted(options_to_json(run.options)), quoted(environment.processor), environment.executable);
-}
-
-Json environment_json(const Environment& environment) {
-  return {{"version", environment.version},       {"compiler", environment.compiler},
-          {"build_type", environment.build_type}, {"executable", environment.executable},
-          {"processor", environment.processor},   {"cores", environment.cores},
-          {"system", environment.system}};
 }
 
 Json run_json(const RunRecord& run) {
@@ -65,7 +56,7 @@ Json run_json(const RunRecord& run) {
                {"seed", run.options.seed},
                {"jobs", run.jobs},
                {"started", run.started},
-               {"status", vandplan::name_of(result.status)},
+               {"status", name_of(result.status)},
                {"iterations", result.iterations},
                {"nodes", result.nodes},
                {"exact_solves", result.exact_solves},
@@ -119,7 +110,7 @@ class OmplWriter {
       scenarios_.push_back(scenario_from_yaml(file.yaml, file.name));
     for (int i = 0; i <= static_cast<int>(PlanStatus::stopped); ++i)
       Statement(database_, "INSERT INTO enums VALUES ('status', ?, ?)")
-          .run(i, vandplan::name_of(static_cast<PlanStatus>(i)));
+          .run(i, name_of(static_cast<PlanStatus>(i)));
   }
 
   void add(const RunRecord& run) {

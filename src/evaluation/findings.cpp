@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "evaluation/reasons.h"
+
 namespace vandplan {
 namespace {
 
@@ -108,11 +110,14 @@ std::vector<Finding> findings(const Summary& summary, const std::vector<Scenario
     const auto count =
         static_cast<int>(std::ranges::count(summary.scenarios, region, &ScenarioSummary::region));
     found.push_back(better_in_six_of_nine(summary, region, count));
+    found.back().why = reason_for_paths(summary, scenarios, region);
     found.push_back(up_to(summary, region, scenarios, 0.2, "less time",
                           {{&TwinComparison::first_time, "First solution"},
                            {&TwinComparison::time_total, "Whole run"}}));
+    found.back().why = reason_for_times(summary, region);
     found.push_back(up_to(summary, region, scenarios, 0.9, "better path",
                           {{&TwinComparison::cost, "Cost at the end"}}));
+    found.back().why = reason_for_gains(summary, region);
   }
   return found;
 }

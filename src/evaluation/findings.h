@@ -28,6 +28,7 @@ struct Finding {
   std::string claim;
   bool holds = false;
   std::string found;
+  std::string why = {};  ///< sentences, from the runs
 };
 
 /// Three claims in each region that was run: better in six of nine scenarios, up to 20 % less

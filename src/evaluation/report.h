@@ -37,6 +37,9 @@ struct Report {
 /// easy to read in a terminal.
 [[nodiscard]] std::string headline_markdown(const Report& report);
 
+/// The same figures as a JSON object; times [s], costs as in `MethodSummary`.
+[[nodiscard]] std::string headline_json(const Report& report);
+
 /// The headline and a table for each scenario and region.
 [[nodiscard]] std::string report_markdown(const Report& report);
 

@@ -8,12 +8,13 @@
 
 #include "evaluation/page.h"
 #include "evaluation/report.h"
+#include "evaluation/report_json.h"
 #include "vandplan/draw.h"
 
 namespace vandplan {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = OrderedJson;
 
 constexpr int contact_sheet_width = 1600;  // [pixels]
 
@@ -41,8 +42,6 @@ Json polygons(const std::vector<Polygon>& values) {
   }
   return json;
 }
-
-const char* name_of(Region region) { return region == Region::bounds ? "bounds" : "scene"; }
 
 Json scenario_json(const Scenario& scenario, const StoredScenario& file) {
   const Footprint body = footprint(scenario.vehicle);
@@ -161,23 +160,6 @@ Json runs_json(const Report& report) {
           {"rows", rows}};
 }
 
-Json overhead_json(const Report& report) {
-  Session sum;
-  double wall = 0.0;
-  for (const Session& session : report.sessions) {
-    sum.runs += session.runs;
-    sum.planning_time += session.planning_time;
-    sum.judging_time += session.judging_time;
-    sum.storing_time += session.storing_time;
-    wall += session.wall_time * session.jobs;
-  }
-  return {{"runs", sum.runs},
-          {"planning", number(sum.planning_time)},
-          {"judging", number(sum.judging_time)},
-          {"storing", number(sum.storing_time)},
-          {"wall", number(wall)}};
-}
-
 Json planners_json(const Report& report) {
   Json list = Json::array();
   const auto ran = [&](std::string_view name) {
@@ -199,21 +181,14 @@ Json data_of(const Report& report) {
     claims.push_back({{"region", name_of(finding.region)},
                       {"claim", finding.claim},
                       {"holds", finding.holds},
-                      {"found", finding.found}});
-  const Environment& here = report.environment;
+                      {"found", finding.found},
+                      {"why", finding.why}});
   return {{"created", report.runs.back().started},
-          {"environment",
-           {{"version", here.version},
-            {"compiler", here.compiler},
-            {"build", here.build_type},
-            {"executable", here.executable},
-            {"processor", here.processor},
-            {"cores", here.cores},
-            {"system", here.system}}},
+          {"environment", environment_json(report.environment)},
           {"options", Json::parse(options_to_json(report.options))},
           {"jobs", report.runs.back().jobs},
           {"left_out", report.left_out},
-          {"overhead", overhead_json(report)},
+          {"overhead", harness_json(report.sessions)},
           {"planners", planners_json(report)},
           {"scenarios", scenarios},
           {"times", times},

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "evaluation/report.h"
+#include "evaluation/report_json.h"
 #include "evaluation/text_table.h"
 
 namespace vandplan {
@@ -32,8 +33,6 @@ std::string with_interval(const MedianEstimate& estimate, Text text) {
       std::isinf(estimate.interval.high) ? "..." : text(estimate.interval.high);
   return fmt::format("{} [{}, {}]", text(estimate.median), text(estimate.interval.low), high);
 }
-
-const char* name_of(Region region) { return region == Region::bounds ? "bounds" : "scene"; }
 
 bool is_row(const Report& report, const ScenarioSummary& scenario) {
   return report.scenarios[scenario.scenario].goals_are_a_row;
@@ -174,8 +173,8 @@ std::string claims(const Report& report) {
   std::string text;
   for (const Finding& finding : report.findings)
     text +=
-        fmt::format("- Region {}, \"{}\": **{}**. {}.\n", name_of(finding.region), finding.claim,
-                    finding.holds ? "confirmed" : "not confirmed", finding.found);
+        fmt::format("- Region {}, \"{}\": **{}**. {}. {}\n", name_of(finding.region), finding.claim,
+                    finding.holds ? "confirmed" : "not confirmed", finding.found, finding.why);
   return text.empty() ? "" : "\n## The thesis' claims about its tables\n\n" + text;
 }
 

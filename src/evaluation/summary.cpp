@@ -143,6 +143,8 @@ MethodSummary summarize_method(const Runs& runs, const Runs& profiled, const Sce
       runs, [](const RunRecord& run) { return static_cast<double>(run.result.nodes); });
   summary.iterations = plain_median(
       runs, [](const RunRecord& run) { return static_cast<double>(run.result.iterations); });
+  summary.exact_solves = plain_median(
+      runs, [](const RunRecord& run) { return static_cast<double>(run.result.exact_solves); });
   summary.phases = phases_of(profiled);
   std::ranges::sort(costs);
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
@@ -168,8 +170,14 @@ TwinComparison compare_twins(const std::string& planner, const Runs& runs, const
   const auto compare = [&](auto value) {
     return compare_pairs(values_of(first, value), values_of(second, value), level);
   };
-  return {planner, twin, compare(first_solution_time),
-          compare([](const RunRecord& run) { return run.result.time_total; }), compare(final_cost)};
+  TwinComparison twins{planner, twin, compare(first_solution_time),
+                       compare([](const RunRecord& run) { return run.result.time_total; }),
+                       compare(final_cost)};
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    twins.cheaper += final_cost(*first[i]) < final_cost(*second[i]);
+    twins.dearer += final_cost(*first[i]) > final_cost(*second[i]);
+  }
+  return twins;
 }
 
 // Runs by scenario, region and planner.

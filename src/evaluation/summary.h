@@ -56,6 +56,7 @@ struct MethodSummary {
   double time_total = 0.0;        ///< median [s]
   double nodes = 0.0;             ///< median
   double iterations = 0.0;        ///< median
+  double exact_solves = 0.0;      ///< median
   std::optional<PhaseShares> phases;
   std::vector<double> cost_quantiles;  ///< at the end: 0, 25, 50, 75, 100 %
   std::vector<CurvePoint> curve;
@@ -75,6 +76,8 @@ struct TwinComparison {
   PairedComparison first_time;
   PairedComparison time_total;
   PairedComparison cost;
+  int cheaper = 0;  ///< pairs in which its path is cheaper than its twin's, and
+  int dearer = 0;   ///< in which it is dearer; the others are equal
 };
 
 struct ScenarioSummary {

@@ -73,6 +73,24 @@ TEST_F(EvaluateCommand, EndsWithATableAndAReport) {
   EXPECT_NE(content_of(folder_ / "out/report.md").find("rrt-bsc-euc"), std::string::npos);
 }
 
+TEST_F(EvaluateCommand, PrintsOneJsonObjectInstead) {
+  const Outcome outcome = run_vandplan(words("out", {"--max-iterations", "200", "--json"}));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("runs"), 16);
+  EXPECT_EQ(json.at("missing"), 0);
+  EXPECT_EQ(json.at("scenarios").size(), 2U);  // in two regions
+  const auto& scenario = json.at("scenarios").at(1);
+  EXPECT_EQ(scenario.at("scenario"), "yard");
+  EXPECT_EQ(scenario.at("region"), "scene");
+  EXPECT_EQ(scenario.at("planners").at(0).at("planner"), "rrt-bsc-euc");
+  EXPECT_EQ(scenario.at("planners").at(1).at("runs"), 3);
+  EXPECT_GT(scenario.at("planners").at(1).at("cost_at_end").at("median"), 20.0);
+  EXPECT_EQ(json.at("claims").size(), 0U);  // no table beside its twin
+  EXPECT_EQ(json.at("options").at("max_iterations"), 200);
+  EXPECT_TRUE(std::filesystem::exists(json.at("output").at("page").get<std::string>()));
+}
+
 TEST_F(EvaluateCommand, FindsTheSamePathsWithOneJobAndWithTwo) {
   ASSERT_EQ(run_vandplan(words("one", {"--max-iterations", "300"})).status, 0);
   ASSERT_EQ(run_vandplan(words("two", {"--max-iterations", "300", "--jobs", "2"})).status, 0);
@@ -96,6 +114,28 @@ TEST_F(EvaluateCommand, StoresOnlyWhatTheJudgeAccepts) {
     ++judged;
   }
   EXPECT_GT(judged, 10);
+}
+
+// As somebody would who does not trust the program: from the export, by the command line.
+TEST_F(EvaluateCommand, EveryExportedPathPassesCheck) {
+  const Outcome outcome =
+      run_vandplan(words("out", {"--max-iterations", "400", "--planners", "anytime,rrt-bsc-hlut-2",
+                                 "--export", "json"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto exported = nlohmann::json::parse(content_of(folder_ / "out/runs.json"));
+  int checked = 0;
+  for (const auto& run : exported.at("runs")) {
+    if (!run.contains("path")) continue;
+    const nlohmann::json result = {{"format", "vandplan-result/1"},
+                                   {"status", run.at("status")},
+                                   {"cost", run.at("cost")},
+                                   {"path", run.at("path")}};
+    write_content(folder_ / "result.json", result.dump());
+    const Outcome check = run_vandplan({"check", scenario_, folder_ / "result.json"});
+    EXPECT_EQ(check.status, 0) << run.at("planner") << check.out << check.err;
+    ++checked;
+  }
+  EXPECT_GT(checked, 10);
 }
 
 TEST_F(EvaluateCommand, LosesOnlyRunsInFlightWhenKilledAndResumesWithTheRest) {

@@ -36,6 +36,8 @@ inline RunRecord made_up_run(const std::string& planner, std::uint64_t seed,
   run.result.time_total = 0.1;
   run.result.iterations = 1000;
   run.result.nodes = 900;
+  run.result.exact_solves = 3000;
+  run.result.time_ranking = 0.05;
   if (!cost) return run;
   run.result.path = Path{{10.0, 20.0, 0.5}, {{0.0, *cost}}};
   run.result.cost = *cost;

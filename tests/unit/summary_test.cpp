@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "evaluation/findings.h"
+#include "evaluation/reasons.h"
 #include "support/made_up_runs.h"
 
 namespace vandplan {
@@ -136,6 +137,11 @@ std::vector<Finding> findings_when_better_in(std::size_t better) {
       runs.push_back(made_up_run("rrt-opt-hlut-2", seed, s < better ? 50.0 : 100.0, 0.002));
       runs.back().scenario = s;
     }
+    for (const std::string planner : {"rrt-opt-euc", "rrt-opt-hlut-2"}) {
+      runs.push_back(made_up_run(planner, 25, 100.0));
+      runs.back().scenario = s;
+      runs.back().options.profile = true;
+    }
   }
   return findings(summarize(scenarios, runs), scenarios);
 }
@@ -152,6 +158,28 @@ TEST(Findings, SayWhatIsLeftOfTheThesisClaims) {
             "rrt-opt-hlut-2 in s0. Whole run: at best nothing beyond chance; at worst nothing "
             "beyond chance");
   EXPECT_FALSE(five[2].holds);  // 50 % better, not 90 %
+}
+
+TEST(Findings, SayWhy) {
+  const std::vector<Finding> five = findings_when_better_in(5);
+  EXPECT_EQ(five[0].why,
+            "OPT: of 225 pairs 56 % end better, 0 % worse, 44 % with exactly the cost of Euclid. "
+            "The tables have entries for 0.24 to 2.1 % of the pairs of samples (median scenario) "
+            "and are Euclid for the others.");
+  EXPECT_EQ(five[1].why,
+            "OPT: an iteration takes 1.00 times as long as with Euclid and solves 3.0 exact "
+            "lengths instead of 3.0; ranking is 50 % of the time instead of 50 %.");
+  EXPECT_EQ(five[2].why, "OPT: 100 % of the runs are solved with a table, 100 % with Euclid.");
+}
+
+TEST(Findings, TablesCoverWhatLiesWithinTheirExtent) {
+  Scenario scenario = open_ground("s");  // 400 m by 400 m
+  EXPECT_NEAR(table_coverage(scenario, Region::bounds, 1), 0.049375 * 0.049375, 1e-12);
+  EXPECT_NEAR(table_coverage(scenario, Region::bounds, 4), 0.144375 * 0.144375, 1e-12);
+  scenario.vehicle.min_turning_radius *= 2.0;  // a table scales with the vehicle
+  EXPECT_NEAR(table_coverage(scenario, Region::bounds, 1), 0.0975 * 0.0975, 1e-12);
+  scenario.bounds = {0.0, 50.0, 0.0, 50.0};
+  EXPECT_EQ(table_coverage(scenario, Region::bounds, 4), 1.0);
 }
 
 TEST(Findings, WriteRatiosAsChanges) {

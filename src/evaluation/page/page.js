@@ -560,7 +560,7 @@
     $('claims-section').hidden = data.claims.length === 0;
     const share = (part) => `${((100 * part) / overhead.planning).toFixed(2)} % of the planning time`;
     $('facts').replaceChildren(
-      facts('Program and machine', [['version', here.version], ['compiler', `${here.compiler}, ${here.build}`],
+      facts('Program and machine', [['version', here.version], ['compiler', `${here.compiler}, ${here.build_type}`],
         ['executable', here.executable], ['processor', here.processor], ['cores', here.cores],
         ['system', here.system], ['runs at a time', jobs], ['last run', data.created]]),
       facts('Options of every run', Object.entries(options).filter(([name]) => name !== 'region' && name !== 'profile')

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/reasons.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "vandplan/heuristic_table.h"
+
+namespace vandplan {
+namespace {
+
+constexpr const char* strategies[] = {"bsc", "opt"};
+constexpr int tables = 4;
+
+std::string upper(std::string text) {
+  for (char& letter : text)
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  return text;
+}
+
+const MethodSummary* method_named(const ScenarioSummary& scenario, const std::string& planner) {
+  const auto found = std::ranges::find(scenario.methods, planner, &MethodSummary::planner);
+  return found == scenario.methods.end() ? nullptr : &*found;
+}
+
+// What a table and Euclid do, over all scenarios of a region and all tables of a strategy.
+struct Effect {
+  int pairs = 0, better = 0, worse = 0;
+  int runs = 0, solved = 0, twin_runs = 0, twin_solved = 0;
+  std::vector<double> slower;                 // an iteration's time over that of Euclid's
+  std::vector<double> ranking, twin_ranking;  // shares of the time
+  std::vector<double> solves, twin_solves;    // exact lengths for one iteration
+};
+
+void add(const MethodSummary& method, const MethodSummary& twin, Effect& effect) {
+  effect.runs += method.runs;
+  effect.solved += method.solved;
+  effect.twin_runs += twin.runs;
+  effect.twin_solved += twin.solved;
+  if (method.phases && twin.phases) {
+    effect.ranking.push_back(method.phases->ranking);
+    effect.twin_ranking.push_back(twin.phases->ranking);
+  }
+  if (method.iterations == 0.0 || twin.iterations == 0.0) return;
+  const double time = method.time_total / method.iterations;
+  const double twin_time = twin.time_total / twin.iterations;
+  if (twin_time > 0.0) effect.slower.push_back(time / twin_time);
+  effect.solves.push_back(method.exact_solves / method.iterations);
+  effect.twin_solves.push_back(twin.exact_solves / twin.iterations);
+}
+
+Effect effect_of(const Summary& summary, Region region, const std::string& strategy) {
+  Effect effect;
+  for (const ScenarioSummary& scenario : summary.scenarios) {
+    if (scenario.region != region) continue;
+    for (const TwinComparison& twins : scenario.twins) {
+      if (!twins.planner.starts_with("rrt-" + strategy + "-hlut-") || twins.cost.pairs == 0)
+        continue;
+      effect.pairs += twins.cost.pairs;
+      effect.better += twins.cheaper;
+      effect.worse += twins.dearer;
+      add(*method_named(scenario, twins.planner), *method_named(scenario, twins.twin), effect);
+    }
+  }
+  return effect;
+}
+
+double middle(std::vector<double> values) {
+  std::ranges::sort(values);
+  return quantile(values, 0.5);
+}
+
+// One sentence for each strategy that ran, with its name before it.
+template <class Sentence>
+std::string for_each_strategy(const Summary& summary, Region region, Sentence sentence) {
+  std::string text;
+  for (const std::string strategy : strategies) {
+    const Effect effect = effect_of(summary, region, strategy);
+    if (effect.pairs == 0) continue;
+    text += (text.empty() ? "" : " ") + upper(strategy) + ": " + sentence(effect) + ".";
+  }
+  return text;
+}
+
+double percent(int part, int whole) { return 100.0 * part / whole; }
+
+double share_within(double extent, double side) {
+  const double outside = std::max(0.0, 1.0 - extent / side);
+  return 1.0 - outside * outside;
+}
+
+}  // namespace
+
+double table_coverage(const Scenario& scenario, Region region, int number) {
+  const HeuristicTableOptions table = thesis_table_options(number);
+  const double extent = table.extent * scenario.vehicle.min_turning_radius / table.turning_radius;
+  const Bounds box = sampling_region(make_problem(scenario, 0), region);
+  return share_within(extent, box.x_max - box.x_min) * share_within(extent, box.y_max - box.y_min);
+}
+
+std::string reason_for_paths(const Summary& summary, const std::vector<Scenario>& scenarios,
+                             Region region) {
+  std::vector<double> least, most;
+  for (const ScenarioSummary& scenario : summary.scenarios) {
+    if (scenario.region != region) continue;
+    std::vector<double> shares;
+    for (int number = 1; number <= tables; ++number)
+      shares.push_back(table_coverage(scenarios[scenario.scenario], region, number));
+    least.push_back(std::ranges::min(shares));
+    most.push_back(std::ranges::max(shares));
+  }
+  const std::string counts = for_each_strategy(summary, region, [](const Effect& effect) {
+    return fmt::format(
+        "of {} pairs {:.0f} % end better, {:.0f} % worse, {:.0f} % with exactly the cost of Euclid",
+        effect.pairs, percent(effect.better, effect.pairs), percent(effect.worse, effect.pairs),
+        percent(effect.pairs - effect.better - effect.worse, effect.pairs));
+  });
+  return counts + fmt::format(
+                      " The tables have entries for {:.2g} to {:.2g} % of the pairs of samples"
+                      " (median scenario) and are Euclid for the others.",
+                      100.0 * middle(least), 100.0 * middle(most));
+}
+
+std::string reason_for_times(const Summary& summary, Region region) {
+  return for_each_strategy(summary, region, [](const Effect& effect) {
+    std::string text;
+    if (!effect.slower.empty())
+      text = fmt::format(
+          "an iteration takes {:.2f} times as long as with Euclid and solves {:.1f} exact lengths"
+          " instead of {:.1f}",
+          middle(effect.slower), middle(effect.solves), middle(effect.twin_solves));
+    if (!effect.ranking.empty())
+      text += fmt::format("{}ranking is {:.0f} % of the time instead of {:.0f} %",
+                          text.empty() ? "" : "; ", 100.0 * middle(effect.ranking),
+                          100.0 * middle(effect.twin_ranking));
+    return text;
+  });
+}
+
+std::string reason_for_gains(const Summary& summary, Region region) {
+  return for_each_strategy(summary, region, [](const Effect& effect) {
+    return fmt::format("{:.0f} % of the runs are solved with a table, {:.0f} % with Euclid",
+                       percent(effect.solved, effect.runs),
+                       percent(effect.twin_solved, effect.twin_runs));
+  });
+}
+
+}  // namespace vandplan

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/report_json.h"
+
+#include <cmath>
+
+namespace vandplan {
+namespace {
+
+OrderedJson json_of(const Interval& interval) {
+  return {finite_json(interval.low), finite_json(interval.high)};
+}
+
+OrderedJson json_of(const MedianEstimate& estimate) {
+  return {{"median", finite_json(estimate.median)}, {"interval", json_of(estimate.interval)}};
+}
+
+const char* name_of(PairedComparison::Verdict verdict) {
+  if (verdict == PairedComparison::Verdict::smaller) return "better";
+  return verdict == PairedComparison::Verdict::larger ? "worse" : "no difference";
+}
+
+OrderedJson json_of(const PairedComparison& comparison) {
+  return {{"pairs", comparison.pairs},
+          {"ratio", finite_json(comparison.ratio)},
+          {"interval", json_of(comparison.interval)},
+          {"verdict", name_of(comparison.verdict)}};
+}
+
+OrderedJson json_of(const MethodSummary& method, bool row) {
+  OrderedJson json = {{"planner", method.planner},
+                      {"runs", method.runs},
+                      {"solved", method.solved},
+                      {"solved_interval", json_of(method.solved_interval)},
+                      {"first_solution", json_of(method.first_time)},
+                      {"cost_at_10ms", json_of(method.cost_at_10ms)},
+                      {"cost_at_100ms", json_of(method.cost_at_100ms)},
+                      {"cost_at_end", json_of(method.cost_at_end)},
+                      {"time", method.time_total},
+                      {"nodes", method.nodes},
+                      {"iterations", method.iterations}};
+  if (row) json["furthest"] = method.furthest;
+  return json;
+}
+
+OrderedJson json_of(const TwinComparison& twins) {
+  return {{"planner", twins.planner},
+          {"twin", twins.twin},
+          {"cost", json_of(twins.cost)},
+          {"first_solution", json_of(twins.first_time)},
+          {"time", json_of(twins.time_total)}};
+}
+
+}  // namespace
+
+OrderedJson environment_json(const Environment& environment) {
+  return {{"version", environment.version},       {"compiler", environment.compiler},
+          {"build_type", environment.build_type}, {"executable", environment.executable},
+          {"processor", environment.processor},   {"cores", environment.cores},
+          {"system", environment.system}};
+}
+
+OrderedJson finite_json(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+}
+
+OrderedJson harness_json(const std::vector<Session>& sessions) {
+  Session sum;
+  double wall = 0.0;
+  for (const Session& session : sessions) {
+    sum.runs += session.runs;
+    sum.planning_time += session.planning_time;
+    sum.judging_time += session.judging_time;
+    sum.storing_time += session.storing_time;
+    wall += session.wall_time * session.jobs;
+  }
+  return {{"runs", sum.runs},
+          {"planning", sum.planning_time},
+          {"judging", sum.judging_time},
+          {"storing", sum.storing_time},
+          {"wall", wall}};
+}
+
+const char* name_of(Region region) noexcept {
+  return region == Region::bounds ? "bounds" : "scene";
+}
+
+std::string headline_json(const Report& report) {
+  OrderedJson scenarios = OrderedJson::array();
+  for (const ScenarioSummary& summary : report.summary.scenarios) {
+    const Scenario& scenario = report.scenarios[summary.scenario];
+    OrderedJson methods = OrderedJson::array(), twins = OrderedJson::array();
+    for (const MethodSummary& method : summary.methods)
+      methods.push_back(json_of(method, scenario.goals_are_a_row));
+    for (const TwinComparison& twin : summary.twins) twins.push_back(json_of(twin));
+    scenarios.push_back({{"scenario", scenario.name},
+                         {"region", name_of(summary.region)},
+                         {"planners", methods},
+                         {"against_euclid", twins}});
+  }
+  OrderedJson claims = OrderedJson::array();
+  for (const Finding& finding : report.findings)
+    claims.push_back({{"region", name_of(finding.region)},
+                      {"claim", finding.claim},
+                      {"holds", finding.holds},
+                      {"found", finding.found},
+                      {"why", finding.why}});
+  const OrderedJson all = {{"runs", report.runs.size()},
+                           {"left_out", report.left_out},
+                           {"environment", environment_json(report.environment)},
+                           {"options", OrderedJson::parse(options_to_json(report.options))},
+                           {"harness", harness_json(report.sessions)},
+                           {"scenarios", scenarios},
+                           {"claims", claims}};
+  return all.dump(2);
+}
+
+}  // namespace vandplan

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// (internal) What do the parts of a comparison look like in JSON?
+
+#include <nlohmann/json.hpp>
+
+#include "evaluation/report.h"
+
+namespace vandplan {
+
+using OrderedJson = nlohmann::ordered_json;
+
+[[nodiscard]] OrderedJson environment_json(const Environment& environment);
+
+/// JSON knows no infinity: null.
+[[nodiscard]] OrderedJson finite_json(double value);
+
+/// What planning, judging and storing took, all sessions together [s].
+[[nodiscard]] OrderedJson harness_json(const std::vector<Session>& sessions);
+
+[[nodiscard]] const char* name_of(Region region) noexcept;
+
+}  // namespace vandplan
