@@ -13,6 +13,8 @@ add_library(
   simd/bound_kernels_scalar.cpp
   simd/length_kernels_scalar.cpp
   simd/table_kernels_scalar.cpp
+  table_bytes.cpp
+  table_export.cpp
   table_file.cpp
   trigonometry.cpp)
 if(VANDPLAN_SIMD)

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "decimal.h"
 #include "simd/table_kernels.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
@@ -19,22 +20,26 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double most_entries = 0x1p28;  // 1 GiB of floats; an index fits in 32 bits
 
-void require(bool holds, const char* where, const char* problem) {
-  if (!holds) throw InputError(where, problem);
+// `given` was asked for; `expected` tells the range.
+void require(bool holds, const char* where, double given, const char* expected) {
+  if (!holds) throw InputError(where, "is " + shortest_text(given) + ", expected " + expected);
 }
 
 // Grid points along x and along y. Throws InputError if an option is out of range.
 int checked_positions(const HeuristicTableOptions& options) {
   const auto& [extent, step, heading_cells, radius] = options;
-  require(std::isfinite(extent) && extent > 0.0, "extent", "must be > 0");
-  require(std::isfinite(step) && step > 0.0, "step", "must be > 0");
-  require(heading_cells >= 1, "heading_cells", "must be >= 1");
-  require(std::isfinite(radius) && radius > 0.0, "turning_radius", "must be > 0");
+  require(std::isfinite(extent) && extent > 0.0, "extent", extent, "more than 0 m");
+  require(std::isfinite(step) && step > 0.0, "step", step, "more than 0 m");
+  require(heading_cells >= 1, "heading_cells", heading_cells, "at least 1");
+  require(std::isfinite(radius) && radius > 0.0, "turning_radius", radius, "more than 0 m");
   const double cells = std::round(extent / step);
-  require(cells >= 1.0 && std::abs(cells * step - extent) <= 1e-9 * extent, "extent",
-          "must be a multiple of step");
+  require(cells >= 1.0 && std::abs(cells * step - extent) <= 1e-9 * extent, "extent", extent,
+          "a multiple of the step");
   const double plane = (cells + 1.0) * (heading_cells + 1.0);
-  require(plane * plane <= most_entries, "step", "the table would hold more than 2^28 entries");
+  if (plane * plane > most_entries) {
+    throw InputError("step", "the table would hold " + shortest_text(plane * plane) +
+                                 " entries, expected at most " + shortest_text(most_entries));
+  }
   return static_cast<int>(cells) + 1;
 }
 
@@ -77,12 +82,11 @@ HeuristicTable::HeuristicTable(const HeuristicTableOptions& options)
   for (int x = 0; x < positions(); ++x) {
     for (int y = 0; y < positions(); ++y) {
       for (int node = 0; node < headings(); ++node) {
-        const Pose from{x * options.step, y * options.step,
-                        heading_at(node, options.heading_cells)};
+        const Pose from = node_of({x, y, node, 0});
         for (int sample = 0; sample < headings(); ++sample) {
-          const Pose to{0.0, 0.0, heading_at(sample, options.heading_cells)};
-          entries[index_of({x, y, node, sample})] =
-              static_cast<float>(reeds_shepp_length(from, to, radius));
+          const Cell cell{x, y, node, sample};
+          entries[index_of(cell)] =
+              static_cast<float>(reeds_shepp_length(from, sample_of(cell), radius));
         }
       }
     }
@@ -111,6 +115,15 @@ std::size_t HeuristicTable::index_of(const Cell& cell) const noexcept {
       ((cell.x * positions() + cell.y) * headings() + cell.heading_node) * headings() +
       cell.heading_sample;
   return static_cast<std::size_t>(index);
+}
+
+Pose HeuristicTable::node_of(const Cell& cell) const noexcept {
+  return {cell.x * options_.step, cell.y * options_.step,
+          heading_at(cell.heading_node, options_.heading_cells)};
+}
+
+Pose HeuristicTable::sample_of(const Cell& cell) const noexcept {
+  return {0.0, 0.0, heading_at(cell.heading_sample, options_.heading_cells)};
 }
 
 double HeuristicTable::distance(const Pose& node, const Pose& sample,

@@ -49,6 +49,10 @@ class HeuristicTable {
   /// Row-major [ix][iy][i_heading_node][i_heading_sample]; used by fill and look-up alike.
   [[nodiscard]] std::size_t index_of(const Cell& cell) const noexcept;
 
+  /// Where the node of an entry stands [m, rad]; its sample stands at the origin.
+  [[nodiscard]] Pose node_of(const Cell& cell) const noexcept;
+  [[nodiscard]] Pose sample_of(const Cell& cell) const noexcept;
+
   /// Estimated length between a node and a sample [m] for a vehicle of turning radius `radius`
   /// (Algorithm 7): an entry inside the table, Euclid outside. The table scales with the radius:
   /// extent and step hold for the table's own.

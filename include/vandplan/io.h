@@ -49,6 +49,10 @@ struct ResultRecord {
 [[nodiscard]] std::vector<ResultRecord> read_results(const std::string& file,
                                                      const Scenario& scenario);
 
+/// All bytes of a table file (table_file.h), checked: what is foreign, truncated, altered or longer
+/// than it says is refused before more is read than it promises. "-" is standard input.
+[[nodiscard]] std::string read_table_file(const std::string& file);
+
 /// All bytes of a file, "-" is standard input. Throws InputError if it cannot be read or holds more
 /// than `largest` bytes.
 [[nodiscard]] std::string read_file(const std::string& file, std::size_t largest);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does a heuristic table become a file, and how does a file become a table?
+// How does a table become a file, and how does a file become a table?
 //
 // Bytes only; vandplan/io.h moves them. Layout: docs/formats.md.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
 
 namespace vandplan {
@@ -20,11 +22,37 @@ namespace vandplan {
 /// truncated, altered, or of another version.
 [[nodiscard]] HeuristicTable table_from_bytes(std::string_view bytes, const std::string& file);
 
-/// Checksum of a table file's content (FNV-1a, 64 bits).
-[[nodiscard]] std::uint64_t table_checksum(std::string_view bytes) noexcept;
+/// The library's table of bounds (bound_table.h) as a binary file.
+[[nodiscard]] std::string bound_table_to_bytes();
+
+/// What a table file says about itself before its entries.
+struct TableFileHead {
+  enum class Content { lengths, bounds };  ///< of `table_to_bytes`, of `bound_table_to_bytes`
+  Content content = Content::lengths;
+  HeuristicTableOptions options{};  ///< of lengths
+  BoundTableInfo bounds{};          ///< of bounds
+  std::uint64_t entries = 0;
+  std::uint64_t bytes = 0;  ///< of the whole file
+  std::uint64_t checksum = 0;
+};
+
+/// So many bytes of a file tell its head.
+inline constexpr std::size_t table_file_head_size = 96;
+
+/// Reads the head alone. Throws InputError naming `file` when it is not one of ours or promises
+/// more than 2^28 entries.
+[[nodiscard]] TableFileHead table_file_head(std::string_view start, const std::string& file);
+
+/// Throws InputError naming `file` unless all of it is there and the checksum fits.
+void check_table_file(std::string_view bytes, const std::string& file);
 
 /// The table as a C++17 header that defines a namespace `name` with the options and the entries,
-/// every float written so that it reads back exactly. Throws InputError if `name` is no identifier.
+/// every float written so that it reads back exactly. Throws InputError if `name` is no identifier
+/// or the table has more than 2^24 entries.
 [[nodiscard]] std::string table_to_header(const HeuristicTable& table, std::string_view name);
+
+/// The table as CSV, a line for each entry: x, y, heading_node, heading_sample, length [m, rad].
+/// Throws InputError if the table has more than 2^24 entries.
+[[nodiscard]] std::string table_to_csv(const HeuristicTable& table);
 
 }  // namespace vandplan

@@ -25,8 +25,17 @@ TEST(CommandLine, VersionIsOneLine) {
 /// The page shows the help of every command as it is.
 TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
   const std::string page = content_of(repository() / "docs/command-line.md");
-  const std::vector<std::vector<std::string>> commands = {
-      {}, {"plan"}, {"check"}, {"draw"}, {"evaluate"}, {"convert", "tpcap"}, {"planners"}};
+  const std::vector<std::vector<std::string>> commands = {{},
+                                                          {"plan"},
+                                                          {"check"},
+                                                          {"draw"},
+                                                          {"evaluate"},
+                                                          {"table", "build"},
+                                                          {"table", "info"},
+                                                          {"table", "check"},
+                                                          {"table", "export"},
+                                                          {"convert", "tpcap"},
+                                                          {"planners"}};
   for (std::vector<std::string> command : commands) {
     command.push_back("--help");
     const Outcome outcome = run_vandplan(command);

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// vandplan table: how are heuristic tables made, looked into, checked and handed on?
+#include <fmt/format.h>
+
+#include <cctype>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "studies/table_check.h"
+#include "table_source.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+#include "vandplan/table_file.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Content = TableFileHead::Content;
+
+// ---- build ----
+
+struct BuildArguments {
+  std::string name;
+  std::optional<double> extent, step, radius;
+  std::optional<int> headings;
+  std::string output;
+  bool json = false;
+};
+
+HeuristicTableOptions options_of(const BuildArguments& arguments) {
+  const auto number = thesis_number(arguments.name);
+  if (!number && !arguments.name.empty()) {
+    throw InputError("table", fmt::format("\"{}\" is unknown, expected hlut-1 to hlut-4 or bounds",
+                                          arguments.name));
+  }
+  HeuristicTableOptions options = number ? thesis_table_options(*number) : HeuristicTableOptions{};
+  options.extent = arguments.extent.value_or(options.extent);
+  options.step = arguments.step.value_or(options.step);
+  options.turning_radius = arguments.radius.value_or(options.turning_radius);
+  options.heading_cells = arguments.headings.value_or(options.heading_cells);
+  return options;
+}
+
+/// Errors name the flag that was typed.
+HeuristicTable filled(const HeuristicTableOptions& options) {
+  try {
+    return HeuristicTable(options);
+  } catch (const InputError& error) {
+    std::string flag = error.where();
+    if (flag == "heading_cells") flag = "headings";
+    if (flag == "turning_radius") flag = "radius";
+    throw InputError("--" + flag, error.problem());
+  }
+}
+
+std::string bounds_built(const BuildArguments& arguments) {
+  if (arguments.extent || arguments.step || arguments.radius || arguments.headings) {
+    throw InputError(bounds_name, "has no options: one table serves every radius and distance");
+  }
+  return bound_table_to_bytes();
+}
+
+void build(const BuildArguments& arguments) {
+  expect_writable(arguments.output);
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string bytes = arguments.name == bounds_name
+                                ? bounds_built(arguments)
+                                : table_to_bytes(filled(options_of(arguments)));
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  write_file(arguments.output, bytes);
+  if (arguments.output == "-") return;
+  const TableFileHead head = table_file_head(bytes, arguments.output);
+  if (arguments.json) {
+    Json json = {{"output", arguments.output}, {"time", time.count()}};
+    json.update(json_of(head));
+    print(json);
+  } else {
+    fmt::print("{}: {}  built in        {:.3f} s\n", arguments.output, text_of(head), time.count());
+  }
+}
+
+// ---- check ----
+
+struct CheckArguments {
+  std::string table;
+  EntryCheckOptions options;
+  bool json = false;
+};
+
+constexpr std::int64_t default_pairs = 1'000'000;
+
+int check_of_lengths(const TableSource& source, const CheckArguments& arguments) {
+  const HeuristicTable table = table_from_bytes(source.bytes, source.name);
+  const EntryCheck check = check_entries(table, arguments.options);
+  const Pose node = table.node_of(check.worst);
+  const Pose sample = table.sample_of(check.worst);
+  const bool good = check.wrong == 0;
+  if (arguments.json) {
+    Json json = {{"table", source.name},
+                 {"checksum", checksum_text(source.head)},
+                 {"entries", source.head.entries},
+                 {"compared", check.compared},
+                 {"wrong", check.wrong},
+                 {"worst_difference", check.worst_difference},
+                 {"good", good}};
+    print(json);
+  } else {
+    fmt::print("{}: checksum fits; {} of {} entries compared with exact lengths\n", source.name,
+               check.compared, source.head.entries);
+    fmt::print(
+        "worst difference {:.2g} m, from x {} m, y {} m, heading {:.4f} rad to heading {:.4f} "
+        "rad\n",
+        check.worst_difference, node.x, node.y, node.heading, sample.heading);
+    fmt::print("{}\n",
+               good ? "good: every difference is a rounding"
+                    : fmt::format("WRONG: {} entries are not the exact length", check.wrong));
+  }
+  return good ? exit_status::done : exit_status::failed;
+}
+
+int check_of_bounds(const TableSource& source, const CheckArguments& arguments) {
+  const bool same = source.bytes == bound_table_to_bytes();
+  const BoundCheck check =
+      check_bounds(arguments.options.sample.value_or(default_pairs), arguments.options.seed);
+  const bool good = same && check.outside == 0;
+  if (arguments.json) {
+    print({{"table", source.name},
+           {"checksum", checksum_text(source.head)},
+           {"same_as_library", same},
+           {"pairs", check.pairs},
+           {"outside", check.outside},
+           {"median_gap", check.median_gap},
+           {"gap_95", check.gap_95},
+           {"good", good}});
+  } else {
+    fmt::print("{}: checksum fits; {} the table of this library\n", source.name,
+               same ? "is" : "IS NOT");
+    fmt::print(
+        "{} random pairs: {} exact lengths outside of the library's bounds\n"
+        "high - low: median {:.2g}, 95 % below {:.2g} turning radii\n",
+        check.pairs, check.outside, check.median_gap, check.gap_95);
+    fmt::print("{}\n", good ? "good" : "WRONG");
+  }
+  return good ? exit_status::done : exit_status::failed;
+}
+
+int check(const CheckArguments& arguments) {
+  const TableSource source = table_source(arguments.table);
+  return source.head.content == Content::bounds ? check_of_bounds(source, arguments)
+                                                : check_of_lengths(source, arguments);
+}
+
+// ---- export ----
+
+struct ExportArguments {
+  std::string table;
+  std::string output;
+  std::string format;
+  std::string name;
+  bool json = false;
+};
+
+/// "header" or "csv", by the option or by the ending of the file.
+std::string format_of(const ExportArguments& arguments) {
+  if (!arguments.format.empty()) return arguments.format;
+  if (arguments.output.ends_with(".csv")) return "csv";
+  if (arguments.output.ends_with(".h") || arguments.output.ends_with(".hpp")) return "header";
+  throw InputError(arguments.output, "must end in .h, .hpp or .csv, or --format must be given");
+}
+
+/// The name of the table as an identifier: "out/hlut-4.table" gives "hlut_4".
+std::string identifier_of(const std::string& table) {
+  std::string name = table.substr(table.rfind('/') + 1);
+  name = name.substr(0, name.find('.'));
+  for (char& c : name) {
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  }
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0]))) name = "table_" + name;
+  return name;
+}
+
+void export_table(const ExportArguments& arguments) {
+  const std::string format = format_of(arguments);
+  expect_writable(arguments.output);
+  const TableSource source = table_source(arguments.table);
+  const HeuristicTable table = table_from_bytes(source.bytes, source.name);
+  const std::string name = arguments.name.empty() ? identifier_of(source.name) : arguments.name;
+  write_file(arguments.output,
+             format == "csv" ? table_to_csv(table) : table_to_header(table, name));
+  if (arguments.output == "-") return;
+  if (arguments.json) {
+    Json json = {{"table", source.name}, {"output", arguments.output}, {"format", format}};
+    if (format == "header") json["namespace"] = name;
+    json["entries"] = source.head.entries;
+    print(json);
+  } else {
+    fmt::print("{}: {} entries written to {}{}\n", source.name, source.head.entries,
+               arguments.output,
+               format == "header" ? fmt::format(", namespace {}, array entries", name) : "");
+  }
+}
+
+// ---- the command line ----
+
+constexpr const char* table_help = "hlut-1 to hlut-4, bounds, or a table file; - is standard input";
+
+void add_json(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "Print one JSON object instead of a summary");
+}
+
+void add_table_build(CLI::App& table) {
+  CLI::App* const command =
+      table.add_subcommand("build", "Compute a table and write it to a file.");
+  const auto arguments = std::make_shared<BuildArguments>();
+  const auto add = [&](const char* flag, auto& value, const char* type, const char* help) {
+    command->add_option(flag, value, help)->type_name(type)->take_last();
+  };
+  command
+      ->add_option("NAME", arguments->name,
+                   "hlut-1 to hlut-4: the thesis' tables, where the options below start from;\n"
+                   "bounds: the certified bounds of the library; hlut-1 when left out")
+      ->type_name("");
+  add("--extent", arguments->extent, "M",
+      "Of |dx| and |dy| [m], a multiple of the step; 10 (hlut-2: 20, hlut-4: 30)");
+  add("--step", arguments->step, "M", "Of the positions [m]; 1");
+  add("--headings", arguments->headings, "N",
+      "Steps of a full turn; 8 is pi/4 (hlut-3, hlut-4: 24 is pi/12)");
+  add("--radius", arguments->radius, "M", "Turning radius [m]; 7");
+  command->add_option("-o,--output", arguments->output, "Table file")
+      ->type_name("FILE")
+      ->required();
+  add_json(*command, arguments->json);
+  command->callback([arguments] { build(*arguments); });
+}
+
+void add_table_info(CLI::App& table) {
+  CLI::App* const command =
+      table.add_subcommand("info", "Say what a table holds, after a look at size and checksum.");
+  const auto name = std::make_shared<std::string>();
+  const auto json = std::make_shared<bool>(false);
+  command->add_option("TABLE", *name, table_help)->required()->type_name("");
+  add_json(*command, *json);
+  command->callback([name, json] {
+    const TableSource source = table_source(*name);
+    if (*json) {
+      Json object = {{"table", source.name}};
+      object.update(json_of(source.head));
+      print(object);
+    } else {
+      fmt::print("{}: {}", source.name, text_of(source.head));
+    }
+  });
+}
+
+void add_table_check(CLI::App& table, int& status) {
+  CLI::App* const command = table.add_subcommand(
+      "check",
+      "Recompute the entries of a table and say how far the worst one is off;\n"
+      "of bounds: look for exact lengths that are outside.");
+  const auto arguments = std::make_shared<CheckArguments>();
+  command->add_option("TABLE", arguments->table, table_help)->required()->type_name("");
+  command
+      ->add_option("--sample", arguments->options.sample,
+                   fmt::format("Entries drawn at random; every one when left out\n"
+                               "(of bounds: pairs of poses; {})",
+                               default_pairs))
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{100'000'000}))
+      ->take_last();
+  command->add_option("--seed", arguments->options.seed, "Of the sample")
+      ->type_name("N")
+      ->take_last()
+      ->capture_default_str();
+  add_json(*command, arguments->json);
+  command->footer("Exit status: 0 good, 1 an entry is wrong, 2 bad input or usage.");
+  command->callback([arguments, &status] { status = check(*arguments); });
+}
+
+void add_table_export(CLI::App& table) {
+  CLI::App* const command = table.add_subcommand(
+      "export", "Write a table of lengths as a C++ header that compiles, or as CSV.");
+  const auto arguments = std::make_shared<ExportArguments>();
+  command->add_option("TABLE", arguments->table, table_help)->required()->type_name("");
+  command->add_option("-o,--output", arguments->output, "File, ends in .h, .hpp or .csv")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--format", arguments->format, "Whatever the ending of the file")
+      ->check(CLI::IsMember({"header", "csv"}))
+      ->type_name("header|csv")
+      ->take_last();
+  command->add_option("--name", arguments->name, "Namespace in the header; that of the table")
+      ->type_name("NAME")
+      ->take_last();
+  add_json(*command, arguments->json);
+  command->callback([arguments] { export_table(*arguments); });
+}
+
+}  // namespace
+
+void add_table(CLI::App& vandplan, int& status) {
+  CLI::App* const table = vandplan.add_subcommand(
+      "table", "Make heuristic look-up tables, look into them, check them and hand them on.");
+  table->require_subcommand(0, 1);
+  table->callback([table] {
+    if (!table->get_subcommands().empty()) return;
+    throw InputError("table", "a command is missing, expected build, info, check or export");
+  });
+  add_table_build(*table);
+  add_table_info(*table);
+  add_table_check(*table, status);
+  add_table_export(*table);
+}
+
+}  // namespace vandplan

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <bit>
+
+#include "bound_entries.h"
+#include "table_bytes.h"
+#include "vandplan/table_file.h"
+
+namespace vandplan {
+
+std::string bound_table_to_bytes() {
+  constexpr auto cells = static_cast<std::uint64_t>(kernels::radial_cells) |
+                         static_cast<std::uint64_t>(kernels::side_cells) << 16 |
+                         static_cast<std::uint64_t>(kernels::turn_cells) << 32 |
+                         static_cast<std::uint64_t>(kernels::slope_step) << 48;
+  std::string bytes = table_bytes::start_of(
+      {.kind = &table_bytes::bounds,
+       .parameters = {std::bit_cast<std::uint64_t>(1.0),
+                      std::bit_cast<std::uint64_t>(kernels::radial_reach),
+                      std::bit_cast<std::uint64_t>(kernels::bound_unit), cells},
+       .count = kernels::bound_cells});
+  for (const kernels::BoundEntry& entry : kernels::bound_entries) {
+    table_bytes::append(bytes, entry.base_width);
+    table_bytes::append(bytes, entry.slopes);
+  }
+  table_bytes::seal(bytes);
+  return bytes;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Below which value does so much of the sample lie?
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <span>
+
+namespace vandplan {
+
+/// The value of rank round(percent / 100 * (n - 1)). Reorders the values; at least one.
+inline double percentile(std::span<double> values, double percent) {
+  assert(!values.empty());
+  const double rank = percent / 100.0 * static_cast<double>(values.size() - 1);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank + 0.5);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "support/process.h"
+#include "vandplan/table_file.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::json;
+
+class TableCommand : public testing::Test {
+ protected:
+  Json json_of(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "table");
+    arguments.push_back("--json");
+    const Outcome outcome = run_vandplan(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return Json::parse(outcome.out);
+  }
+
+  /// The one line that a refusal is, without the program's name; nothing is left behind.
+  std::string complaint(std::vector<std::string> arguments, const ProcessOptions& options = {}) {
+    const std::vector<std::string> before = folder_.names();
+    arguments.insert(arguments.begin(), "table");
+    const Outcome outcome = run_vandplan(arguments, options);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(folder_.names().size(), before.size());
+    const std::string name = "vandplan: ";
+    EXPECT_EQ(outcome.err.substr(0, name.size()), name);
+    return outcome.err.substr(name.size(), outcome.err.size() - name.size() - 1);
+  }
+
+  /// What `info` says of a file with this content, after the file's name.
+  std::string complaint_about(const std::string& content) {
+    write_content(file_, content);
+    const std::string text = complaint({"info", file_});
+    EXPECT_EQ(text.substr(0, file_.size() + 2), file_ + ": ");
+    return text.substr(std::min(text.size(), file_.size() + 2));
+  }
+
+  TemporaryFolder folder_;
+  const std::string file_ = folder_ / "my.table";
+};
+
+// ---- build and info ----
+
+TEST_F(TableCommand, BuildsTheTablesOfTheThesisByName) {
+  for (int number = 1; number <= 4; ++number) {
+    const std::string name = "hlut-" + std::to_string(number);
+    const Json json = json_of({"build", name, "-o", file_});
+    EXPECT_EQ(json.at("thesis_table"), name);
+    EXPECT_EQ(content_of(file_), table_to_bytes(thesis_table(number))) << name;
+  }
+}
+
+TEST_F(TableCommand, BuildsAnyOtherTable) {
+  json_of({"build", "hlut-3", "--extent", "6", "--step", "1.5", "--radius", "5", "-o", file_});
+  const HeuristicTable table = table_from_bytes(content_of(file_), file_);
+  const HeuristicTableOptions options{
+      .extent = 6.0, .step = 1.5, .heading_cells = 24, .turning_radius = 5.0};
+  EXPECT_EQ(table.options(), options);
+  EXPECT_TRUE(std::ranges::equal(table.entries(), HeuristicTable(options).entries()));
+
+  json_of({"build", "--headings", "6", "-o", file_});
+  EXPECT_EQ(table_from_bytes(content_of(file_), file_).options(),
+            (HeuristicTableOptions{.extent = 10, .step = 1, .heading_cells = 6}));
+}
+
+TEST_F(TableCommand, InfoSaysWhatAFileHolds) {
+  json_of({"build", "hlut-4", "-o", file_});
+  const Json json = json_of({"info", file_});
+  EXPECT_EQ(json.at("content"), "Reeds-Shepp lengths");
+  EXPECT_EQ(json.at("thesis_table"), "hlut-4");
+  EXPECT_EQ(json.at("turning_radius"), 7.0);
+  EXPECT_EQ(json.at("extent"), 30.0);
+  EXPECT_EQ(json.at("step"), 1.0);
+  EXPECT_EQ(json.at("positions"), 31);
+  EXPECT_EQ(json.at("headings"), 25);
+  EXPECT_EQ(json.at("entries"), 600'625);
+  EXPECT_EQ(json.at("bytes"), content_of(file_).size());
+  const Outcome text = run_vandplan({"table", "info", file_});
+  EXPECT_NE(text.out.find("0 to 30 m in steps of 1 m: 31 positions each"), std::string::npos);
+  EXPECT_NE(text.out.find("in steps of pi/12: 25 each"), std::string::npos);
+  EXPECT_NE(text.out.find("600625"), std::string::npos);
+  EXPECT_NE(text.out.find(json.at("checksum")), std::string::npos);
+}
+
+TEST_F(TableCommand, FilesGoThroughPipes) {
+  const std::string piped = folder_ / "piped";
+  ASSERT_EQ(run_vandplan({"table", "build", "hlut-1", "-o", "-"}, {.output = piped}).status, 0);
+  EXPECT_EQ(content_of(piped), table_to_bytes(thesis_table(1)));
+  const Outcome outcome = run_vandplan({"table", "info", "-"}, {.input = piped});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.substr(0, 16), "standard input: ");
+}
+
+TEST_F(TableCommand, TheTableOfBoundsIsAFileToo) {
+  json_of({"build", "bounds", "-o", file_});
+  EXPECT_EQ(content_of(file_), bound_table_to_bytes());
+  const Json info = json_of({"info", file_});
+  EXPECT_EQ(info.at("content"), "bounds of Reeds-Shepp lengths");
+  EXPECT_EQ(info.at("entries"), info.at("cells").at("radial").get<int>() *
+                                    info.at("cells").at("side").get<int>() *
+                                    info.at("cells").at("turn").get<int>());
+  const Json check = json_of({"check", file_, "--sample", "10000"});
+  EXPECT_EQ(check.at("pairs"), 10'000);
+  EXPECT_EQ(check.at("outside"), 0);
+  EXPECT_EQ(check.at("same_as_library"), true);
+}
+
+// ---- check ----
+
+TEST_F(TableCommand, CheckRecomputesEveryEntry) {
+  const Json json = json_of({"check", "hlut-3"});
+  EXPECT_EQ(json.at("compared"), 75'625);
+  EXPECT_EQ(json.at("wrong"), 0);
+  EXPECT_GT(json.at("worst_difference"), 0.0);
+  EXPECT_LT(json.at("worst_difference"), 1e-5);
+  EXPECT_EQ(json_of({"check", "hlut-3", "--sample", "500"}).at("compared"), 500);
+}
+
+TEST_F(TableCommand, CheckFailsForAWrongEntryBehindARightChecksum) {
+  const HeuristicTable good = thesis_table(1);
+  std::vector<float> entries(good.entries().begin(), good.entries().end());
+  entries[good.index_of({4, 3, 2, 1})] += 0.25F;
+  write_content(file_, table_to_bytes({good.options(), entries}));
+  const Outcome outcome = run_vandplan({"table", "check", file_});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("worst difference 0.25 m, from x 4 m, y 3 m"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("WRONG: 1 "), std::string::npos);
+}
+
+// ---- export ----
+
+/// The header is compiled by itself, in the oldest language it is for; the program writes what the
+/// compiler made of the entries.
+TEST_F(TableCommand, ExportedHeaderCompilesToTheSameEntries) {
+  const std::string header = folder_ / "hlut-3.h";
+  EXPECT_EQ(json_of({"export", "hlut-3", "-o", header}).at("namespace"), "hlut_3");
+  write_content(folder_ / "main.cpp", R"(
+#include "hlut-3.h"
+#include <cstdio>
+int main() {
+  static_assert(hlut_3::turning_radius == 7 && hlut_3::extent == 10 && hlut_3::step == 1);
+  static_assert(hlut_3::heading_cells == 24 && hlut_3::headings == 25 && hlut_3::positions == 11);
+  const std::size_t count = sizeof hlut_3::entries / sizeof hlut_3::entries[0];
+  return std::fwrite(hlut_3::entries, sizeof(float), count, stdout) == count ? 0 : 1;
+})");
+  const std::string compile = std::string(VANDPLAN_COMPILER) +
+                              " -std=c++17 -Wall -Wextra -Werror " + (folder_ / "main.cpp") +
+                              " -o " + (folder_ / "main");
+  ASSERT_EQ(std::system(compile.c_str()), 0);
+  ASSERT_EQ(std::system(((folder_ / "main") + " > " + (folder_ / "entries")).c_str()), 0);
+  const std::string bytes = content_of(folder_ / "entries");
+  const HeuristicTable table(thesis_table_options(3));
+  ASSERT_EQ(bytes.size(), table.entries().size_bytes());
+  for (std::size_t i = 0; i < table.entries().size(); ++i) {
+    float entry = 0.0F;
+    std::memcpy(&entry, &bytes[i * sizeof entry], sizeof entry);
+    ASSERT_EQ(entry, table.entries()[i]) << i;
+  }
+}
+
+TEST_F(TableCommand, ExportedCsvHasALineForEveryEntry) {
+  json_of({"build", "--extent", "2", "--headings", "4", "--radius", "1", "-o", file_});
+  const std::string csv = folder_ / "my.csv";
+  EXPECT_EQ(json_of({"export", file_, "-o", csv}).at("format"), "csv");
+  const std::string text = content_of(csv);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 3 * 3 * 5 * 5);
+  EXPECT_EQ(text.substr(0, text.find('\n')), "x,y,heading_node,heading_sample,length");
+  EXPECT_NE(text.find("\n2,0,0,0,2\n"), std::string::npos);  // two metres straight back
+}
+
+// ---- bad input ----
+
+TEST_F(TableCommand, RefusesAFileThatIsNotATable) {
+  EXPECT_EQ(complaint_about(""), "is empty, expected a table file");
+  EXPECT_EQ(complaint_about("name: yard\n"), "not a table file: does not start with 'vp-table'");
+}
+
+TEST_F(TableCommand, RefusesATruncatedAnAlteredAndANewerFile) {
+  const std::string good = table_to_bytes(thesis_table(1));
+  EXPECT_EQ(complaint_about(good.substr(0, 20)), "truncated: 20 bytes, the header alone has 96");
+  EXPECT_EQ(complaint_about(good.substr(0, 1000)), "truncated: 1000 bytes, expected 96 + 4 * 9801");
+  std::string altered = good;
+  altered[5000] = static_cast<char>(altered[5000] ^ 1);
+  EXPECT_EQ(complaint_about(altered), "altered: the checksum does not fit the content");
+  std::string newer = good;
+  newer[12] = 2;
+  EXPECT_EQ(complaint_about(newer), "version 2 of the format, this program reads version 1");
+}
+
+TEST_F(TableCommand, RefusesAHugeFileWithoutReadingIt) {
+  write_content(file_, "");
+  std::filesystem::resize_file(file_, 20'000'000'000);  // a hole: no disk, and must be no memory
+  EXPECT_EQ(complaint({"info", file_}),
+            file_ + ": not a table file: does not start with 'vp-table'");
+  write_content(file_, table_to_bytes(thesis_table(1)));
+  std::filesystem::resize_file(file_, 20'000'000'000);
+  EXPECT_EQ(complaint({"check", file_}), file_ + ": is too large, expected at most 39300 bytes");
+  std::string boasting = table_to_bytes(thesis_table(1));
+  boasting[87] = 1;  // the highest byte of the count
+  EXPECT_EQ(complaint_about(boasting),
+            "says that it holds 72057594037937737 entries, expected at most 268435456");
+}
+
+TEST_F(TableCommand, RefusesAFileThatIsNotThereOrAFolder) {
+  EXPECT_EQ(complaint({"info", folder_ / "none"}),
+            (folder_ / "none") + ": cannot open: No such file or directory");
+  EXPECT_EQ(complaint({"check", folder_.path()}), folder_.path() + ": cannot read: Is a directory");
+}
+
+TEST_F(TableCommand, RefusesAbsurdSizesBeforeItTakesMemory) {
+  EXPECT_EQ(complaint({"build", "--extent", "300", "--headings", "100", "-o", file_}),
+            "--step: the table would hold 924220801 entries, expected at most 268435456");
+  EXPECT_EQ(complaint({"build", "--step", "1e-300", "-o", file_}).substr(0, 29),
+            "--step: the table would hold ");
+}
+
+TEST_F(TableCommand, RefusesOptionsOutOfRange) {
+  const auto build = [&](const char* flag, const char* value) {
+    return complaint({"build", flag, value, "-o", file_});
+  };
+  EXPECT_EQ(build("--extent", "-1"), "--extent: is -1, expected more than 0 m");
+  EXPECT_EQ(build("--extent", "nan"), "--extent: is nan, expected more than 0 m");
+  EXPECT_EQ(build("--step", "3"), "--extent: is 10, expected a multiple of the step");
+  EXPECT_EQ(build("--headings", "0"), "--headings: is 0, expected at least 1");
+  EXPECT_EQ(build("--radius", "0"), "--radius: is 0, expected more than 0 m");
+  EXPECT_EQ(build("--radius", "R"), "Could not convert: --radius = R");
+  EXPECT_EQ(complaint({"build", "hlut-5", "-o", file_}),
+            "table: \"hlut-5\" is unknown, expected hlut-1 to hlut-4 or bounds");
+  EXPECT_EQ(complaint({"build", "bounds", "--step", "1", "-o", file_}),
+            "bounds: has no options: one table serves every radius and distance");
+}
+
+TEST_F(TableCommand, RefusesAnOutputThatCannotBeWritten) {
+  EXPECT_EQ(complaint({"build", "-o", folder_ / "none/x"}),
+            (folder_ / "none/x") + ": cannot write: No such file or directory");
+  EXPECT_EQ(complaint({"build", "-o", folder_.path()}),
+            folder_.path() + ": cannot write: Is a directory");
+  EXPECT_EQ(complaint({"export", "hlut-1", "-o", folder_ / "x.txt"}),
+            (folder_ / "x.txt") + ": must end in .h, .hpp or .csv, or --format must be given");
+  EXPECT_EQ(complaint({"export", "hlut-1", "--name", "a-b", "-o", folder_ / "x.h"}),
+            "name: \"a-b\" is not a C++ identifier");
+}
+
+TEST_F(TableCommand, AFullDiskLeavesTheOldFile) {
+  write_content(file_, "old");
+  EXPECT_EQ(complaint({"build", "-o", file_}, {.largest_file = 100}),
+            file_ + ": cannot write: File too large");
+  EXPECT_EQ(content_of(file_), "old");
+}
+
+TEST_F(TableCommand, NeedsACommand) {
+  EXPECT_EQ(complaint({}), "table: a command is missing, expected build, info, check or export");
+  EXPECT_EQ(complaint({"export", "bounds", "-o", folder_ / "x.h"}),
+            "bounds: holds bounds of lengths, expected lengths");
+}
+
+}  // namespace
+}  // namespace vandplan
