@@ -226,8 +226,8 @@ void add_evaluate(CLI::App& vandplan, int& status) {
       ->capture_default_str();
   command
       ->add_option("--planners", arguments->planners,
-                   "Names with commas between; thesis: its ten methods and the two with exact "
-                   "distances; all")
+                   "Names with commas between; thesis: its ten methods and four with exact lengths "
+                   "or bounds of them; all")
       ->delimiter(',')
       ->type_name("LIST")
       ->capture_default_str();

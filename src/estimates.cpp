@@ -2,8 +2,11 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "estimates.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -30,6 +33,17 @@ void from_table(int number, const Tree& tree, const Pose& sample, double radius,
   thesis_table(number).distances(columns(tree), sample, radius, lengths);
 }
 
+/// What no path is shorter than.
+void bound(const Tree& tree, const Pose& sample, double radius, std::span<float> lengths) {
+  std::array<float, 512> high;
+  for (std::size_t i = 0; i < lengths.size(); i += high.size()) {
+    const std::size_t count = std::min(high.size(), lengths.size() - i);
+    const PoseColumns nodes{tree.x().subspan(i, count), tree.y().subspan(i, count),
+                            tree.heading().subspan(i, count)};
+    length_bounds(nodes, sample, radius, lengths.subspan(i, count), std::span(high).first(count));
+  }
+}
+
 }  // namespace
 
 void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, double radius,
@@ -45,6 +59,8 @@ void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, d
       return from_table(3, tree, sample, radius, lengths);
     case Estimate::hlut_4:
       return from_table(4, tree, sample, radius, lengths);
+    case Estimate::bound:
+      return bound(tree, sample, radius, lengths);
     case Estimate::reeds_shepp:
       return reeds_shepp_lengths(columns(tree), sample, radius, lengths);
   }

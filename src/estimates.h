@@ -11,7 +11,7 @@
 namespace vandplan {
 
 /// How the distance from a node to a sample is estimated.
-enum class Estimate { euclid, hlut_1, hlut_2, hlut_3, hlut_4, reeds_shepp };
+enum class Estimate { euclid, hlut_1, hlut_2, hlut_3, hlut_4, bound, reeds_shepp };
 
 /// Estimated length from each node to the sample [m]; `lengths.size()` is the number of nodes.
 void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, double radius,

@@ -36,6 +36,8 @@ constexpr std::array planner_infos = {
                 "RRT, parent = nearest node by table 3 (10 m, pi/12)"},
     PlannerInfo{"rrt-bsc-hlut-4", rrt<nearest, Estimate::hlut_4>,
                 "RRT, parent = nearest node by table 4 (30 m, pi/12)"},
+    PlannerInfo{"rrt-bsc-bound", rrt<nearest, Estimate::bound>,
+                "RRT, parent = nearest node by lower bound of its length"},
     PlannerInfo{"rrt-bsc-rs", rrt<nearest, Estimate::reeds_shepp>,
                 "RRT, parent = nearest node by exact Reeds-Shepp length"},
     PlannerInfo{"rrt-opt-euc", rrt<least_total_cost, Estimate::euclid>,
@@ -48,6 +50,8 @@ constexpr std::array planner_infos = {
                 "RRT, parent = least total path cost, ranked by table 3 (10 m, pi/12)"},
     PlannerInfo{"rrt-opt-hlut-4", rrt<least_total_cost, Estimate::hlut_4>,
                 "RRT, parent = least total path cost, ranked by table 4 (30 m, pi/12)"},
+    PlannerInfo{"rrt-opt-bound", rrt<least_total_cost, Estimate::bound>,
+                "RRT, parent = least total path cost, ranked by lower bound of the length"},
     PlannerInfo{"rrt-opt-rs", rrt<least_total_cost, Estimate::reeds_shepp>,
                 "RRT, parent = least total path cost, ranked by exact Reeds-Shepp length"},
 };

@@ -51,7 +51,8 @@ struct RunSpec {
 [[nodiscard]] std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario,
                                      std::size_t goal, int repeat);
 
-/// The planners of the thesis' comparison: its ten methods and the two with exact distances.
+/// The planners of the thesis' comparison: its ten methods and four with exact lengths
+/// or bounds of them.
 [[nodiscard]] std::vector<PlannerInfo> thesis_planners();
 
 }  // namespace vandplan

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Every planner finds the same path, bit for bit, on every vector target of this machine.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "support/problems.h"
+#include "support/simd_targets.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+class PlannersOnEveryTarget : public testing::TestWithParam<PlannerInfo> {};
+
+TEST_P(PlannersOnEveryTarget, FindTheSamePath) {
+  const Problem problem =
+      problem_of({0, 0, 0}, {30, 0, 1}, {box(14, -12, 16, 12), box(14, 12, 40, 14)});
+  PlanOptions options;
+  options.region = Region::scene;
+  options.max_iterations = cases(1500);
+  options.keep_tree = true;
+  const PlanResult expected = plan(problem, GetParam(), options);
+  ASSERT_TRUE(expected.path);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    const ForcedTarget forced(target);
+    SCOPED_TRACE(hwy::TargetName(target));
+    const PlanResult result = plan(problem, GetParam(), options);
+    EXPECT_EQ(result.path, expected.path);
+    EXPECT_EQ(result.nodes, expected.nodes);
+    EXPECT_EQ(result.exact_solves, expected.exact_solves);
+    ASSERT_EQ(result.tree.has_value(), expected.tree.has_value());
+    if (!result.tree) continue;
+    EXPECT_EQ(result.tree->poses, expected.tree->poses);
+    EXPECT_EQ(result.tree->parents, expected.tree->parents);
+  }
+}
+
+std::string test_name(const testing::TestParamInfo<PlannerInfo>& info) {
+  std::string name(info.param.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PlannersOnEveryTarget,
+                         testing::ValuesIn(planners().begin(), planners().end()), test_name);
+
+}  // namespace
+}  // namespace vandplan
