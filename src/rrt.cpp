@@ -9,6 +9,7 @@
 #include "budget.h"
 #include "random.h"
 #include "tree.h"
+#include "vandplan/nearest.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -61,6 +62,9 @@ class Search {
                                                    : static_cast<std::size_t>(options.max_parents)),
         tree_(problem.start, static_cast<std::size_t>(options.max_nodes)),
         timer_(options.profile) {
+    if (strategy == Strategy::nearest && estimate == Estimate::reeds_shepp) {
+      exact_nearest_.emplace(radius()).add(problem.start);
+    }
     ranks_.resize(static_cast<std::size_t>(options.max_nodes));
     candidates_.reserve(max_parents_ + 1);
   }
@@ -95,7 +99,12 @@ class Search {
     return Connection{node, cost};
   }
 
-  Tree& tree() { return tree_; }
+  const Tree& tree() const { return tree_; }
+
+  NodeId add(const Pose& pose, const Connection& connection) {
+    if (exact_nearest_) exact_nearest_->add(pose);
+    return tree_.add(pose, connection.parent, connection.cost_to_come);
+  }
 
   // The path through a node to the goal.
   Path path_through(NodeId node) const {
@@ -114,6 +123,13 @@ class Search {
 
   void rank(const Pose& sample, PlanResult& result) {
     timer_.start();
+    if (exact_nearest_) {
+      const auto [node, length, solves] = *exact_nearest_->nearest(sample);
+      candidates_ = {{static_cast<float>(length), node}};
+      result.exact_solves += solves;
+      timer_.stop(result.time_ranking);
+      return;
+    }
     const std::span<float> ranks(ranks_.data(), tree_.size());
     estimate_lengths(estimate_, tree_, sample, radius(), ranks);
     if (strategy_ == Strategy::least_total_cost) {
@@ -128,6 +144,7 @@ class Search {
   Estimate estimate_;
   std::size_t max_parents_;
   Tree tree_;
+  std::optional<NearestNodes> exact_nearest_;  // where it says what ranking would
   PhaseTimer timer_;
   std::vector<float> ranks_;
   std::vector<Candidate> candidates_;
@@ -169,8 +186,7 @@ PlanResult plan_rrt(const Problem& problem, const PlanOptions& options, Strategy
     if (is_goal) {
       to_goal = connection;
     } else {
-      const NodeId added =
-          search.tree().add(sample, connection->parent, connection->cost_to_come);  // [5]
+      const NodeId added = search.add(sample, *connection);  // [5]
       if (options.try_goal) {
         to_goal = search.try_edge(added, problem.goal, best.cost_to_come, result);  // [6]
       }

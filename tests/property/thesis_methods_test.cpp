@@ -113,6 +113,25 @@ TEST(Rrt, LeastTotalCostIsNeverLongerOnTheSameSamplesThanNearest) {
   EXPECT_NEAR(least.cost, reeds_shepp_length(open.start, open.goal, 7.0), 1e-9);
 }
 
+TEST(Rrt, TheParentByExactLengthIsTheNearestOfAll) {
+  const Problem open =
+      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/1-open.yaml"), 0);
+  PlanOptions options;
+  options.max_iterations = cases(500);
+  options.keep_tree = true;
+  const PlanResult result = plan(open, planner_named("rrt-bsc-rs"), options);
+  ASSERT_TRUE(result.tree);
+  const auto& [poses, parents] = *result.tree;
+  const auto length = [&poses](std::size_t from, std::size_t to) {
+    return reeds_shepp_length(poses[from], poses[to], 7.0);
+  };
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < i; ++k) nearest = length(k, i) < length(nearest, i) ? k : nearest;
+    EXPECT_EQ(static_cast<std::size_t>(parents[i]), nearest) << "node " << i;
+  }
+}
+
 TEST(Rrt, WithoutGoalSamplesOnlyTryingTheGoalFromEveryNodeSolves) {
   const Problem open =
       make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/1-open.yaml"), 0);
