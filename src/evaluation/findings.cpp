@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "evaluation/reasons.h"
 
@@ -85,7 +87,64 @@ Finding up_to(const Summary& summary, Region region, const std::vector<Scenario>
   return finding;
 }
 
+// The planners of some kind with the least median cost at the end, and in how many scenarios.
+struct Winner {
+  std::string names;
+  int scenarios = 0;
+};
+
+template <class Kind>
+Winner winner(const Summary& summary, Region region, Kind is_of_kind) {
+  std::vector<std::pair<std::string, int>> wins;
+  for (const ScenarioSummary& scenario : summary.scenarios) {
+    if (scenario.region != region) continue;
+    double least = std::numeric_limits<double>::infinity();
+    for (const MethodSummary& method : scenario.methods)
+      if (is_of_kind(method.planner)) least = std::min(least, method.cost_at_end.median);
+    for (const MethodSummary& method : scenario.methods) {
+      if (!is_of_kind(method.planner)) continue;
+      auto found = std::ranges::find(wins, method.planner, &std::pair<std::string, int>::first);
+      if (found == wins.end()) found = wins.insert(found, {method.planner, 0});
+      found->second += std::isfinite(least) && method.cost_at_end.median == least;
+    }
+  }
+  Winner best;
+  for (const auto& [name, count] : wins) best.scenarios = std::max(best.scenarios, count);
+  for (const auto& [name, count] : wins)
+    if (count == best.scenarios) best.names += (best.names.empty() ? "" : " and ") + name;
+  return best;
+}
+
 }  // namespace
+
+std::string headline(const Summary& summary, Region region) {
+  const auto scenarios = std::ranges::count(summary.scenarios, region, &ScenarioSummary::region);
+  if (scenarios == 0) return "";
+  const auto is_rrt = [](const std::string& planner) { return planner.starts_with("rrt-"); };
+  const Winner all = winner(summary, region, [](const std::string&) { return true; });
+  const Winner rrt = winner(summary, region, is_rrt);
+  if (all.scenarios == 0) return "No planner solves half of its runs in any scenario.";
+  std::string text =
+      fmt::format("{} {} with the shortest paths (medians) in {} of {} scenarios", all.names,
+                  all.names.find(" and ") == std::string::npos ? "ends" : "end", all.scenarios,
+                  scenarios);
+  if (rrt.scenarios > 0 && rrt.names != all.names)
+    text += fmt::format("; of the random trees {}, in {}", rrt.names, rrt.scenarios);
+  text += ".";
+  Tally sum;
+  for (const Tally& found : tally(summary, region, &TwinComparison::cost)) {
+    if (!uses_table(found.planner)) continue;
+    sum.better += found.better;
+    sum.worse += found.worse;
+    sum.no_difference += found.no_difference;
+  }
+  const int comparisons = sum.better + sum.worse + sum.no_difference;
+  if (comparisons == 0) return text;
+  return text + fmt::format(
+                    " In {} comparisons of the thesis' tables with Euclid the table ends better in"
+                    " {}, worse in {}; in {} there is no difference beyond chance.",
+                    comparisons, sum.better, sum.worse, sum.no_difference);
+}
 
 std::vector<Tally> tally(const Summary& summary, Region region, Measure measure) {
   std::vector<Tally> tallies;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What of the thesis' headline claims do the runs show?
+// Who wins, and what of the thesis' headline claims do the runs show?
 
 #include <string>
 #include <vector>
@@ -35,6 +35,10 @@ struct Finding {
 /// time, up to 90 % better paths. Nothing where no table was run beside its Euclid twin.
 [[nodiscard]] std::vector<Finding> findings(const Summary& summary,
                                             const std::vector<Scenario>& scenarios);
+
+/// The shortest answer for a region, one or two sentences: who ends with the best paths, and how
+/// often the thesis' tables beat Euclid. Empty if the region was not run.
+[[nodiscard]] std::string headline(const Summary& summary, Region region);
 
 /// A ratio as a change, "-12 %", "+3.4 %", "x 8.1", "from unsolved to solved".
 [[nodiscard]] std::string change_text(double ratio);

@@ -194,6 +194,9 @@ Json data_of(const Report& report) {
           {"times", times},
           {"cells", cells_json(report)},
           {"claims", claims},
+          {"headlines",
+           {{"bounds", headline(report.summary, Region::bounds)},
+            {"scene", headline(report.summary, Region::scene)}}},
           {"runs", runs_json(report)}};
 }
 

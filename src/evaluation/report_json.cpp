@@ -105,7 +105,13 @@ std::string headline_json(const Report& report) {
                       {"holds", finding.holds},
                       {"found", finding.found},
                       {"why", finding.why}});
-  const OrderedJson all = {{"runs", report.runs.size()},
+  OrderedJson headlines = OrderedJson::object();
+  for (const Region region : {Region::bounds, Region::scene}) {
+    const std::string text = headline(report.summary, region);
+    if (!text.empty()) headlines[name_of(region)] = text;
+  }
+  const OrderedJson all = {{"headline", headlines},
+                           {"runs", report.runs.size()},
                            {"left_out", report.left_out},
                            {"environment", environment_json(report.environment)},
                            {"options", OrderedJson::parse(options_to_json(report.options))},

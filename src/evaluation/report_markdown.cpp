@@ -185,7 +185,12 @@ bool has_region(const Report& report, Region region) {
 }  // namespace
 
 std::string headline_markdown(const Report& report) {
-  std::string text = "# Comparison of planners\n\n" + circumstances(report);
+  std::string text = "# Comparison of planners\n\n";
+  for (const Region region : {Region::bounds, Region::scene})
+    if (has_region(report, region))
+      text += fmt::format("- Samples from the {}: {}\n", name_of(region),
+                          headline(report.summary, region));
+  text += "\n" + circumstances(report);
   for (const Region region : {Region::bounds, Region::scene}) {
     if (!has_region(report, region)) continue;
     text += fmt::format(

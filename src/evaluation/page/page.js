@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026, the Vandplan authors
+// Copyright (c) 2026, the Vändplan authors
 // Shows the data of a comparison: tables that sort, charts, pictures of paths.
 (function () {
   'use strict';
@@ -68,9 +68,14 @@
     dot.style.background = colourOf(planner);
     return element('span', {}, dot, planner);
   };
-  const inFamilies = (methods) =>
-    families.map((f) => ({title: f.title, methods: methods.filter((m) => familyOf(m.planner) === f)}))
-      .filter((f) => f.methods.length > 0);
+  // A few others are shown beside every family, many get a place of their own.
+  function inFamilies(methods) {
+    const groups = families.map((f) => ({title: f.title, methods: methods.filter((m) => familyOf(m.planner) === f)}));
+    const rest = groups.pop();
+    const full = groups.filter((f) => f.methods.length > 0);
+    if (full.length === 0 || rest.methods.length > 2) return full.concat(rest.methods.length ? [rest] : []);
+    return full.map((f) => ({title: f.title, methods: f.methods.concat(rest.methods)}));
+  }
 
   // ---- tables ----
 
@@ -556,7 +561,10 @@
     $('claims').replaceChildren(...data.claims.map((c) => element('div', {class: 'card'},
       element('span', {class: `badge ${c.holds ? 'yes' : 'no'}`}, c.holds ? 'confirmed' : 'not confirmed'),
       element('span', {class: 'badge region'}, `samples from the ${c.region}`),
-      element('h4', {}, c.claim[0].toUpperCase() + c.claim.slice(1)), element('p', {}, c.found + '.'))));
+      element('h4', {}, c.claim[0].toUpperCase() + c.claim.slice(1)), element('p', {}, c.found + '.'),
+      c.why ? element('p', {class: 'why'}, element('b', {}, 'Why: '), c.why) : null)));
+    $('headlines').replaceChildren(...Object.entries(data.headlines).filter(([, text]) => text)
+      .map(([region, text]) => element('p', {class: 'headline'}, element('b', {}, `Samples from the ${region}: `), text)));
     $('claims-section').hidden = data.claims.length === 0;
     const share = (part) => `${((100 * part) / overhead.planning).toFixed(2)} % of the planning time`;
     $('facts').replaceChildren(
