@@ -66,10 +66,23 @@ Finding better_in_six_of_nine(const Summary& summary, Region region, int scenari
         std::pair(found.better, -found.worse) > std::pair(best.better, -best.worse))
       best = found;
   }
+  std::string found =
+      fmt::format("At most in {} of {}, by {}; worse in {}, no difference in {}", best.better,
+                  scenarios, best.planner, best.worse, best.no_difference);
+  for (const Verdict kind : {Verdict::smaller, Verdict::larger}) {
+    std::string list;
+    for (const Pooled& planner : pooled(summary, region))
+      if (planner.verdict == kind)
+        list += fmt::format("{}{} ({:.0f} % of the pairs better, {:.0f} % worse)",
+                            list.empty() ? "" : ", ", planner.planner,
+                            100.0 * planner.cheaper / planner.pairs,
+                            100.0 * planner.dearer / planner.pairs);
+    if (!list.empty())
+      found += fmt::format(". All scenarios together {} beyond chance: {}",
+                           kind == Verdict::smaller ? "better" : "worse", list);
+  }
   return {region, "better paths in at least six of nine scenarios",
-          9 * best.better >= 6 * scenarios,
-          fmt::format("At most in {} of {}, by {}; worse in {}, no difference in {}", best.better,
-                      scenarios, best.planner, best.worse, best.no_difference)};
+          9 * best.better >= 6 * scenarios, found};
 }
 
 Finding up_to(const Summary& summary, Region region, const std::vector<Scenario>& scenarios,
@@ -124,10 +137,9 @@ std::string headline(const Summary& summary, Region region) {
   const Winner all = winner(summary, region, [](const std::string&) { return true; });
   const Winner rrt = winner(summary, region, is_rrt);
   if (all.scenarios == 0) return "No planner solves half of its runs in any scenario.";
-  std::string text =
-      fmt::format("{} {} with the shortest paths (medians) in {} of {} scenarios", all.names,
-                  all.names.find(" and ") == std::string::npos ? "ends" : "end", all.scenarios,
-                  scenarios);
+  std::string text = fmt::format(
+      "{} {} with the shortest paths (medians) in {} of {} scenarios", all.names,
+      all.names.find(" and ") == std::string::npos ? "ends" : "end", all.scenarios, scenarios);
   if (rrt.scenarios > 0 && rrt.names != all.names)
     text += fmt::format("; of the random trees {}, in {}", rrt.names, rrt.scenarios);
   text += ".";
@@ -140,10 +152,40 @@ std::string headline(const Summary& summary, Region region) {
   }
   const int comparisons = sum.better + sum.worse + sum.no_difference;
   if (comparisons == 0) return text;
+  const std::vector<Pooled> together = pooled(summary, region);
+  const auto count = [&](Verdict verdict) {
+    return std::ranges::count(together, verdict, &Pooled::verdict);
+  };
   return text + fmt::format(
-                    " In {} comparisons of the thesis' tables with Euclid the table ends better in"
-                    " {}, worse in {}; in {} there is no difference beyond chance.",
-                    comparisons, sum.better, sum.worse, sum.no_difference);
+                    " Scenario by scenario the thesis' tables end better than Euclid in {}, worse"
+                    " in {} of {} comparisons, beyond chance; over all scenarios together {} of {}"
+                    " tables are better, {} worse.",
+                    sum.better, sum.worse, comparisons, count(Verdict::smaller), together.size(),
+                    count(Verdict::larger));
+}
+
+std::vector<Pooled> pooled(const Summary& summary, Region region) {
+  std::vector<Pooled> found;
+  for (const ScenarioSummary& scenario : summary.scenarios) {
+    if (scenario.region != region) continue;
+    for (const TwinComparison& twins : scenario.twins) {
+      if (!uses_table(twins.planner)) continue;
+      auto same = std::ranges::find(found, twins.planner, &Pooled::planner);
+      if (same == found.end()) same = found.insert(same, Pooled{twins.planner});
+      same->pairs += twins.cost.pairs;
+      same->cheaper += twins.cheaper;
+      same->dearer += twins.dearer;
+    }
+  }
+  const double level = 1.0 - (1.0 - confidence) / static_cast<double>(found.size());
+  for (Pooled& planner : found) {
+    const int differ = planner.cheaper + planner.dearer;
+    if (differ == 0) continue;
+    const Interval share = share_interval(planner.cheaper, differ, level);
+    if (share.low > 0.5) planner.verdict = Verdict::smaller;
+    if (share.high < 0.5) planner.verdict = Verdict::larger;
+  }
+  return found;
 }
 
 std::vector<Tally> tally(const Summary& summary, Region region, Measure measure) {

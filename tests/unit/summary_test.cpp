@@ -151,7 +151,9 @@ TEST(Findings, SayWhatIsLeftOfTheThesisClaims) {
   ASSERT_EQ(five.size(), 3U);
   EXPECT_FALSE(five[0].holds);
   EXPECT_TRUE(findings_when_better_in(6)[0].holds);
-  EXPECT_EQ(five[0].found, "At most in 5 of 9, by rrt-opt-hlut-2; worse in 0, no difference in 4");
+  EXPECT_EQ(five[0].found,
+            "At most in 5 of 9, by rrt-opt-hlut-2; worse in 0, no difference in 4. All scenarios "
+            "together better beyond chance: rrt-opt-hlut-2 (56 % of the pairs better, 0 % worse)");
   EXPECT_FALSE(five[1].holds);
   EXPECT_EQ(five[1].found,
             "First solution: at best nothing beyond chance; at worst +100 % (+100 % to +100 %) by "
@@ -180,6 +182,41 @@ TEST(Findings, TablesCoverWhatLiesWithinTheirExtent) {
   EXPECT_NEAR(table_coverage(scenario, Region::bounds, 1), 0.0975 * 0.0975, 1e-12);
   scenario.bounds = {0.0, 50.0, 0.0, 50.0};
   EXPECT_EQ(table_coverage(scenario, Region::bounds, 4), 1.0);
+}
+
+// In one scenario the table is better with every seed below `better`, else worse.
+Summary summary_when_better(std::uint64_t better) {
+  std::vector<RunRecord> runs;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    runs.push_back(made_up_run("rrt-bsc-euc", seed, 100.0));
+    runs.push_back(made_up_run("rrt-bsc-hlut-1", seed, seed < better ? 50.0 : 110.0));
+    runs.push_back(made_up_run("anytime", seed, 40.0));
+  }
+  return summarize({open_ground("s")}, runs);
+}
+
+TEST(Findings, PoolAllScenariosByTheSignTest) {
+  EXPECT_EQ(pooled(summary_when_better(20), Region::bounds).at(0).verdict, Verdict::no_difference);
+  EXPECT_EQ(pooled(summary_when_better(26), Region::bounds).at(0).verdict, Verdict::no_difference);
+  EXPECT_EQ(pooled(summary_when_better(28), Region::bounds).at(0).verdict, Verdict::smaller);
+  const Pooled worse = pooled(summary_when_better(10), Region::bounds).at(0);
+  EXPECT_EQ(worse.verdict, Verdict::larger);
+  EXPECT_EQ(worse.pairs, 40);
+  EXPECT_EQ(worse.cheaper, 10);
+  EXPECT_EQ(worse.dearer, 30);
+  EXPECT_EQ(pooled(summary_when_better(10), Region::scene).size(), 0U);
+}
+
+TEST(Findings, BeginWithTheAnswer) {
+  EXPECT_EQ(headline(summary_when_better(28), Region::bounds),
+            "anytime ends with the shortest paths (medians) in 1 of 1 scenarios; of the random "
+            "trees rrt-bsc-hlut-1, in 1. Scenario by scenario the thesis' tables end better than "
+            "Euclid in 1, worse in 0 of 1 comparisons, beyond chance; over all scenarios together "
+            "1 of 1 tables are better, 0 worse.");
+  EXPECT_EQ(headline(summary_when_better(28), Region::scene), "");
+  const Summary nothing = summarize({open_ground("s")}, {made_up_run("anytime", 1, {})});
+  EXPECT_EQ(headline(nothing, Region::bounds),
+            "No planner solves half of its runs in any scenario.");
 }
 
 TEST(Findings, WriteRatiosAsChanges) {

@@ -30,7 +30,7 @@
   const count = (value) => Math.round(value).toLocaleString('en').replace(/,/g, '\u2009');
   const percent = (value) => `${Math.round(100 * value)} %`;
   const milliseconds = (s) => (s === null ? none : trimmed(1000 * s));
-  const trimmed = (v) => (v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed(2));
+  const trimmed = (v) => (v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v >= 0.1 || v === 0 ? v.toFixed(2) : v.toFixed(3));
   const cell = (scenario, region) =>
     data.cells.find((c) => c.scenario === scenario && c.region === region);
   const scenarioOf = (c) => data.scenarios[c.scenario];
@@ -308,6 +308,7 @@
           const tick = step * Math.pow(10, power);
           if (tick >= low * 0.999 && tick <= high * 1.001) ticks.push(+tick.toPrecision(3));
         }
+      if (ticks.length < 3) return d3.scale.linear().domain([low, high]).ticks(4).filter((tick) => tick > 0);
       if (ticks.length <= 8) return ticks;
     }
     return null;
