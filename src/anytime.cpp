@@ -18,18 +18,20 @@ namespace {
 
 constexpr std::size_t island_count = 5;
 
-// An island, and its iterations in one round: until there is a route, and from then on.
+// An island, and its iterations in one round: none before its first one, so that what is cheap is
+// tried first; then until there is a route, and from then on.
 struct Plan {
   Work work;
+  std::int64_t first_round;
   std::int64_t before;
   std::int64_t after;
 };
 
-constexpr std::array<Plan, island_count> plans = {{{Work::random_trees, 4, 32},
-                                                   {Work::search_from_goal, 16, 64},
-                                                   {Work::search_from_start, 16, 64},
-                                                   {Work::refine, 0, 256},
-                                                   {Work::bound, 0, 64}}};
+constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64},
+                                                   {Work::search_from_start, 2, 64, 64},
+                                                   {Work::random_trees, 0, 16, 32},
+                                                   {Work::refine, 0, 0, 256},
+                                                   {Work::bound, 0, 0, 64}}};
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
@@ -127,8 +129,9 @@ void Run::round() {
   std::int64_t granted = 0;
   for (std::size_t i = 0; i < island_count; ++i) {
     if (!islands_[i].has_work() && !(best_ && plans[i].work == Work::refine)) continue;
+    const bool waits = !best_ && rounds_ < plans[i].first_round;
     const std::int64_t share = best_ ? plans[i].after * growth(rounds_) : plans[i].before;
-    wanted[i] = budget_.left(share, granted);
+    wanted[i] = budget_.left(waits ? 0 : share, granted);
     granted += wanted[i];
   }
   std::array<Slice, island_count> slices;

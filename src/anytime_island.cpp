@@ -13,7 +13,6 @@ Island::Island(Work work, const Problem& problem, const CostRule& rule, const Bo
       work_(work),
       seed_(seed),
       edges_(*problem.world, rule),
-      seeds_(seed),
       best_cost_(std::numeric_limits<double>::infinity()) {}
 
 // At the first run: what another island finds before it may make it needless.
@@ -24,13 +23,13 @@ void Island::prepare() {
     case Work::refine:
       break;
     case Work::search_from_start:
-      ladder_.emplace(problem_, rule, region_, Root::start);
+      ladder_.emplace(problem_, rule, Root::start);
       break;
     case Work::search_from_goal:
-      ladder_.emplace(problem_, rule, region_, Root::goal);
+      ladder_.emplace(problem_, rule, Root::goal);
       break;
     case Work::random_trees:
-      attempts_.emplace(problem_, rule, region_, seed_);
+      attempts_.emplace(problem_, rule, region_, stream_seed(seed_, 0));
       break;
     case Work::bound:
       geodesic_.emplace(*problem_.world, problem_.start, problem_.goal);
@@ -81,7 +80,7 @@ bool Island::step() {
   if (!candidate_) {
     std::optional<Route> route = search();
     if (!route) return false;
-    candidate_.emplace(edges_, *std::move(route), seeds_());
+    candidate_.emplace(edges_, *std::move(route), stream_seed(seed_, ++candidates_));
     trials_ = 0;
   } else {
     candidate_->step();
@@ -100,7 +99,7 @@ bool Island::step() {
 void Island::take_over(const Route& best) {
   if (best.cost >= best_cost_) return;
   best_cost_ = best.cost;
-  if (work_ == Work::refine) candidate_.emplace(edges_, best, seeds_());
+  if (work_ == Work::refine) candidate_.emplace(edges_, best, stream_seed(seed_, ++candidates_));
 }
 
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {

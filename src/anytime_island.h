@@ -65,7 +65,6 @@ class Island {
   Work work_;
   std::uint64_t seed_;
   Edges edges_;
-  Rng seeds_;
   double best_cost_;  // of the routes it knows of
   std::optional<Ladder> ladder_;
   std::optional<Attempts> attempts_;
@@ -75,6 +74,7 @@ class Island {
   std::optional<Shortener> candidate_;  // a route that may win yet
   std::optional<Route> offer_;          // a route that has won
   std::int64_t trials_ = 0;             // spent on the candidate
+  std::uint64_t candidates_ = 0;        // so far; each has a seed
 };
 
 }  // namespace vandplan

@@ -10,6 +10,8 @@
 namespace vandplan {
 namespace {
 
+constexpr double hopeless_shot = 1.2;  // ways around that are longer than the shot by this
+
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
 }
@@ -71,14 +73,23 @@ void Lattice::grow_table() {
   }
 }
 
+void Lattice::push(const Entry& entry) {
+  open_.push_back(entry);
+  std::push_heap(open_.begin(), open_.end());
+}
+
+Lattice::Entry Lattice::pop() {
+  std::pop_heap(open_.begin(), open_.end());
+  const Entry entry = open_.back();
+  open_.pop_back();
+  return entry;
+}
+
 void Lattice::open(const Node& node) {
   const double around = guide_.at(node.pose.x, node.pose.y);
   if (node.cost_to_come + 0.9 * around >= bound_) return;
-  const double open_ground = edges_.least_cost(node.pose, target_);
-  if (node.cost_to_come + open_ground >= bound_) return;
-  const double rank = node.cost_to_come + options_.greediness * std::max(around, open_ground);
-  open_.push_back({rank, open_ground, static_cast<std::int32_t>(nodes_.size())});
-  std::push_heap(open_.begin(), open_.end());
+  const double rank = node.cost_to_come + options_.greediness * around;
+  push({rank, around, 0.0, static_cast<std::int32_t>(nodes_.size())});
   nodes_.push_back(node);
 }
 
@@ -112,28 +123,38 @@ void Lattice::build_route(std::int32_t node, const Piece& last) {
   route_.cost = cost_of(edges_.rule(), route_);
 }
 
-bool Lattice::step() {
-  std::pop_heap(open_.begin(), open_.end());
-  const Entry entry = open_.back();
-  open_.pop_back();
-  const Node node = nodes_[static_cast<std::size_t>(entry.node)];
-  if (node.cost_to_come + entry.cost_to_go >= bound_) return false;
-  const std::uint64_t key = key_of(node);
-  if (is_closed(key)) return false;
-  if (node.parent >= 0) {
-    const Pose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
-    if (!edges_.is_free(from, node.segment)) return false;
+// The entry whose turn it is, if that is found out with a few looks at open ground.
+std::optional<Lattice::Entry> Lattice::next() {
+  for (int i = 0; i < 8 && !open_.empty(); ++i) {
+    Entry entry = pop();
+    if (entry.open_ground > 0.0) return entry;
+    const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
+    entry.open_ground = edges_.least_cost(node.pose, target_);
+    if (entry.open_ground <= entry.around) return entry;
+    entry.rank = node.cost_to_come + options_.greediness * entry.open_ground;
+    if (open_.empty() || open_.front() < entry) return entry;
+    push(entry);
   }
-  close(key);
-  bool found = false;
+  return std::nullopt;
+}
+
+// Tries the exact path to the target, unless obstacles make the way much longer. True when that
+// gives a cheaper route.
+bool Lattice::shoot(const Entry& entry) {
+  if (entry.around > hopeless_shot * entry.open_ground + cell_) return false;
+  const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
   const GearSign gear = node.parent < 0 ? edges_.rule().initial_gear : gear_of(node.segment);
   const Piece shot = edges_.steer(node.pose, target_, {gear, 0});
-  if (node.cost_to_come + edges_.cost(shot, {gear, 0}) < bound_ &&
-      edges_.is_free(node.pose, shot)) {
-    build_route(entry.node, shot);
-    bound_ = std::min(bound_, route_.cost);
-    found = true;
-  }
+  if (node.cost_to_come + edges_.cost(shot, {gear, 0}) >= bound_) return false;
+  if (!edges_.is_free(node.pose, shot)) return false;
+  build_route(entry.node, shot);
+  bound_ = std::min(bound_, route_.cost);
+  return true;
+}
+
+void Lattice::expand(std::int32_t id) {
+  const Node node = nodes_[static_cast<std::size_t>(id)];
+  const GearSign gear = node.parent < 0 ? edges_.rule().initial_gear : gear_of(node.segment);
   for (const double side : {1.0, 0.0, -1.0}) {
     for (const double direction : {1.0, -1.0}) {
       const double stretch = side == 0.0 ? 1.5 * cell_ : step_length_;
@@ -141,7 +162,7 @@ bool Lattice::step() {
       const bool back = node.parent >= 0 && node.segment.curvature == segment.curvature &&
                         node.segment.length * segment.length < 0;
       if (back) continue;
-      Node next{advance(node.pose, segment), segment, 0.0, entry.node};
+      Node next{advance(node.pose, segment), segment, 0.0, id};
       if (is_closed(key_of(next))) continue;
       GearSign last = gear;
       next.cost_to_come =
@@ -149,6 +170,22 @@ bool Lattice::step() {
       open(next);
     }
   }
+}
+
+bool Lattice::step() {
+  const std::optional<Entry> entry = next();
+  if (!entry) return false;
+  const Node& node = nodes_[static_cast<std::size_t>(entry->node)];
+  if (node.cost_to_come + entry->open_ground >= bound_) return false;
+  const std::uint64_t key = key_of(node);
+  if (is_closed(key)) return false;
+  if (node.parent >= 0) {
+    const Pose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
+    if (!edges_.is_free(from, node.segment)) return false;
+  }
+  close(key);
+  const bool found = shoot(*entry);
+  expand(entry->node);
   return found;
 }
 

@@ -43,9 +43,12 @@ class Lattice {
     double cost_to_come;
     std::int32_t parent;
   };
+  // Ranked by the way around at first, and again by the larger of both when its turn comes: most
+  // never get there.
   struct Entry {
     double rank;
-    double cost_to_go;  // open ground
+    double around;
+    double open_ground;  // 0 until it is known
     std::int32_t node;
     bool operator<(const Entry& other) const {  // a heap has its greatest in front
       return rank != other.rank ? rank > other.rank : node > other.node;
@@ -54,6 +57,11 @@ class Lattice {
 
   [[nodiscard]] std::uint64_t key_of(const Node& node) const;
   void open(const Node& node);
+  void push(const Entry& entry);
+  [[nodiscard]] Entry pop();
+  [[nodiscard]] std::optional<Entry> next();
+  bool shoot(const Entry& entry);
+  void expand(std::int32_t id);
   bool close(std::uint64_t key);
   [[nodiscard]] bool is_closed(std::uint64_t key) const;
   void grow_table();

@@ -16,8 +16,12 @@ constexpr std::array<LatticeOptions, 6> searches = {
     LatticeOptions{48, 0.125, 2.0}, LatticeOptions{96, 0.06, 2.0}, LatticeOptions{192, 0.03, 3.0},
 };
 constexpr std::size_t most_nodes = 300'000;  // of one search: some 30 MB
-constexpr double slack = 1.05;               // what shortening may yet take off a route
-constexpr std::size_t first_patience = 256;
+constexpr double first_guide_side = 1.0;     // [vehicle widths]
+constexpr double fine_guide_side = 0.5;      // of all searches but the first
+constexpr double last_guide_side = 0.25;
+constexpr double slack = 1.05;                 // what shortening may yet take off a route
+constexpr std::array far_shares = {1.0, 0.4};  // of the attempts with trees, in turns
+constexpr std::int64_t first_patience = 256;   // samples
 
 // Driven backwards the gears change places, and the initial one is not the first.
 CostRule rule_from(const CostRule& rule, Root root) {
@@ -27,14 +31,25 @@ CostRule rule_from(const CostRule& rule, Root root) {
 
 }  // namespace
 
-Ladder::Ladder(const Problem& problem, const CostRule& rule, const Bounds& region, Root root)
-    : from_(root == Root::start ? problem.start : problem.goal),
+Ladder::Ladder(const Problem& problem, const CostRule& rule, Root root)
+    : world_(*problem.world),
+      scene_(sampling_region(problem, Region::scene)),
+      from_(root == Root::start ? problem.start : problem.goal),
       to_(root == Root::start ? problem.goal : problem.start),
       root_(root),
       rule_(rule),
       edges_(*problem.world, rule_from(rule, root)),
-      guide_(*problem.world, region, to_, from_),
-      bound_(std::numeric_limits<double>::infinity()) {}
+      guide_side_(first_guide_side),
+      bound_(std::numeric_limits<double>::infinity()) {
+  next_guide();
+}
+
+void Ladder::next_guide() {
+  lattice_.reset();
+  guide_.emplace(world_, scene_, guide_side_, to_, from_);
+  guide_side_ /= 2;
+  guided_ = false;
+}
 
 void Ladder::next_search() {
   lattice_.reset();
@@ -42,16 +57,25 @@ void Ladder::next_search() {
     finished_ = true;
     return;
   }
-  lattice_.emplace(from_, to_, searches[level_], guide_, edges_);
+  lattice_.emplace(from_, to_, searches[level_], *guide_, edges_);
   ++level_;
 }
 
 bool Ladder::step() {
   if (!guided_) {
-    guided_ = !guide_.step();
+    if (guide_->step()) return false;
+    // Coarse cells may close a narrow opening.
+    guided_ = guide_->is_connected() || guide_side_ < last_guide_side;
+    if (!guided_) next_guide();
     return false;
   }
-  if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_nodes) next_search();
+  if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_nodes) {
+    if (level_ == 1 && guide_side_ > fine_guide_side / 2) {
+      next_guide();
+      return false;
+    }
+    next_search();
+  }
   if (finished_) return false;
   lattice_->set_bound(slack * bound_);
   return !lattice_->is_exhausted() && lattice_->step();
@@ -75,17 +99,19 @@ Attempts::Attempts(const Problem& problem, const CostRule& rule, const Bounds& r
 }
 
 void Attempts::next_attempt() {
-  trees_.emplace(problem_, region_, edges_, stream_seed(seed_, attempt_++));
+  const double far_share = far_shares[attempt_ % far_shares.size()];
+  trees_.emplace(problem_, region_, edges_, far_share, stream_seed(seed_, attempt_));
+  ++attempt_;
+  samples_ = 0;
   met_ = false;
 }
 
 bool Attempts::step() {
-  if (trees_->size() > patience_) {
-    patience_ *= 2;
-    next_attempt();
-  } else if (met_) {
+  if (met_ || samples_ == patience_) {
+    if (!met_ && attempt_ % far_shares.size() == 0) patience_ *= 2;
     next_attempt();
   }
+  ++samples_;
   met_ = trees_->step();
   return met_;
 }

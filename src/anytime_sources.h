@@ -20,7 +20,7 @@ enum class Root { start, goal };
 /// Lattice searches from coarse to fine, all from the same root.
 class Ladder {
  public:
-  Ladder(const Problem& problem, const CostRule& rule, const Bounds& region, Root root);
+  Ladder(const Problem& problem, const CostRule& rule, Root root);
 
   /// A few microseconds of work. True when a route was found: `route`.
   [[nodiscard]] bool step();
@@ -36,13 +36,17 @@ class Ladder {
 
  private:
   void next_search();
+  void next_guide();
 
+  const World& world_;
+  Bounds scene_;
   Pose from_;
   Pose to_;
   Root root_;
   CostRule rule_;  // of the route
   Edges edges_;    // in the direction of the search
-  GridDistance guide_;
+  std::optional<GridDistance> guide_;
+  double guide_side_;    // of its cells [vehicle widths]
   bool guided_ = false;  // the guide is complete
   bool finished_ = false;
   std::size_t level_ = 0;
@@ -68,7 +72,8 @@ class Attempts {
   Edges edges_;
   std::uint64_t seed_;
   std::uint64_t attempt_ = 0;
-  std::size_t patience_;  // nodes after which an attempt is given up
+  std::int64_t patience_;     // samples after which an attempt is given up
+  std::int64_t samples_ = 0;  // of this attempt
   bool met_ = false;
   std::optional<TwoTrees> trees_;
 };

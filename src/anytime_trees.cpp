@@ -11,21 +11,35 @@ namespace vandplan {
 namespace {
 
 constexpr std::size_t ranked = 8;  // nodes whose exact length is looked at for one sample
-constexpr int connect_tries = 3;   // of them, the edges that are tried
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr int connect_tries = 3;  // of them, the edges that are tried
 
 }  // namespace
 
-TwoTrees::TwoTrees(const Problem& problem, const Bounds& region, Edges& edges, std::uint64_t seed)
+TwoTrees::TwoTrees(const Problem& problem, const Bounds& region, Edges& edges, double far_share,
+                   std::uint64_t seed)
     : edges_(edges),
       region_(region),
+      far_share_(far_share),
       rng_(seed),
       sides_{Side{Tree(problem.start, 64), {Piece{}}}, Side{Tree(problem.goal, 64), {Piece{}}}} {
   nearest_.reserve(ranked + 1);
 }
 
-// Half of the samples lie around one of the two roots, at every scale: narrow places are there.
-Pose TwoTrees::sample() {
+// Half of them from the region, half from around the middle between the roots, at several scales:
+// most ways around are as far away as the roots are from each other.
+Pose TwoTrees::sample_far() {
   if (uniform01(rng_) < 0.5) return uniform_pose(region_, rng_);
+  const Pose& a = sides_[0].tree.pose(0);
+  const Pose& b = sides_[1].tree.pose(0);
+  const double apart = std::max(std::hypot(a.x - b.x, a.y - b.y), edges_.radius());
+  const double reach = apart * std::exp2(uniform(-1.0, 1.5, rng_));
+  const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
+  return {(a.x + b.x) / 2 + pose.x, (a.y + b.y) / 2 + pose.y, pose.heading};
+}
+
+// Around one of the two roots, at every scale: narrow places are there.
+Pose TwoTrees::sample_near() {
   const std::size_t side = uniform01(rng_) < 0.5 ? 0 : 1;
   const Pose& root = sides_[side].tree.pose(0);
   const double reach = edges_.radius() * std::exp2(uniform(-2.0, 2.5, rng_));
@@ -117,10 +131,51 @@ void TwoTrees::join(NodeId from_start, NodeId from_goal, const Piece& bridge) {
   route_.cost = cost_of(edges_.rule(), route_);
 }
 
-bool TwoTrees::step() {
+// The edge to the target from one of the two nodes that are nearest by Euclid, if it is free.
+std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const Pose& target) {
+  std::array<NodeId, 2> ids{-1, -1};
+  std::array<float, 2> distances{infinity, infinity};
+  const auto x = static_cast<float>(target.x);
+  const auto y = static_cast<float>(target.y);
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const float dx = tree.x()[i] - x;
+    const float dy = tree.y()[i] - y;
+    const float distance = dx * dx + dy * dy;
+    if (distance < distances[0]) {
+      ids = {static_cast<NodeId>(i), ids[0]};
+      distances = {distance, distances[0]};
+    } else if (distance < distances[1]) {
+      ids[1] = static_cast<NodeId>(i);
+      distances[1] = distance;
+    }
+  }
+  for (const NodeId id : ids) {
+    if (id < 0) break;
+    const Piece piece = edges_.steer(tree.pose(id), target, {});
+    if (edges_.is_free(tree.pose(id), piece)) return Edge{id, piece};
+  }
+  return std::nullopt;
+}
+
+// A sample that both trees reach joins them; one that one of them reaches becomes its node.
+bool TwoTrees::step_far() {
+  const Pose target = sample_far();
+  const std::optional<Edge> from_start = reach(sides_[0].tree, target);
+  const std::optional<Edge> from_goal = reach(sides_[1].tree, target);
+  if (from_start) {
+    const NodeId node = add(sides_[0], from_start->from, from_start->piece, target);
+    if (from_goal) join(node, from_goal->from, reversed(from_goal->piece));
+  } else if (from_goal) {
+    add(sides_[1], from_goal->from, from_goal->piece, target);
+  }
+  return from_start && from_goal;
+}
+
+// A sample that is driven to as far as that is free.
+bool TwoTrees::step_near() {
   const std::size_t side = turn_;
   turn_ = 1 - turn_;
-  const Pose target = sample();
+  const Pose target = sample_near();
   const NodeId node = extend(sides_[side], target);
   if (node < 0) return false;
   if (connect(side, node)) return true;
@@ -132,5 +187,7 @@ bool TwoTrees::step() {
   if (part.length >= 0.1 * edges_.radius()) add(other, from, part, end_of(pose, part));
   return false;
 }
+
+bool TwoTrees::step() { return uniform01(rng_) < far_share_ ? step_far() : step_near(); }
 
 }  // namespace vandplan

@@ -5,6 +5,7 @@
 // meet (RRT-Connect, Kuffner and LaValle 2000).
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "edges.h"
@@ -17,8 +18,10 @@ namespace vandplan {
 /// The trees of one attempt.
 class TwoTrees {
  public:
-  /// `region`: where far samples are drawn.
-  TwoTrees(const Problem& problem, const Bounds& region, Edges& edges, std::uint64_t seed);
+  /// `region` is where far samples are drawn, `far_share` how many there are, 0 to 1: they find the
+  /// way around obstacles, the others the way out of a slot.
+  TwoTrees(const Problem& problem, const Bounds& region, Edges& edges, double far_share,
+           std::uint64_t seed);
 
   /// One sample. True when the trees have met: `route` is then the path.
   [[nodiscard]] bool step();
@@ -39,7 +42,11 @@ class TwoTrees {
     Piece piece;
   };
 
-  [[nodiscard]] Pose sample();
+  [[nodiscard]] Pose sample_far();
+  [[nodiscard]] Pose sample_near();
+  [[nodiscard]] bool step_far();
+  [[nodiscard]] bool step_near();
+  [[nodiscard]] std::optional<Edge> reach(const Tree& tree, const Pose& target);
   void rank(const Tree& tree, const Pose& target);
   NodeId extend(Side& side, const Pose& target);
   [[nodiscard]] bool connect(std::size_t from_side, NodeId node);
@@ -48,6 +55,7 @@ class TwoTrees {
 
   Edges& edges_;
   Bounds region_;
+  double far_share_;
   Rng rng_;
   std::array<Side, 2> sides_;
   std::size_t turn_ = 0;

@@ -30,15 +30,17 @@ double squared_distance(const Point& p, const Point& a, const Point& b) {
 
 }  // namespace
 
-GridDistance::GridDistance(const World& world, const Bounds& box, const Pose& target,
+GridDistance::GridDistance(const World& world, const Bounds& box, double side, const Pose& target,
                            const Pose& root)
     : box_(box), target_{target.x, target.y}, last_(unreached) {
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;
-  side_ = std::max(world.vehicle().width / 2, std::sqrt(width * height / most_cells));
-  columns_ = static_cast<std::int32_t>(width / side_) + 1;
-  rows_ = static_cast<std::int32_t>(height / side_) + 1;
+  side_ = std::max({side * world.vehicle().width, std::sqrt(width * height / most_cells),
+                    std::max(width, height) / most_cells});
+  columns_ = static_cast<std::int32_t>(width / side_) + 3;
+  rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
+  mark_border();
   mark_obstacles(world);
   root_ = cell_of({root.x, root.y});
   const Cell to = cell_of(target_);
@@ -53,8 +55,18 @@ std::size_t GridDistance::index_of(const Cell& cell) const noexcept {
 }
 
 GridDistance::Cell GridDistance::cell_of(const Point& point) const noexcept {
-  return {static_cast<std::int32_t>((point.x - box_.x_min) / side_),
-          static_cast<std::int32_t>((point.y - box_.y_min) / side_)};
+  return {static_cast<std::int32_t>((point.x - box_.x_min) / side_) + 1,
+          static_cast<std::int32_t>((point.y - box_.y_min) / side_) + 1};
+}
+
+// A frame of blocked cells, so that every other one has eight neighbours.
+void GridDistance::mark_border() {
+  for (std::int32_t x = 0; x < columns_; ++x) {
+    costs_[index_of({x, 0})] = costs_[index_of({x, rows_ - 1})] = blocked;
+  }
+  for (std::int32_t y = 0; y < rows_; ++y) {
+    costs_[index_of({0, y})] = costs_[index_of({columns_ - 1, y})] = blocked;
+  }
 }
 
 // Cells whose centre is so near to a side that no point of them is free for the disc; at least the
@@ -64,7 +76,9 @@ void GridDistance::mark_obstacles(const World& world) {
   const double disc = std::min({body.half_width, body.rear, body.front});
   const double near = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
   const auto index = [&](double offset, std::int32_t count) {
-    return std::clamp(static_cast<std::int32_t>(std::floor(offset / side_)), 0, count - 1);
+    // In double first: an obstacle may be further away than an integer counts cells.
+    const double cell = std::clamp(std::floor(offset / side_), 0.0, count - 3.0);
+    return static_cast<std::int32_t>(cell) + 1;
   };
   for (const Polygon& polygon : world.obstacles()) {
     Point a = polygon.back();
@@ -74,7 +88,7 @@ void GridDistance::mark_obstacles(const World& world) {
       for (std::int32_t y = index(std::min(a.y, b.y) - near - box_.y_min, rows_); y <= y_end; ++y) {
         for (std::int32_t x = index(std::min(a.x, b.x) - near - box_.x_min, columns_); x <= x_end;
              ++x) {
-          const Point centre{box_.x_min + (x + 0.5) * side_, box_.y_min + (y + 0.5) * side_};
+          const Point centre{box_.x_min + (x - 0.5) * side_, box_.y_min + (y - 0.5) * side_};
           if (squared_distance(centre, a, b) > near * near) continue;
           costs_[index_of({x, y})] = blocked;
         }
@@ -95,14 +109,14 @@ void GridDistance::reach(const Cell& cell, std::int32_t cost) {
   std::int32_t& known = costs_[index_of(cell)];
   if (known <= cost) return;  // blocked ones, too
   known = cost;
-  buckets_[static_cast<std::size_t>((cost + to_root(cell)) % 16)].push_back(cell);
+  buckets_[static_cast<std::size_t>((cost + to_root(cell)) & 15)].push_back(cell);
 }
 
 // A* with a bucket per rank: one step to a neighbour adds 0 to 14 to it.
 bool GridDistance::step() {
   int empty = 0;
   for (int settled = 0; settled < 64 && front_ <= last_;) {
-    std::vector<Cell>& bucket = buckets_[static_cast<std::size_t>(front_ % 16)];
+    std::vector<Cell>& bucket = buckets_[static_cast<std::size_t>(front_ & 15)];
     if (bucket.empty()) {
       if (++empty == 16) return false;
       ++front_;
@@ -118,9 +132,10 @@ bool GridDistance::step() {
       reached_ = true;
       last_ = static_cast<std::int32_t>(detour * front_);
     }
-    for (std::int32_t y = std::max(cell.y - 1, 0); y <= std::min(cell.y + 1, rows_ - 1); ++y) {
-      for (std::int32_t x = std::max(cell.x - 1, 0); x <= std::min(cell.x + 1, columns_ - 1); ++x) {
-        reach({x, y}, cost + (x == cell.x || y == cell.y ? straight_cost : diagonal_cost));
+    for (const std::int32_t dy : {-1, 0, 1}) {
+      for (const std::int32_t dx : {-1, 0, 1}) {
+        const bool is_straight = dx == 0 || dy == 0;
+        reach({cell.x + dx, cell.y + dy}, cost + (is_straight ? straight_cost : diagonal_cost));
       }
     }
   }

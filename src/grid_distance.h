@@ -15,11 +15,16 @@ namespace vandplan {
 /// computed by A* from the target, so only where a search from `root` is likely to come.
 class GridDistance {
  public:
-  /// Covers `box`; obstacles are marked, distances are not computed yet.
-  GridDistance(const World& world, const Bounds& box, const Pose& target, const Pose& root);
+  /// Covers `box` with cells of `side` vehicle widths, in large boxes of more; obstacles are
+  /// marked, distances are not computed yet.
+  GridDistance(const World& world, const Bounds& box, double side, const Pose& target,
+               const Pose& root);
 
   /// Settles the next cells, some microseconds of work. False when there is no more to do.
   bool step();
+
+  /// Whether a way between target and root was found.
+  [[nodiscard]] bool is_connected() const noexcept { return reached_; }
 
   /// Distance to the target [m]; where it is not known, what it must exceed.
   [[nodiscard]] double at(double x, double y) const noexcept;
@@ -32,6 +37,7 @@ class GridDistance {
 
   /// Of a point in the box.
   [[nodiscard]] Cell cell_of(const Point& point) const noexcept;
+  void mark_border();
   void mark_obstacles(const World& world);
   void reach(const Cell& cell, std::int32_t cost);
   [[nodiscard]] std::size_t index_of(const Cell& cell) const noexcept;

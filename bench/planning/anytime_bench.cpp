@@ -81,7 +81,7 @@ void report(const Scenario& scenario, std::size_t goal, int seeds, double second
   std::printf("%-26s %8.3f %8.3f %8.3f %8.3f %4ld  %8.3f", scenario.name.c_str(),
               quantile(first, 0.5), quantile(first, 0.95), quantile(first, 0.99),
               quantile(first, 1.0), static_cast<long>(unsolved), best);
-  for (double time : {0.01, 0.1, 1.0}) {
+  for (double time : {0.001, 0.003, 0.01, 0.1, 1.0}) {
     if (time > seconds) continue;
     std::vector<double> ratio;
     for (const PlanResult& result : results) ratio.push_back(cost_at(result, time) / best);

@@ -49,7 +49,7 @@ TEST(TwoTrees, WhatTheyFindIsARoute) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Edges edges(*problem.world, rule);
-    TwoTrees trees(problem, {-40, 40, -40, 40}, edges, rng());
+    TwoTrees trees(problem, {-40, 40, -40, 40}, edges, 0.5, rng());
     for (int i = 0; i < 300; ++i) {
       if (!trees.step()) continue;
       expect_valid(problem, rule, trees.route());
@@ -63,7 +63,7 @@ TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Edges edges(*problem.world, rule);
-    GridDistance guide(*problem.world, {-50, 50, -50, 50}, problem.goal, problem.start);
+    GridDistance guide(*problem.world, {-50, 50, -50, 50}, 1.0, problem.goal, problem.start);
     while (guide.step()) {
     }
     Lattice lattice(problem.start, problem.goal, {12, 0.5, 2.0}, guide, edges);
@@ -83,7 +83,7 @@ TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Edges edges(*problem.world, rule);
-    TwoTrees trees(problem, {-40, 40, -40, 40}, edges, rng());
+    TwoTrees trees(problem, {-40, 40, -40, 40}, edges, 0.5, rng());
     int tries = 0;
     while (!trees.step() && ++tries < 300) {
     }
@@ -118,7 +118,7 @@ TEST(Shortener, OnOpenGroundItFindsTheShortestPath) {
 
 TEST(GridDistance, GoesAroundAWallAndIsNearTheTruth) {
   const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
-  GridDistance guide(*problem.world, {-20, 50, -40, 40}, problem.goal, problem.start);
+  GridDistance guide(*problem.world, {-20, 50, -40, 40}, 0.5, problem.goal, problem.start);
   while (guide.step()) {
   }
   EXPECT_NEAR(guide.at(0, 0), 2 * std::hypot(14, 20) + 2, 0.12 * 50);
