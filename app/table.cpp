@@ -265,11 +265,11 @@ void add_table_check(CLI::App& table, int& status) {
   command->add_option("TABLE", arguments->table, table_help)->required()->type_name("");
   command
       ->add_option("--sample", arguments->options.sample,
-                   fmt::format("Entries drawn at random; every one when left out\n"
+                   fmt::format("Entries drawn at random, 1 to 100000000; every one when left out\n"
                                "(of bounds: pairs of poses; {})",
                                default_pairs))
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{100'000'000}))
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{100'000'000}).description(""))
       ->take_last();
   command->add_option("--seed", arguments->options.seed, "Of the sample")
       ->type_name("N")

@@ -15,12 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Content = TableFileHead::Content;
 
-std::string steps_of_headings(const HeuristicTableOptions& options) {
-  const int half = options.heading_cells / 2;
-  if (options.heading_cells % 2 == 0 && half > 1) return fmt::format("pi/{}", half);
-  return fmt::format("{:.6g} rad", 2 * std::numbers::pi / options.heading_cells);
-}
-
 /// "hlut-4" if these are its options.
 std::optional<std::string> thesis_name(const HeuristicTableOptions& options) {
   for (int number = 1; number <= 4; ++number) {
@@ -49,6 +43,12 @@ TableSource table_source(const std::string& name) {
   return source;
 }
 
+std::string heading_step_text(const HeuristicTableOptions& options) {
+  const int half = options.heading_cells / 2;
+  if (options.heading_cells % 2 == 0 && half > 1) return fmt::format("pi/{}", half);
+  return fmt::format("{:.6g} rad", 2 * std::numbers::pi / options.heading_cells);
+}
+
 std::string checksum_text(const TableFileHead& head) {
   return fmt::format("{:016x}", head.checksum);
 }
@@ -71,7 +71,7 @@ std::string text_of(const TableFileHead& head) {
         "  x and y         0 to {} m in steps of {} m: {} positions each\n"
         "  both headings   -pi to pi in steps of {}: {} each\n",
         name ? fmt::format(", the thesis' {}", *name) : "", options.turning_radius, options.extent,
-        options.step, std::lround(options.extent / options.step) + 1, steps_of_headings(options),
+        options.step, std::lround(options.extent / options.step) + 1, heading_step_text(options),
         options.heading_cells + 1);
   }
   return text + fmt::format(

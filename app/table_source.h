@@ -26,6 +26,9 @@ struct TableSource {
 /// By the name of a table of the library, else by a file.
 [[nodiscard]] TableSource table_source(const std::string& name);
 
+/// "pi/12".
+[[nodiscard]] std::string heading_step_text(const HeuristicTableOptions& options);
+
 [[nodiscard]] std::string checksum_text(const TableFileHead& head);
 
 /// What a table holds, for people and for programs.

@@ -8,6 +8,7 @@
 
 #include "random.h"
 #include "studies/percentile.h"
+#include "trigonometry.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -67,10 +68,9 @@ BoundCheck check_bounds(std::int64_t pairs, std::uint64_t seed) {
   gaps.reserve(static_cast<std::size_t>(pairs));
   for (std::int64_t i = 0; i < pairs; ++i) {
     const double distance = std::pow(10.0, uniform(-3.0, 3.0, rng));
-    const double bearing = uniform(-pi, pi, rng);
+    const SinCos bearing = sin_cos(uniform(-pi, pi, rng));
     const Pose from{0.0, 0.0, uniform(-pi, pi, rng)};
-    const Pose to{distance * std::cos(bearing), distance * std::sin(bearing),
-                  uniform(-pi, pi, rng)};
+    const Pose to{distance * bearing.cos, distance * bearing.sin, uniform(-pi, pi, rng)};
     const double length = reeds_shepp_length(from, to, 1.0);
     const LengthBounds bounds = length_bounds(from, to, 1.0);
     if (length < bounds.low || length > bounds.high) ++check.outside;

@@ -34,6 +34,11 @@ TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
                                                           {"table", "info"},
                                                           {"table", "check"},
                                                           {"table", "export"},
+                                                          {"study", "range"},
+                                                          {"study", "accuracy"},
+                                                          {"study", "growth"},
+                                                          {"study", "symmetry"},
+                                                          {"study", "steering"},
                                                           {"convert", "tpcap"},
                                                           {"planners"}};
   for (std::vector<std::string> command : commands) {

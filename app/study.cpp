@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// vandplan study: what did the thesis measure, and what comes out today?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "commands.h"
+#include "gnuplot.h"
+#include "study_summary.h"
+#include "table_source.h"
+#include "vandplan/bound_table.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What every study is asked for.
+struct StudyArguments {
+  std::string folder = "out/studies";
+  bool json = false;
+};
+
+/// Writes the files of a study and says what came out.
+template <class Study>
+void report(const Study& study, const StudyArguments& arguments) {
+  const StudyFiles files = files_of(study);
+  expect_writable_folder(arguments.folder, files);
+  const bool has_pictures = write_study(arguments.folder, files);
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) { names.push_back(arguments.folder + "/" + name); };
+  for (const TextFile& file : files.data) add(file.name);
+  add(files.script.name);
+  if (has_pictures) std::for_each(files.pictures.begin(), files.pictures.end(), add);
+  if (arguments.json) {
+    Json json = json_of(study);
+    json["files"] = names;
+    print(json);
+  } else {
+    fmt::print("{}written: {}\n", summary_of(study), fmt::join(names, " "));
+  }
+  if (has_pictures) return;
+  fmt::print(stderr,
+             "vandplan: no pictures, because gnuplot is not installed (Debian: apt install "
+             "gnuplot-nox); once it is: cd '{}' && gnuplot {}\n",
+             arguments.folder, files.script.name);
+}
+
+// ---- options ----
+
+void check_metres(const char* flag, double value) {
+  if (value >= 1e-3 && value <= 1e6) return;
+  throw InputError(flag, fmt::format("is {}, expected 0.001 to 1000000 m", value));
+}
+
+/// Adds options, with the value that is there as the default.
+class Options {
+ public:
+  explicit Options(CLI::App& command) : command_(command) {}
+
+  void metres(const char* flag, double& value, const char* help) {
+    const auto set = [flag, &value](const double& given) {
+      check_metres(flag, given);
+      value = given;
+    };
+    command_.add_option_function<double>(flag, set, help)
+        ->type_name("M")
+        ->default_str(fmt::format("{}", value))
+        ->take_last();
+  }
+
+  void pairs(std::int64_t& value, const char* help) {
+    command_.add_option("--pairs", value, help)
+        ->type_name("N")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{10'000'000}).description(""))
+        ->capture_default_str()
+        ->take_last();
+  }
+
+  void seed(std::uint64_t& value) {
+    command_.add_option("--seed", value, "Of the random numbers")
+        ->type_name("N")
+        ->capture_default_str()
+        ->take_last();
+  }
+
+  void output(StudyArguments& arguments) {
+    command_.add_option("-o,--output", arguments.folder, "Folder of the files, made if need be")
+        ->type_name("DIR")
+        ->capture_default_str()
+        ->take_last();
+    command_.add_flag("--json", arguments.json, "Print one JSON object instead of a summary");
+  }
+
+ private:
+  CLI::App& command_;
+};
+
+/// Adds `name`, whose `options` (a plain struct) are filled by `declare`, and `study` runs with.
+template <class OptionsOfStudy, class Declare, class Run>
+void add_study_of(CLI::App& studies, const char* name, const char* summary, Declare declare,
+                  Run study) {
+  CLI::App* const command = studies.add_subcommand(name, summary);
+  const auto options = std::make_shared<OptionsOfStudy>();
+  const auto arguments = std::make_shared<StudyArguments>();
+  Options declared(*command);
+  declare(declared, *options);
+  declared.output(*arguments);
+  command->callback([options, arguments, study] { report(study(*options), *arguments); });
+}
+
+// ---- accuracy ----
+
+struct AccuracyArguments {
+  AccuracyOptions options;
+  std::vector<std::string> tables = {"hlut-1", "hlut-3"};
+};
+
+NamedEstimate estimate_of(const std::string& name, double radius) {
+  const TableSource source = table_source(name);
+  const HeuristicTable table = table_from_bytes(source.bytes, source.name);
+  return {fmt::format("{} ({})", source.name, heading_step_text(table.options())),
+          [table, radius](const Pose& node, const Pose& sample) {
+            return table.distance(node, sample, radius);
+          }};
+}
+
+AccuracyStudy study_of(const AccuracyArguments& arguments) {
+  const double radius = arguments.options.turning_radius;
+  std::vector<NamedEstimate> estimates = {{"Euclid", [](const Pose& node, const Pose& sample) {
+                                             return std::hypot(node.x - sample.x,
+                                                               node.y - sample.y);
+                                           }}};
+  for (const std::string& table : arguments.tables) {
+    estimates.push_back(estimate_of(table, radius));
+  }
+  // Too near to the length to be seen beside the others.
+  estimates.push_back({"lower bound",
+                       [radius](const Pose& node, const Pose& sample) {
+                         return length_bounds(node, sample, radius).low;
+                       },
+                       false});
+  return study_accuracy(arguments.options, estimates);
+}
+
+void add_accuracy(CLI::App& studies) {
+  CLI::App* const command = studies.add_subcommand(
+      "accuracy",
+      "How far off are estimates of a length? Euclid, tables, and the lower bound,\n"
+      "over random pairs (Algorithm 4, Fig. 15).");
+  const auto study = std::make_shared<AccuracyArguments>();
+  const auto arguments = std::make_shared<StudyArguments>();
+  Options options(*command);
+  options.pairs(study->options.pairs, "Pairs of poses; 1 to 10000000");
+  options.metres("--reach", study->options.reach, "Pairs have |x| and |y| below it [m]");
+  options.metres("--radius", study->options.turning_radius, "Turning radius [m]");
+  command
+      ->add_option("--table", study->tables,
+                   "Tables by name (hlut-1 to hlut-4) or file, with commas between")
+      ->delimiter(',')
+      ->type_name("LIST")
+      ->capture_default_str();
+  options.seed(study->options.seed);
+  options.output(*arguments);
+  command->callback([study, arguments] { report(study_of(*study), *arguments); });
+}
+
+}  // namespace
+
+void add_study(CLI::App& vandplan, int&) {
+  CLI::App* const studies = vandplan.add_subcommand(
+      "study", "Repeat the studies of the thesis: numbers as CSV, pictures as PNG and SVG.");
+  studies->require_subcommand(0, 1);
+  studies->callback([studies] {
+    if (!studies->get_subcommands().empty()) return;
+    throw InputError(
+        "study", "which one is missing, expected range, accuracy, growth, symmetry or steering");
+  });
+  add_study_of<RangeOptions>(
+      *studies, "range",
+      "How much longer than the straight line are shortest paths? Dubins and\n"
+      "Reeds-Shepp over random pairs (Algorithm 3, Fig. 14).",
+      [](Options& declare, RangeOptions& options) {
+        declare.pairs(options.pairs, "Pairs of poses that are drawn as dots; 1 to 10000000");
+        declare.metres("--reach", options.reach, "Largest distance of a pair [m]");
+        declare.metres("--radius", options.turning_radius, "Turning radius [m]");
+        declare.seed(options.seed);
+      },
+      study_range);
+  add_accuracy(*studies);
+  add_study_of<GrowthOptions>(
+      *studies, "growth",
+      "How does a random tree spread over open ground? 200 to 100000 nodes\n"
+      "(Algorithm 1, Fig. 5).",
+      [](Options& declare, GrowthOptions& options) {
+        declare.metres("--reach", options.reach, "Samples have |x| and |y| below it [m]");
+        declare.metres("--step", options.step, "How far one input drives [m]");
+        declare.metres("--radius", options.turning_radius, "Turning radius [m]");
+        declare.seed(options.seed);
+      },
+      study_growth);
+  add_study_of<SymmetryOptions>(
+      *studies, "symmetry",
+      "Which pairs of poses have the same length between them? (Algorithm 5, Fig. 6)",
+      [](Options& declare, SymmetryOptions& options) {
+        declare.pairs(options.pairs, "Random pairs whose folding is measured; 1 to 10000000");
+        declare.metres("--radius", options.turning_radius, "Turning radius [m]");
+        declare.seed(options.seed);
+      },
+      study_symmetry);
+  add_study_of<SteeringOptions>(
+      *studies, "steering", "What do shortest paths look like, Dubins and Reeds-Shepp? (Fig. 3, 4)",
+      [](Options& declare, SteeringOptions& options) {
+        declare.metres("--radius", options.turning_radius, "Turning radius [m]");
+      },
+      study_steering);
+}
+
+}  // namespace vandplan

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does a study say, for people and for programs?
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "studies/accuracy.h"
+#include "studies/growth.h"
+#include "studies/range.h"
+#include "studies/steering.h"
+#include "studies/symmetry.h"
+
+namespace vandplan {
+
+[[nodiscard]] std::string summary_of(const RangeStudy& study);
+[[nodiscard]] std::string summary_of(const AccuracyStudy& study);
+[[nodiscard]] std::string summary_of(const GrowthStudy& study);
+[[nodiscard]] std::string summary_of(const SymmetryStudy& study);
+[[nodiscard]] std::string summary_of(const SteeringStudy& study);
+
+[[nodiscard]] nlohmann::ordered_json json_of(const RangeStudy& study);
+[[nodiscard]] nlohmann::ordered_json json_of(const AccuracyStudy& study);
+[[nodiscard]] nlohmann::ordered_json json_of(const GrowthStudy& study);
+[[nodiscard]] nlohmann::ordered_json json_of(const SymmetryStudy& study);
+[[nodiscard]] nlohmann::ordered_json json_of(const SteeringStudy& study);
+
+}  // namespace vandplan
