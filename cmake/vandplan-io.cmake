@@ -2,3 +2,4 @@
 find_dependency(fmt)
 find_dependency(yaml-cpp)
 include(${CMAKE_CURRENT_LIST_DIR}/vandplan-io-targets.cmake)
+find_dependency(PNG)

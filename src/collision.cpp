@@ -2,6 +2,9 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/collision.h"
 
+#include <optional>
+
+#include "grid_obstacles.h"
 #include "obstacles.h"
 #include "sweep.h"
 
@@ -19,6 +22,7 @@ struct CollisionChecker::Data {
   Footprint footprint;
   Bounds bounds;
   Obstacles obstacles;
+  std::optional<GridObstacles> map = {};
 
   /// Whether no side is touched and the bounds are kept. Together with a start outside of all
   /// polygons that is all: whatever is entered later is entered across a side.
@@ -33,6 +37,14 @@ CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bou
                                    std::span<const Polygon> obstacles)
     : data_(std::make_unique<const Data>(Data{footprint, bounds, Obstacles(obstacles)})) {}
 
+CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings) {
+  const Footprint body = footprint(vehicle);
+  const auto& [bounds, obstacles, map] = surroundings;
+  auto data = std::make_unique<Data>(Data{body, bounds, Obstacles(obstacles)});
+  if (map) data->map.emplace(*map, body);
+  data_ = std::move(data);
+}
+
 CollisionChecker::~CollisionChecker() = default;
 
 bool CollisionChecker::is_free(const Pose& pose) const noexcept { return is_free(pose, Segment{}); }
@@ -43,14 +55,21 @@ bool CollisionChecker::is_free(const Pose& from, const Segment& segment) const n
 
 bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segments) const noexcept {
   if (segments.empty()) return is_free(from);
+  const std::optional<GridObstacles>& map = data_->map;
   if (data_->obstacles.contain({from.x, from.y})) return false;
+  if (map && map->contain({from.x, from.y})) return false;
   Placement placement = placement_of(from);
   for (const Segment& segment : segments) {
     const PlacedSegment placed(placement, segment);
     if (!data_->crosses_nothing(placed)) return false;
+    if (map && !map->is_clear(placement, segment)) return false;
     placement = placed.to;
   }
   return true;
+}
+
+bool CollisionChecker::map_is_within(const Point& point, double distance) const noexcept {
+  return data_->map && data_->map->is_within(point, distance);
 }
 
 }  // namespace vandplan

@@ -32,7 +32,10 @@ double squared_distance(const Point& p, const Point& a, const Point& b) {
 
 GridDistance::GridDistance(const World& world, const Bounds& box, double side, const Pose& target,
                            const Pose& root)
-    : box_(box), target_{target.x, target.y}, last_(unreached) {
+    : map_(world.map() ? &world.checker() : nullptr),
+      box_(box),
+      target_{target.x, target.y},
+      last_(unreached) {
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;
   side_ = std::max({side * world.vehicle().width, std::sqrt(width * height / most_cells),
@@ -41,6 +44,9 @@ GridDistance::GridDistance(const World& world, const Bounds& box, double side, c
   rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
   mark_border();
+  const Footprint body = footprint(world.vehicle());
+  const double disc = std::min({body.half_width, body.rear, body.front});
+  near_ = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
   mark_obstacles(world);
   root_ = cell_of({root.x, root.y});
   const Cell to = cell_of(target_);
@@ -72,9 +78,7 @@ void GridDistance::mark_border() {
 // Cells whose centre is so near to a side that no point of them is free for the disc; at least the
 // cells that the side runs through.
 void GridDistance::mark_obstacles(const World& world) {
-  const Footprint body = footprint(world.vehicle());
-  const double disc = std::min({body.half_width, body.rear, body.front});
-  const double near = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
+  const double near = near_;
   const auto index = [&](double offset, std::int32_t count) {
     // In double first: an obstacle may be further away than an integer counts cells.
     const double cell = std::clamp(std::floor(offset / side_), 0.0, count - 3.0);
@@ -88,14 +92,23 @@ void GridDistance::mark_obstacles(const World& world) {
       for (std::int32_t y = index(std::min(a.y, b.y) - near - box_.y_min, rows_); y <= y_end; ++y) {
         for (std::int32_t x = index(std::min(a.x, b.x) - near - box_.x_min, columns_); x <= x_end;
              ++x) {
-          const Point centre{box_.x_min + (x - 0.5) * side_, box_.y_min + (y - 0.5) * side_};
-          if (squared_distance(centre, a, b) > near * near) continue;
+          if (squared_distance(centre_of({x, y}), a, b) > near * near) continue;
           costs_[index_of({x, y})] = blocked;
         }
       }
       a = b;
     }
   }
+}
+
+// When it is first reached: most cells of a large map never are.
+bool GridDistance::is_blocked_by_map(const Cell& cell) const {
+  if (cell == root_ || cell == cell_of(target_)) return false;
+  return map_->map_is_within(centre_of(cell), near_);
+}
+
+Point GridDistance::centre_of(const Cell& cell) const noexcept {
+  return {box_.x_min + (cell.x - 0.5) * side_, box_.y_min + (cell.y - 0.5) * side_};
 }
 
 // Never above the cost of the way from a cell to the root.
@@ -108,6 +121,10 @@ std::int32_t GridDistance::to_root(const Cell& cell) const noexcept {
 void GridDistance::reach(const Cell& cell, std::int32_t cost) {
   std::int32_t& known = costs_[index_of(cell)];
   if (known <= cost) return;  // blocked ones, too
+  if (map_ != nullptr && known == unreached && is_blocked_by_map(cell)) {
+    known = blocked;
+    return;
+  }
   known = cost;
   buckets_[static_cast<std::size_t>((cost + to_root(cell)) & 15)].push_back(cell);
 }

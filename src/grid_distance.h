@@ -38,14 +38,18 @@ class GridDistance {
   /// Of a point in the box.
   [[nodiscard]] Cell cell_of(const Point& point) const noexcept;
   void mark_border();
+  [[nodiscard]] Point centre_of(const Cell& cell) const noexcept;
+  [[nodiscard]] bool is_blocked_by_map(const Cell& cell) const;
   void mark_obstacles(const World& world);
   void reach(const Cell& cell, std::int32_t cost);
   [[nodiscard]] std::size_t index_of(const Cell& cell) const noexcept;
   [[nodiscard]] std::int32_t to_root(const Cell& cell) const noexcept;
 
+  const CollisionChecker* map_;  // null without a map
   Bounds box_;
   Point target_;
   double side_ = 1.0;  // of a cell [m]
+  double near_ = 1.0;  // from the centre of a blocked cell to an obstacle, at most [m]
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
   std::vector<std::int32_t> costs_;  // in fifths of a cell; -1 blocked

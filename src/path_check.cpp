@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <vector>
 
+#include "judge/cell_clearance.h"
 #include "judge/clearance.h"
 #include "judge/track.h"
 
@@ -20,6 +22,7 @@ using namespace judge;
 
 constexpr double look_distance = 1e-3;    // driven between two looks, at least [m]
 constexpr double clearance_error = 1e-3;  // of the clearance reported [m]
+constexpr double first_reach = 1.0;       // how far it looks for cells of a map at first [m]
 constexpr double position_tolerance = 1e-6;
 constexpr double heading_tolerance = 1e-6;
 constexpr double length_tolerance = 1e-6;
@@ -66,17 +69,24 @@ double speed(const Stretch& stretch, const Rectangle& body) {
   return 1 + static_cast<double>(std::abs(stretch.curvature)) * reach;
 }
 
-/// Looks along the track up to the first place where the body touches the obstacle: every
+/// Something that a body must not touch.
+struct Thing {
+  std::string hit;  ///< what has happened when it does
+  Rectangle body;
+  std::function<double(const Position&)> clearance;  ///< of the body at a position [m]
+};
+
+/// Looks along the track up to the first place where the body touches the thing: every
 /// millimetre, or as far as the clearance proves that nothing can be touched in between.
-std::vector<Look> looks_along(const Track& track, const Rectangle& body, const Polygon& obstacle) {
+std::vector<Look> looks_along(const Track& track, const Thing& thing) {
   std::vector<Look> looks;
   for (std::size_t i = 0; i < track.stretches.size(); ++i) {
     const Stretch& stretch = track.stretches[i];
     const Real length = length_to_look_at(stretch);
-    const double body_speed = speed(stretch, body);
+    const double body_speed = speed(stretch, thing.body);
     Real t = 0;
     while (true) {
-      const double distance = clearance(after(stretch, t), body, obstacle);
+      const double distance = thing.clearance(after(stretch, t));
       looks.push_back({{i, t}, distance});
       if (!(distance > 0)) return looks;
       if (t >= length) break;
@@ -88,16 +98,17 @@ std::vector<Look> looks_along(const Track& track, const Rectangle& body, const P
 
 /// Lowers `least` to the clearance between two looks at one stretch wherever it may be more than
 /// `clearance_error` below.
-void refine(const Track& track, const Rectangle& body, const Polygon& obstacle, const Look& from,
-            const Look& to, double& least) {
+void refine(const Track& track, const Thing& thing, const std::array<Look, 2>& looks,
+            double& least) {
+  const auto& [from, to] = looks;
   const Stretch& stretch = track.stretches[from.place.stretch];
-  const auto moved = static_cast<double>(to.place.t - from.place.t) * speed(stretch, body);
+  const auto moved = static_cast<double>(to.place.t - from.place.t) * speed(stretch, thing.body);
   if ((from.clearance + to.clearance - moved) / 2 >= least - clearance_error) return;
   const Real t = (from.place.t + to.place.t) / 2;
-  const Look middle{{from.place.stretch, t}, clearance(after(stretch, t), body, obstacle)};
+  const Look middle{{from.place.stretch, t}, thing.clearance(after(stretch, t))};
   least = std::min(least, middle.clearance);
-  refine(track, body, obstacle, from, middle, least);
-  refine(track, body, obstacle, middle, to, least);
+  refine(track, thing, {from, middle}, least);
+  refine(track, thing, {middle, to}, least);
 }
 
 // ---- What can be wrong ----
@@ -165,32 +176,94 @@ std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
   return std::nullopt;
 }
 
-/// The first collision on the way; without one `least` is the clearance.
-std::optional<Fault> collision(const Track& track, const World& world, double& least) {
-  const Vehicle& vehicle = world.vehicle();
-  const Rectangle body = {-vehicle.rear_overhang, vehicle.wheelbase + vehicle.front_overhang,
-                          -vehicle.width / 2, vehicle.width / 2};
+Rectangle body_of(const Vehicle& vehicle) {
+  return {-vehicle.rear_overhang, vehicle.wheelbase + vehicle.front_overhang, -vehicle.width / 2,
+          vehicle.width / 2};
+}
+
+std::vector<Thing> polygons_of(const World& world) {
+  std::vector<Thing> things;
+  const Rectangle body = body_of(world.vehicle());
+  for (const Polygon& polygon : world.obstacles()) {
+    const std::string name = "obstacles[" + std::to_string(things.size()) + "]";
+    things.push_back({"the footprint hits " + name, body,
+                      [&, body](const Position& p) { return clearance(p, body, polygon); }});
+  }
+  return things;
+}
+
+/// Looks no further than `most`.
+Thing map_of(const World& world, double most) {
+  const Rectangle body = body_of(world.vehicle());
+  return {"the footprint hits the map", body,
+          [&, body, most](const Position& p) { return clearance(p, body, *world.map(), most); }};
+}
+
+/// No cell of the map is further than this from any pose on the way [m].
+double furthest_cell(const Track& track, const OccupancyGrid& grid) {
+  const Position& start = track.stretches[0].start;
+  const auto to_origin =
+      static_cast<double>(std::hypot(start.x - grid.origin.x, start.y - grid.origin.y));
+  return to_origin + (grid.columns + grid.rows + 2) * grid.resolution +
+         static_cast<double>(track.length);
+}
+
+/// What was seen of every thing on the way.
+struct Survey {
   std::vector<std::vector<Look>> looks;
-  std::optional<Fault> first;
-  for (std::size_t i = 0; i < world.obstacles().size(); ++i) {
-    looks.push_back(looks_along(track, body, world.obstacles()[i]));
-    for (const Look& look : looks.back()) least = std::min(least, look.clearance);
-    const auto& [place, distance] = looks.back().back();
+  std::optional<Fault> first;  ///< the first collision
+  double least = std::numeric_limits<double>::infinity();
+};
+
+Survey survey_of(const Track& track, const std::vector<Thing>& things) {
+  Survey survey;
+  std::optional<Fault>& first = survey.first;
+  for (const Thing& thing : things) {
+    survey.looks.push_back(looks_along(track, thing));
+    for (const Look& look : survey.looks.back()) {
+      survey.least = std::min(survey.least, look.clearance);
+    }
+    const auto& [place, distance] = survey.looks.back().back();
     if (distance > 0) continue;
     if (first &&
         std::tie(first->place->stretch, first->place->t) <= std::tie(place.stretch, place.t)) {
       continue;
     }
-    first = Fault{"the footprint hits obstacles[" + std::to_string(i) + "]", place};
+    first = Fault{thing.hit, place};
   }
-  if (first) return first;
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    for (std::size_t k = 1; k < looks[i].size(); ++k) {
-      if (looks[i][k - 1].place.stretch != looks[i][k].place.stretch) continue;
-      refine(track, body, world.obstacles()[i], looks[i][k - 1], looks[i][k], least);
+  return survey;
+}
+
+double refined(const Track& track, const std::vector<Thing>& things, Survey survey) {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const std::vector<Look>& looks = survey.looks[i];
+    for (std::size_t k = 1; k < looks.size(); ++k) {
+      if (looks[k - 1].place.stretch != looks[k].place.stretch) continue;
+      refine(track, things[i], {looks[k - 1], looks[k]}, survey.least);
     }
   }
-  return std::nullopt;
+  return survey.least;
+}
+
+/// The first collision on the way; without one `least` is the clearance. Cells of a map are looked
+/// for nearby, and then as far as it takes to know what is nearest: far enough beyond that cells
+/// out of sight do not seem as near.
+std::optional<Fault> collision(const Track& track, const World& world, double& least) {
+  const std::vector<Thing> polygons = polygons_of(world);
+  const double furthest = world.map() ? furthest_cell(track, *world.map()) : 0.0;
+  for (double most = first_reach; most < 8 * furthest; most *= 4) {
+    std::vector<Thing> things = polygons;
+    things.push_back(map_of(world, most));
+    const Survey survey = survey_of(track, things);
+    least = survey.least;
+    if (survey.first) return survey.first;
+    if (survey.least > most / 2) continue;
+    least = refined(track, things, survey);
+    return std::nullopt;
+  }
+  const Survey survey = survey_of(track, polygons);
+  least = survey.first ? survey.least : refined(track, polygons, survey);
+  return survey.first;
 }
 
 std::optional<Fault> false_claim(const Track& track, const PathClaims& claims) {

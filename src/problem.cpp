@@ -105,6 +105,28 @@ std::vector<Polygon> checked(const std::vector<Polygon>& polygons, const Point& 
   return result;
 }
 
+/// A grid whose cells are all there.
+void check(const OccupancyGrid& grid, double limit) {
+  require(grid.resolution >= smallest_length && grid.resolution <= largest_length, "map.resolution",
+          "is " + shortest_text(grid.resolution) + ", expected 1e-06 m to 1e+06 m");
+  require_within(grid.origin.x, limit, "map.origin");
+  require_within(grid.origin.y, limit, "map.origin");
+  require_within(grid.origin.heading, largest_heading, "map.origin");
+  const std::int64_t count = std::int64_t{grid.columns} * grid.rows;
+  require(grid.columns >= 1 && grid.rows >= 1 && count <= most_map_cells, "map",
+          "has " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+              " cells, expected 1 to " + std::to_string(most_map_cells));
+  require(grid.cells != nullptr && grid.cells->size() == static_cast<std::size_t>(count), "map",
+          "does not hold all of its cells, expected " + std::to_string(count));
+}
+
+Surroundings checked(Surroundings surroundings, const Point& origin) {
+  (void)checked(surroundings.bounds, largest_local_coordinate);
+  surroundings.obstacles = checked(surroundings.obstacles, origin);
+  if (surroundings.map) check(*surroundings.map, largest_local_coordinate);
+  return surroundings;
+}
+
 /// The start, rounded to whole metres.
 Point local_origin(const Scenario& scenario) {
   return {std::round(scenario.start.x), std::round(scenario.start.y)};
@@ -132,6 +154,11 @@ Polygon local_polygon(const Polygon& polygon, const Point& origin) {
   return result;
 }
 
+std::optional<OccupancyGrid> local_map(std::optional<OccupancyGrid> map, const Point& origin) {
+  if (map) map->origin = local_pose(map->origin, origin);
+  return map;
+}
+
 /// "goal" or "goals[3]": where the goal stands in the file.
 std::string key_of(const Scenario& scenario, std::size_t goal) {
   return scenario.goals_are_a_row ? element("goals", goal) : "goal";
@@ -151,6 +178,7 @@ void check_shared(const Scenario& scenario) {
   (void)checked(scenario.bounds, largest_coordinate);
   check_pose(scenario.start, "start");
   check_polygons(scenario.obstacles, local_origin(scenario), "obstacles");
+  if (scenario.map) check(*scenario.map, largest_coordinate);
   require(!scenario.goals.empty(), "goals", "is empty, expected at least one goal");
 }
 
@@ -171,11 +199,13 @@ void check_goal(const Scenario& scenario, std::size_t index) {
 
 World::World(const Vehicle& vehicle, const Bounds& bounds, std::vector<Polygon> obstacles,
              const Point& origin)
+    : World(vehicle, Surroundings{.bounds = bounds, .obstacles = std::move(obstacles)}, origin) {}
+
+World::World(const Vehicle& vehicle, Surroundings surroundings, const Point& origin)
     : vehicle_(checked(vehicle)),
-      bounds_(checked(bounds, largest_local_coordinate)),
-      obstacles_(checked(obstacles, origin)),
+      surroundings_(checked(std::move(surroundings), origin)),
       origin_(origin),
-      checker_(footprint(vehicle_), bounds_, obstacles_) {}
+      checker_(vehicle_, surroundings_) {}
 
 void check_scenario(const Scenario& scenario) {
   check_shared(scenario);
@@ -187,15 +217,16 @@ Problem make_problem(const Scenario& scenario, std::size_t goal) {
   assert(goal < scenario.goals.size());
   check_goal(scenario, goal);
   const Point origin = local_origin(scenario);
-  std::vector<Polygon> obstacles;
+  Surroundings surroundings{.bounds = local_bounds(scenario.bounds, origin),
+                            .map = local_map(scenario.map, origin)};
   for (const auto* list : {&scenario.obstacles, &scenario.goals[goal].obstacles}) {
-    for (const Polygon& polygon : *list) obstacles.push_back(local_polygon(polygon, origin));
+    for (const Polygon& polygon : *list) {
+      surroundings.obstacles.push_back(local_polygon(polygon, origin));
+    }
   }
-  return {
-      .world = std::make_shared<const World>(
-          scenario.vehicle, local_bounds(scenario.bounds, origin), std::move(obstacles), origin),
-      .start = local_pose(scenario.start, origin),
-      .goal = local_pose(scenario.goals[goal].pose, origin)};
+  return {.world = std::make_shared<const World>(scenario.vehicle, std::move(surroundings), origin),
+          .start = local_pose(scenario.start, origin),
+          .goal = local_pose(scenario.goals[goal].pose, origin)};
 }
 
 Pose to_local(const World& world, const Pose& pose) noexcept {
@@ -212,11 +243,14 @@ Bounds sampling_region(const Problem& problem, Region region) noexcept {
   constexpr double margin = 20.0;  // [m]
   const Point poses[] = {{problem.start.x, problem.start.y}, {problem.goal.x, problem.goal.y}};
   Bounds scene = bounding_box(poses);
-  for (const Polygon& obstacle : problem.world->obstacles()) {
-    const Bounds box = bounding_box(obstacle);
+  const auto add = [&](const Bounds& box) {
     scene = {std::min(scene.x_min, box.x_min), std::max(scene.x_max, box.x_max),
              std::min(scene.y_min, box.y_min), std::max(scene.y_max, box.y_max)};
+  };
+  for (const Polygon& obstacle : problem.world->obstacles()) {
+    add(bounding_box(obstacle));
   }
+  if (problem.world->map()) add(bounding_box(outline(*problem.world->map())));
   return {std::clamp(scene.x_min - margin, bounds.x_min, bounds.x_max),
           std::clamp(scene.x_max + margin, bounds.x_min, bounds.x_max),
           std::clamp(scene.y_min - margin, bounds.y_min, bounds.y_max),

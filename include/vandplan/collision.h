@@ -7,13 +7,22 @@
 // is ever missed.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "vandplan/occupancy_grid.h"
 #include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
+
+/// Where one may drive and what stands in the way, all in one frame.
+struct Surroundings {
+  Bounds bounds = {};
+  std::vector<Polygon> obstacles = {};
+  std::optional<OccupancyGrid> map = {};
+};
 
 /// Answers collision queries for one footprint in one set of obstacles. Immutable after
 /// construction and safe to share between threads.
@@ -28,6 +37,8 @@ class CollisionChecker {
   /// The polygons must be simple (see `World`).
   CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                    std::span<const Polygon> obstacles);
+  /// The same for all that a vehicle meets.
+  CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings);
   ~CollisionChecker();
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;
@@ -39,6 +50,9 @@ class CollisionChecker {
 
   /// Everything swept from `from` along the segments, one after the other.
   [[nodiscard]] bool is_free(const Pose& from, std::span<const Segment> segments) const noexcept;
+
+  /// Whether an obstacle of the map is at most this far from the point [m]. False without a map.
+  [[nodiscard]] bool map_is_within(const Point& point, double distance) const noexcept;
 
  private:
   struct Data;

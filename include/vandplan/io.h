@@ -22,11 +22,15 @@ namespace vandplan {
 /// Reads and checks a scenario file (YAML). "-" is standard input.
 [[nodiscard]] Scenario read_scenario(const std::string& file);
 
-/// The same for the text of a scenario file; `where` stands for the file in errors.
+/// The same for the text of a scenario file; `where` stands for the file in errors, and a map is
+/// looked for beside it.
 [[nodiscard]] Scenario scenario_from_yaml(const std::string& text, const std::string& where);
 
 /// A scenario as YAML that `read_scenario` reads back exactly.
 [[nodiscard]] std::string scenario_to_yaml(const Scenario& scenario);
+
+/// Reads a map of ROS' map_server: its YAML file and the image that it names.
+[[nodiscard]] OccupancyGrid read_map(const std::string& file);
 
 /// Reads a case of the Trajectory Planning Competition for Automated Parking 2022 (CSV).
 [[nodiscard]] Scenario read_tpcap(const std::string& file);

@@ -37,6 +37,8 @@ struct Scenario {
   std::vector<Goal> goals;       ///< one for `goal:`, several for `goals:`
   bool goals_are_a_row = false;  ///< the file says `goals:`, and the furthest one reached counts
   std::vector<Polygon> obstacles;
+  std::string map_file = {};              ///< as the file says: relative to it; empty without map
+  std::optional<OccupancyGrid> map = {};  ///< what stands there
 };
 
 /// Where the vehicle may drive: checked, immutable, shared between threads and problems.
@@ -48,18 +50,25 @@ class World {
   /// dropped; a polygon of one repeated corner stands for that point.
   World(const Vehicle& vehicle, const Bounds& bounds, std::vector<Polygon> obstacles,
         const Point& origin);
+  /// The same with a map; "map" and what of it is wrong are named likewise.
+  World(const Vehicle& vehicle, Surroundings surroundings, const Point& origin);
 
   [[nodiscard]] const Vehicle& vehicle() const noexcept { return vehicle_; }
-  [[nodiscard]] const Bounds& bounds() const noexcept { return bounds_; }
-  [[nodiscard]] const std::vector<Polygon>& obstacles() const noexcept { return obstacles_; }
+  [[nodiscard]] const Bounds& bounds() const noexcept { return surroundings_.bounds; }
+  [[nodiscard]] const std::vector<Polygon>& obstacles() const noexcept {
+    return surroundings_.obstacles;
+  }
+  /// None without a map.
+  [[nodiscard]] const std::optional<OccupancyGrid>& map() const noexcept {
+    return surroundings_.map;
+  }
   /// Where the origin of the local frame lies in the scenario's frame [m].
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
   [[nodiscard]] const CollisionChecker& checker() const noexcept { return checker_; }
 
  private:
   Vehicle vehicle_;
-  Bounds bounds_;
-  std::vector<Polygon> obstacles_;
+  Surroundings surroundings_;
   Point origin_;
   CollisionChecker checker_;
 };
@@ -85,7 +94,7 @@ void check_scenario(const Scenario& scenario);
 /// Where samples are drawn; driving is allowed in the bounds either way.
 enum class Region {
   bounds,  ///< the bounds of the scenario
-  scene,   ///< bounding box of start, goal and obstacles plus 20 m, cut to the bounds
+  scene,   ///< bounding box of start, goal, obstacles and map plus 20 m, cut to the bounds
 };
 
 [[nodiscard]] Bounds sampling_region(const Problem& problem, Region region) noexcept;

@@ -85,6 +85,7 @@ std::vector<Entry> entries_of(const LegendContent& content) {
   }
   if (content.tree) entries.push_back({"tree", line, colour::tree});
   if (content.obstacles) entries.push_back({"obstacle", area, colour::obstacle});
+  if (content.unknown) entries.push_back({"unknown", area, colour::unknown});
   if (content.outside) entries.push_back({"out of bounds", area, colour::outside});
   return entries;
 }
@@ -116,6 +117,10 @@ void paint_sample(cairo_t* cairo, const Entry& entry, const Point& at) {
       cairo_fill(cairo);
       break;
   }
+}
+
+bool shows(const std::optional<OccupancyGrid>& map, Cell kind) {
+  return map && std::find(map->cells->begin(), map->cells->end(), kind) != map->cells->end();
 }
 
 std::string axis_title(const char* axis, double origin) {
@@ -197,7 +202,8 @@ void LegendContent::add(const Scene& scene, const View& view) noexcept {
   const Bounds& seen = view.visible;
   path |= scene.path.has_value();
   tree |= !scene.tree.poses.empty();
-  obstacles |= !scene.obstacles.empty();
+  obstacles |= !scene.obstacles.empty() || shows(scene.map, Cell::occupied);
+  unknown |= shows(scene.map, Cell::unknown);
   outside |= !contains(scene.bounds, {seen.x_min, seen.y_min}) ||
              !contains(scene.bounds, {seen.x_max, seen.y_max});
 }

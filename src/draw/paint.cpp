@@ -195,6 +195,7 @@ void paint_gear_change(cairo_t* cairo, const Point& place) {
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   const Footprint body = footprint(scene.vehicle);
   paint_bounds(cairo, scene, view);
+  if (scene.map) paint_map(cairo, *scene.map, view);
   paint_obstacles(cairo, scene, view);
   paint_tree(cairo, scene, view);
   if (scene.path) paint_sweep(cairo, scene, view);

@@ -11,6 +11,9 @@ namespace vandplan::picture {
 /// Fills the plot of `view` with the scene, from the ground upwards.
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view);
 
+/// The cells of a map that are occupied or unknown.
+void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view);
+
 /// A vehicle at rest.
 struct ParkedVehicle {
   Footprint body;

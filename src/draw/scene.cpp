@@ -80,6 +80,8 @@ Scene scene_of(const Drawing& drawing) {
   scene.obstacles = moved(scenario.obstacles, scene.origin);
   const std::vector<Polygon> own = moved(goal.obstacles, scene.origin);
   scene.obstacles.insert(scene.obstacles.end(), own.begin(), own.end());
+  scene.map = scenario.map;
+  if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");
   if (drawing.path) scene.path = moved(*drawing.path, scene.origin);
   if (drawing.tree) scene.tree = moved(*drawing.tree, scene.origin);
   return scene;
@@ -120,8 +122,10 @@ Bounds framed(const Scene& scene) {
   // Obstacles further away than a third of the picture add nothing to the story.
   const Bounds reach = widened(core, 5.0 + 0.3 * extent(core));
   Bounds seen = core;
-  for (const Polygon& obstacle : scene.obstacles) {
-    const Bounds box = bounding_box(obstacle);
+  std::vector<Polygon> things = scene.obstacles;
+  if (scene.map) things.push_back(outline(*scene.map));
+  for (const Polygon& thing : things) {
+    const Bounds box = bounding_box(thing);
     const Bounds near{std::max(box.x_min, reach.x_min), std::min(box.x_max, reach.x_max),
                       std::max(box.y_min, reach.y_min), std::min(box.y_max, reach.y_max)};
     if (near.x_min <= near.x_max && near.y_min <= near.y_max) seen = united(seen, near);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "io/document.h"
 #include "vandplan/input_error.h"
 #include "vandplan/io.h"
@@ -70,13 +72,48 @@ std::vector<Goal> goals_from(const Document& file, const Node& node) {
   return goals;
 }
 
-Scenario scenario_from(const Document& file) {
-  const Node& root = file.root();
-  if (const Node* const map = file.find(root, "map")) {
-    file.fail(*map, "maps are not supported yet, expected obstacles");
+/// Whether unknown ground is free.
+bool unknown_from(const Document& file, const Node& node) {
+  const std::string& text = file.text(node);
+  if (text != "free" && text != "obstacle") {
+    file.fail(node, "is \"" + text.substr(0, 40) + "\", expected free or obstacle");
   }
-  file.allow_only(
-      root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals", "obstacles"});
+  return text == "free";
+}
+
+/// Map, bounds and obstacles; with a map the others may be left out.
+void read_ground(const Document& file, const std::string& where, Scenario& scenario) {
+  const Node& root = file.root();
+  const Node* const map = file.find(root, "map");
+  const Node* const unknown = file.find(root, "unknown");
+  if (map != nullptr) {
+    scenario.map_file = file.text(*map);
+    const auto path = std::filesystem::path(where).parent_path() / scenario.map_file;
+    try {
+      scenario.map = read_map(path.string());
+    } catch (const InputError& error) {
+      if (error.where() != path.string()) throw;  // in the map and not the file as such
+      file.fail(*map, error.what());
+    }
+    scenario.map->unknown_is_free = unknown != nullptr && unknown_from(file, *unknown);
+  } else if (unknown != nullptr) {
+    file.fail(*unknown, "is given without a map, expected map beside it");
+  }
+  const Node* const bounds = file.find(root, "bounds");
+  if (map != nullptr && bounds == nullptr) {
+    scenario.bounds = bounding_box(outline(*scenario.map));
+  } else {
+    scenario.bounds = bounds_from(file, file.at(root, "bounds"));
+  }
+  const Node* const obstacles = file.find(root, "obstacles");
+  if (map != nullptr && obstacles == nullptr) return;
+  scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
+}
+
+Scenario scenario_from(const Document& file, const std::string& where) {
+  const Node& root = file.root();
+  file.allow_only(root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals",
+                         "obstacles", "map", "unknown"});
   const Node* const goals = file.find(root, "goals");
   const Node* const goal = file.find(root, "goal");
   if (goals != nullptr && goal != nullptr) {
@@ -91,14 +128,13 @@ Scenario scenario_from(const Document& file) {
     scenario.description = file.text(*description);
   }
   scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"));
-  scenario.bounds = bounds_from(file, file.at(root, "bounds"));
   scenario.start = pose_from(file, file.at(root, "start"));
   scenario.goals_are_a_row = goals != nullptr;
   scenario.goals =
       goals != nullptr
           ? goals_from(file, *goals)
           : std::vector<Goal>{{.distance = {}, .pose = pose_from(file, *goal), .obstacles = {}}};
-  scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
+  read_ground(file, where, scenario);
   return scenario;
 }
 
@@ -140,7 +176,7 @@ std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& ind
 
 Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
   const Document file = parse_yaml(text, where);
-  Scenario scenario = scenario_from(file);
+  Scenario scenario = scenario_from(file, where);
   try {
     check_scenario(scenario);
   } catch (const InputError& error) {
@@ -180,6 +216,10 @@ std::string scenario_to_yaml(const Scenario& scenario) {
   if (!scenario.goals_are_a_row) {  // a single goal's own have no key of their own
     const std::vector<Polygon>& own = scenario.goals.at(0).obstacles;
     obstacles.insert(obstacles.end(), own.begin(), own.end());
+  }
+  if (scenario.map) {
+    text += fmt::format("map: {}\n", quoted(scenario.map_file));
+    if (scenario.map->unknown_is_free) text += "unknown: free\n";
   }
   return text + "obstacles:" + yaml_of(obstacles, "  ");
 }

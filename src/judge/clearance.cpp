@@ -10,12 +10,6 @@
 namespace vandplan::judge {
 namespace {
 
-double distance_to_rectangle(const Point& p, const Rectangle& body) {
-  const double dx = std::max({body.x_min - p.x, 0.0, p.x - body.x_max});
-  const double dy = std::max({body.y_min - p.y, 0.0, p.y - body.y_max});
-  return std::hypot(dx, dy);
-}
-
 double distance_to_side(const Point& p, const Point& a, const Point& b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
@@ -25,7 +19,14 @@ double distance_to_side(const Point& p, const Point& a, const Point& b) {
   return std::hypot(p.x - (a.x + nearest * dx), p.y - (a.y + nearest * dy));
 }
 
-/// Between the side from a to b and the closed rectangle; 0 if they touch.
+}  // namespace
+
+double distance_to_rectangle(const Point& p, const Rectangle& body) {
+  const double dx = std::max({body.x_min - p.x, 0.0, p.x - body.x_max});
+  const double dy = std::max({body.y_min - p.y, 0.0, p.y - body.y_max});
+  return std::hypot(dx, dy);
+}
+
 double distance_of_side(const Point& a, const Point& b, const Rectangle& body) {
   const std::array<Point, 4> corners = {Point{body.x_min, body.y_min},
                                         {body.x_max, body.y_min},
@@ -47,8 +48,6 @@ double distance_of_side(const Point& a, const Point& b, const Rectangle& body) {
   for (const Point& corner : corners) distance = std::min(distance, distance_to_side(corner, a, b));
   return distance;
 }
-
-}  // namespace
 
 double clearance(const Position& position, const Rectangle& body, const Polygon& polygon) {
   const auto cos = static_cast<double>(std::cos(position.heading));

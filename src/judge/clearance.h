@@ -17,4 +17,8 @@ struct Rectangle {
 [[nodiscard]] double clearance(const Position& position, const Rectangle& body,
                                const Polygon& polygon);
 
+/// The same for one point and for one side, from a to b, seen from the vehicle.
+[[nodiscard]] double distance_to_rectangle(const Point& p, const Rectangle& body);
+[[nodiscard]] double distance_of_side(const Point& a, const Point& b, const Rectangle& body);
+
 }  // namespace vandplan::judge

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "support/grids.h"
 #include "support/problems.h"
 
 namespace vandplan {
@@ -370,6 +371,56 @@ TEST(PathCheck, ReverseIsLookedAtToo) {
   ASSERT_TRUE(check.at);
   EXPECT_NEAR(check.at->s, 9.4, 1e-3);
   EXPECT_EQ(check.at->direction, -1);
+}
+
+// The truck is 7.5 m long: from x = -1.6 to 5.9 at the start, 2.55 m wide. Cells are 1 m.
+PathCheck check_on_map(const std::vector<std::string>& rows, const Pose& origin, double metres) {
+  OccupancyGrid grid = grid_of(rows, 1.0, origin);
+  grid.unknown_is_free = true;
+  const Surroundings surroundings{{-50, 50, -50, 50}, {}, grid};
+  const Path path{{0, 0, 0}, {{0, metres}}};
+  return check_path(
+      {std::make_shared<World>(Vehicle{}, surroundings, Point{}), path.start, end_pose(path)}, path,
+      {});
+}
+
+TEST(PathCheckOnAMap, ClearanceIsToTheSquaresOfCells) {
+  // The front comes to x = 15.9, the cell begins at 17.5.
+  const PathCheck close = check_on_map({"..#"}, {15.5, -0.5, 0}, 10);
+  EXPECT_TRUE(close.valid) << close.reason;
+  EXPECT_NEAR(*close.clearance, 1.6, 1e-3);
+  // Far away: it has to look further and further.
+  const PathCheck far = check_on_map({"#"}, {400, -0.5, 0}, 10);
+  EXPECT_NEAR(*far.clearance, 400 - 15.9, 1e-3);
+}
+
+TEST(PathCheckOnAMap, TouchingACellIsACollision) {
+  const PathCheck check = check_on_map({"#"}, {10.0, 1.0, 0}, 10);
+  EXPECT_FALSE(check.valid);
+  EXPECT_EQ(check.reason, "the footprint hits the map");
+  ASSERT_TRUE(check.at);
+  EXPECT_NEAR(check.at->s, 4.1, 2e-3);
+}
+
+TEST(PathCheckOnAMap, TurnedCellsAreTurned) {
+  // A square on its tip, half a diagonal around (10, 2.1): its lower tip is at 1.393.
+  const double half = std::sqrt(0.5);
+  const PathCheck check = check_on_map({"#"}, {10.0, 2.1 - half, std::numbers::pi / 4}, 10);
+  EXPECT_TRUE(check.valid) << check.reason;
+  EXPECT_NEAR(*check.clearance, 2.1 - half - 1.275, 1e-3);
+}
+
+TEST(PathCheckOnAMap, InsideOfBlockedCellsIsACollision) {
+  const std::vector<std::string> rows(30, std::string(40, '#'));
+  const PathCheck check = check_on_map(rows, {-15, -15, 0}, 1);
+  EXPECT_FALSE(check.valid);
+  EXPECT_EQ(check.reason, "the footprint hits the map");
+}
+
+TEST(PathCheckOnAMap, WithoutBlockedCellsThereIsNoClearance) {
+  const PathCheck check = check_on_map({"..?"}, {3, 0, 0}, 10);
+  EXPECT_TRUE(check.valid) << check.reason;
+  EXPECT_TRUE(std::isinf(*check.clearance));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "support/shared_files.h"
+#include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
 #include "vandplan/io.h"
 
@@ -84,6 +85,88 @@ TEST(ScenarioFile, EveryKeyIsRead) {
             (std::vector<Polygon>{{{1, 2}, {3, 2}, {3, 4}}, {{-1, -2}, {-3, -2}, {-3, -4}}}));
 }
 
+// A map of 4 x 2 cells of 5 m: the lower left one is occupied, the upper right one unknown.
+class ScenarioWithMap : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.put("map.yaml",
+                "image: m.pgm\nresolution: 5\norigin: [-10, 2.5, 0]\nnegate: 0\n"
+                "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    folder_.put("m.pgm", "P2 4 2 255 255 255 255 205 0 255 255 255");
+  }
+
+  [[nodiscard]] Scenario read(const std::string& rest) const {
+    return read_scenario(folder_.put("s.yaml", lines + rest));
+  }
+
+  std::string message(const std::string& rest) const {
+    try {
+      (void)read(rest);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(folder_.path().size() + 1);
+    }
+    return "no error";
+  }
+
+  const std::string lines =
+      "name: yard\n"
+      "vehicle: {wheelbase: 4.5, front_overhang: 1.4, rear_overhang: 1.6, width: 2.55, "
+      "min_turning_radius: 7}\n"
+      "start: {x: 0, y: 0, heading: 0}\ngoal: {x: 5, y: 5, heading: 0}\n";
+  TemporaryFolder folder_;
+};
+
+TEST_F(ScenarioWithMap, TheMapLiesBesideTheScenario) {
+  const Scenario scenario = read("map: map.yaml\n");
+  EXPECT_EQ(scenario.map_file, "map.yaml");
+  ASSERT_TRUE(scenario.map);
+  EXPECT_TRUE(is_blocked(*scenario.map, 0, 0));
+  EXPECT_FALSE(is_blocked(*scenario.map, 1, 0));
+  EXPECT_TRUE(is_blocked(*scenario.map, 3, 1));
+  EXPECT_TRUE(is_blocked(*scenario.map, 4, 1));
+  EXPECT_EQ(scenario.bounds, (Bounds{-10, 10, 2.5, 12.5}));
+  EXPECT_TRUE(scenario.obstacles.empty());
+}
+
+TEST_F(ScenarioWithMap, UnknownGroundMayBeFree) {
+  const Scenario scenario = read("map: map.yaml\nunknown: free\n");
+  EXPECT_TRUE(is_blocked(*scenario.map, 0, 0));
+  EXPECT_FALSE(is_blocked(*scenario.map, 3, 1));
+  EXPECT_FALSE(is_blocked(*scenario.map, 4, 1));
+}
+
+TEST_F(ScenarioWithMap, ObstaclesAndBoundsMayStandBesideIt) {
+  const Scenario scenario = read(
+      "map: map.yaml\nbounds: {x: [0, 3], y: [1, 4]}\nobstacles: [[[1, 2], [3, 2], [3, 4]]]\n");
+  EXPECT_EQ(scenario.bounds, (Bounds{0, 3, 1, 4}));
+  EXPECT_EQ(scenario.obstacles.size(), 1U);
+}
+
+TEST_F(ScenarioWithMap, IsWrittenAndReadBack) {
+  const Scenario scenario = read("map: map.yaml\nunknown: free\n");
+  const Scenario again = read_scenario(folder_.put("again.yaml", scenario_to_yaml(scenario)));
+  expect_equal(again, scenario);
+  ASSERT_TRUE(again.map);
+  EXPECT_EQ(again.map_file, "map.yaml");
+  EXPECT_TRUE(again.map->unknown_is_free);
+  EXPECT_EQ(*again.map->cells, *scenario.map->cells);
+}
+
+TEST_F(ScenarioWithMap, MistakesHaveOneLineEach) {
+  EXPECT_EQ(message("map: gone.yaml\n"), "s.yaml:5: map: " + folder_.path() +
+                                             "/gone.yaml: cannot open: No such file or directory");
+  EXPECT_EQ(message("map: map.yaml\nunknown: grey\n"),
+            "s.yaml:6: unknown: is \"grey\", expected free or obstacle");
+  EXPECT_EQ(message("bounds: {x: [0, 3], y: [1, 4]}\nunknown: free\nobstacles: []\n"),
+            "s.yaml:6: unknown: is given without a map, expected map beside it");
+  EXPECT_EQ(message("obstacles: []\n"), "s.yaml:1: key \"bounds\" is missing, expected it");
+  folder_.put("map.yaml",
+              "image: m.pgm\nresolution: 1e7\norigin: [0, 0, 0]\nnegate: 0\n"
+              "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  EXPECT_EQ(message("map: map.yaml\n"),
+            "s.yaml:5: map.resolution: is 1e+07, expected 1e-06 m to 1e+06 m");
+}
+
 TEST(ScenarioFile, ARowOfGoalsIsRead) {
   const Scenario scenario = scenario_from_yaml(valid_row, "s.yaml");
   EXPECT_TRUE(scenario.goals_are_a_row);
@@ -141,7 +224,7 @@ std::vector<BadFile> bad_files() {
              "rear_overhang, width, min_turning_radius"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles"),
+             "goal, goals, obstacles, map, unknown"),
       spoilt("name: yard\n", "", "1: key \"name\" is missing, expected it"),
       spoilt("width: 2.55, ", "", "3: vehicle: key \"width\" is missing, expected it"),
       spoilt("  y: 5.25   # metres\n", "", "7: goal: key \"y\" is missing, expected it"),
@@ -149,11 +232,11 @@ std::vector<BadFile> bad_files() {
              "1: key \"goal\" is missing, expected either goal or goals"),
       spoilt("goal:", "gaol:",
              "6: unknown key \"gaol\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles"),
+             "goal, goals, obstacles, map, unknown"),
       spoilt("heading: .5", "y: 6",
              "9: key \"y\" is given again, expected it once (first on line 8)"),
       spoilt("start:", "map: yard.yaml\nstart:",
-             "5: map: maps are not supported yet, expected obstacles"),
+             "5: map: yard.yaml: cannot open: No such file or directory"),
       spoilt(
           "start:", "goals: []\nstart:", "5: goals: is given beside goal, expected one of the two"),
       // Types
@@ -257,11 +340,13 @@ TEST(ScenarioFile, OurScenariosReadBackUnchanged) {
 }
 
 TEST(ScenarioFile, OtherPeoplesScenariosAreRead) {
-  for (const std::string folder : {"tpcap", "dlp"}) {
+  for (const std::string folder : {"tpcap", "dlp", "maps"}) {
     const auto files = yaml_files(shared_folder() / "scenarios" / folder);
     if (files.empty()) GTEST_SKIP() << "no shared scenarios beside the repository";
     for (const std::string& file : files) {
       SCOPED_TRACE(file);
+      if (read_file(file, 1 << 20).find("\nimage: ") != std::string::npos)
+        continue;  // a map itself
       const Scenario scenario = read_scenario(file);
       EXPECT_NO_THROW((void)make_problem(scenario, 0));
     }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// What does a collision check cost on a large map? A yard of 200 m with ten obstacles, once as
+// polygons and once as 4000 x 4000 cells, and the same random edges in both.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "random.h"
+#include "support/collision_oracle.h"
+#include "vandplan/problem.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double side = 200.0;  // [m]
+constexpr std::int32_t cells = 4000;
+constexpr Bounds yard{0, side, 0, side};
+
+std::vector<Polygon> ten_obstacles() {
+  Rng rng(7);
+  std::vector<Polygon> obstacles;
+  for (int i = 0; i < 10; ++i) {
+    const Pose middle = uniform_pose({20, side - 20, 20, side - 20}, rng);
+    const double length = uniform(5, 40, rng);
+    const double width = uniform(3, 15, rng);
+    const Footprint box{length / 2, length / 2, width / 2};
+    const auto outline = corners(box, middle);
+    obstacles.emplace_back(outline.begin(), outline.end());
+  }
+  return obstacles;
+}
+
+OccupancyGrid drawn(const std::vector<Polygon>& obstacles) {
+  std::vector<Cell> ground(std::size_t{cells} * cells, Cell::free);
+  const double resolution = side / cells;
+  for (const Polygon& obstacle : obstacles) {
+    const Bounds box = bounding_box(obstacle);
+    const auto index = [&](double x) {
+      return std::clamp(static_cast<std::int32_t>(x / resolution), 0, cells - 1);
+    };
+    for (std::int32_t y = index(box.y_min); y <= index(box.y_max); ++y) {
+      for (std::int32_t x = index(box.x_min); x <= index(box.x_max); ++x) {
+        if (!contains(obstacle, {(x + 0.5) * resolution, (y + 0.5) * resolution})) continue;
+        ground[static_cast<std::size_t>(y) * cells + static_cast<std::size_t>(x)] = Cell::occupied;
+      }
+    }
+  }
+  return {.resolution = resolution,
+          .columns = cells,
+          .rows = cells,
+          .cells = std::make_shared<const std::vector<Cell>>(std::move(ground))};
+}
+
+struct Edge {
+  Pose from;
+  Piece piece;
+};
+
+/// From free poses to free poses at most that far away.
+std::vector<Edge> random_edges(const World& world, double longest) {
+  Rng rng(1);
+  const auto free_pose = [&](const Bounds& within) {
+    Pose pose = uniform_pose(within, rng);
+    while (!world.checker().is_free(pose)) pose = uniform_pose(within, rng);
+    return pose;
+  };
+  std::vector<Edge> edges;
+  while (edges.size() < 4096) {
+    const Pose from = free_pose(yard);
+    const Pose to = free_pose({std::max(0.0, from.x - longest), std::min(side, from.x + longest),
+                               std::max(0.0, from.y - longest), std::min(side, from.y + longest)});
+    edges.push_back({from, reeds_shepp(from, to, world.vehicle().min_turning_radius)});
+  }
+  return edges;
+}
+
+struct Yards {
+  std::vector<Polygon> obstacles = ten_obstacles();
+  OccupancyGrid map = drawn(obstacles);
+  World polygons{{}, yard, obstacles, {}};
+  World mapped{{}, Surroundings{yard, {}, map}, {}};
+};
+
+const Yards& yards() {
+  static const Yards both;
+  return both;
+}
+
+void edge_check(benchmark::State& state, const World& world) {
+  const std::vector<Edge> edges = random_edges(yards().mapped, static_cast<double>(state.range(0)));
+  std::size_t next = 0;
+  std::size_t free = 0;
+  for (auto _ : state) {
+    const Edge& edge = edges[next];
+    next = (next + 1) % edges.size();
+    free += world.checker().is_free(edge.from, edge.piece.view()) ? 1U : 0U;
+  }
+  state.counters["free"] = static_cast<double>(free) / static_cast<double>(state.iterations());
+}
+
+void among_polygons(benchmark::State& state) { edge_check(state, yards().polygons); }
+void among_cells(benchmark::State& state) { edge_check(state, yards().mapped); }
+
+/// The map made ready: what planning needs of it.
+void make_world(benchmark::State& state) {
+  for (auto _ : state) {
+    const World world{{}, Surroundings{yard, {}, yards().map}, {}};
+    benchmark::DoNotOptimize(&world);
+  }
+}
+
+BENCHMARK(among_polygons)->Arg(5)->Arg(20)->Arg(200);
+BENCHMARK(among_cells)->Arg(5)->Arg(20)->Arg(200);
+BENCHMARK(make_world)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace vandplan

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How is a portable grey map read?
+//
+// https://netpbm.sourceforge.net/doc/pgm.html: magic number, width, height, greatest value, all
+// separated by blanks and comments; then one byte (two from 256 on, the higher one first) or one
+// decimal number for each pixel.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string_view>
+
+#include "io/image.h"
+#include "vandplan/input_error.h"
+#include "vandplan/occupancy_grid.h"
+
+namespace vandplan {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& where) : text_(text), where_(where) {}
+
+  /// The next decimal number.
+  std::uint64_t number(const char* name, std::uint64_t most) {
+    skip_blanks();
+    std::uint64_t value = 0;
+    const char* const begin = text_.data() + at_;
+    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
+    if (at_ == text_.size()) fail(fmt::format("ends before its {}", name), "a whole PGM image");
+    if (error == std::errc::invalid_argument) {
+      fail(fmt::format("has no {} at byte {}", name, at_), "a decimal number");
+    }
+    if (error != std::errc() || value > most) {
+      fail(fmt::format("has a {} of {}", name, std::string(begin, end)),
+           fmt::format("at most {}", most));
+    }
+    at_ = static_cast<std::size_t>(end - text_.data());
+    return value;
+  }
+
+  /// What follows the single blank behind the header.
+  std::string_view raster() {
+    if (at_ == text_.size() || !is_blank(text_[at_])) {
+      fail("has no pixels behind its header", "a blank and then the pixels");
+    }
+    return text_.substr(at_ + 1);
+  }
+
+  [[noreturn]] void fail(const std::string& problem, const std::string& expected) const {
+    throw InputError(where_, problem + ", expected " + expected);
+  }
+
+ private:
+  void skip_blanks() {
+    while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '#')) {
+      if (text_[at_] == '#') at_ = std::min(text_.find('\n', at_), text_.size());
+      if (at_ < text_.size()) ++at_;
+    }
+  }
+
+  std::string_view text_;
+  const std::string& where_;
+  std::size_t at_ = 2;  // behind the magic number
+};
+
+void read_binary(Reader& reader, std::uint64_t greatest, Image& image) {
+  const std::string_view raster = reader.raster();
+  const std::size_t width = greatest < 256 ? 1 : 2;
+  const std::size_t needed = image.pixels.size() * width;
+  if (raster.size() < needed) {
+    reader.fail(fmt::format("ends after {} of {} bytes of pixels", raster.size(), needed),
+                "a whole PGM image");
+  }
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(raster[k]); };
+    const std::uint32_t value = width == 1 ? byte(i) : byte(2 * i) * 256U + byte(2 * i + 1);
+    if (value > greatest) {
+      reader.fail(fmt::format("has a pixel of {}", value), fmt::format("at most {}", greatest));
+    }
+    image.pixels[i] = value;
+  }
+}
+
+}  // namespace
+
+void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where) {
+  const auto most = static_cast<std::uint64_t>(most_map_cells);
+  if (columns >= 1 && rows >= 1 && columns <= most && rows <= most / columns) return;
+  throw InputError(where, fmt::format("is {} x {} pixels, expected at least one and at most {}",
+                                      columns, rows, most));
+}
+
+Image image_from_pgm(const std::string& bytes, const std::string& where) {
+  Reader reader(bytes, where);
+  constexpr std::uint64_t largest_side = INT64_MAX;
+  const std::uint64_t columns = reader.number("width", largest_side);
+  const std::uint64_t rows = reader.number("height", largest_side);
+  check_image_size(columns, rows, where);
+  const std::uint64_t greatest = reader.number("greatest value", 65535);
+  if (greatest == 0) reader.fail("has a greatest value of 0", "1 to 65535");
+  // A pixel takes a byte at least: no memory for a size that the file cannot have.
+  if (bytes.size() < columns * rows) {
+    reader.fail(fmt::format("holds {} bytes for {} x {} pixels", bytes.size(), columns, rows),
+                "a whole PGM image");
+  }
+  Image image{static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
+              static_cast<std::uint32_t>(greatest), std::vector<std::uint32_t>(columns * rows)};
+  if (bytes[1] == '5') {
+    read_binary(reader, greatest, image);
+  } else {
+    for (std::uint32_t& pixel : image.pixels) {
+      pixel = static_cast<std::uint32_t>(reader.number("pixel", greatest));
+    }
+  }
+  return image;
+}
+
+Image image_from(const std::string& bytes, const std::string& where, Alpha alpha) {
+  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return image_from_pgm(bytes, where);
+  if (bytes.starts_with("\x89PNG")) return image_from_png(bytes, where, alpha);
+  throw InputError(where, "is no image that can be read, expected PGM (P2 or P5) or PNG");
+}
+
+}  // namespace vandplan

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How is a PNG image read?
+
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstring>
+
+#include "io/image.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+/// Bytes that libpng reads from, and what it says when it gives up. libpng jumps out of its own
+/// functions to where it was called from; nothing there has a destructor that would be missed.
+class PngFile {
+ public:
+  explicit PngFile(const std::string& bytes) : bytes_(bytes) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, give_up, ignore);
+    if (png_ != nullptr) info_ = png_create_info_struct(png_);
+  }
+  ~PngFile() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngFile(const PngFile&) = delete;
+  PngFile& operator=(const PngFile&) = delete;
+
+  /// False when it is broken.
+  bool read_header() {
+    if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_set_read_fn(png_, this, take);
+    png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_read_info(png_, info_);
+    png_set_expand(png_);  // palettes to colours, transparent colours to opacity, to 8 bits
+    png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+    columns = png_get_image_width(png_, info_);
+    rows = png_get_image_height(png_, info_);
+    channels = png_get_channels(png_, info_);
+    depth = png_get_bit_depth(png_, info_);
+    row_size = png_get_rowbytes(png_, info_);
+    return true;
+  }
+
+  bool read_rows(png_bytepp places) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_image(png_, places);
+    png_read_end(png_, nullptr);
+    return true;
+  }
+
+  [[nodiscard]] const char* problem() const { return problem_; }
+
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  int channels = 0;
+  int depth = 0;  // bits of a channel
+  std::size_t row_size = 0;
+
+ private:
+  static void take(png_structp png, png_bytep to, std::size_t size) {
+    auto* const file = static_cast<PngFile*>(png_get_io_ptr(png));
+    if (file->bytes_.size() - file->at_ < size) png_error(png, "it ends too early");
+    std::memcpy(to, file->bytes_.data() + file->at_, size);
+    file->at_ += size;
+  }
+
+  [[noreturn]] static void give_up(png_structp png, png_const_charp problem) {
+    auto* const file = static_cast<PngFile*>(png_get_error_ptr(png));
+    std::strncpy(file->problem_, problem, sizeof file->problem_ - 1);
+    png_longjmp(png, 1);
+  }
+
+  static void ignore(png_structp, png_const_charp) {}
+
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  char problem_[120] = {};
+};
+
+[[noreturn]] void fail(const PngFile& file, const std::string& where) {
+  throw InputError(
+      where, std::string("is a broken PNG image (") + file.problem() + "), expected a whole one");
+}
+
+/// Of a pixel whose channels begin at `bytes`.
+std::uint32_t brightness(const PngFile& file, const png_byte* bytes, Alpha alpha) {
+  const auto channel = [&](int i) -> std::uint32_t {
+    return file.depth == 16 ? bytes[2 * i] * 256U + bytes[2 * i + 1] : bytes[i];
+  };
+  const bool is_grey = file.channels < 3;
+  const std::uint32_t sum = is_grey ? 3 * channel(0) : channel(0) + channel(1) + channel(2);
+  const bool has_opacity = file.channels % 2 == 0;
+  if (!has_opacity || alpha == Alpha::ignored) return sum;
+  const std::uint32_t opacity = channel(file.channels - 1);
+  if (alpha == Alpha::averaged) return sum + opacity;
+  return opacity == (1U << file.depth) - 1 ? sum : Image::transparent;
+}
+
+}  // namespace
+
+Image image_from_png(const std::string& bytes, const std::string& where, Alpha alpha) {
+  PngFile file(bytes);
+  if (!file.read_header()) fail(file, where);
+  check_image_size(file.columns, file.rows, where);
+  std::vector<png_byte> raster(file.row_size * file.rows);
+  std::vector<png_bytep> places(file.rows);
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = raster.data() + i * file.row_size;
+  if (!file.read_rows(places.data())) fail(file, where);
+  const bool has_opacity = file.channels % 2 == 0;
+  const std::uint32_t parts = has_opacity && alpha == Alpha::averaged ? 4 : 3;
+  Image image{static_cast<std::int32_t>(file.columns),
+              static_cast<std::int32_t>(file.rows),
+              parts * ((1U << file.depth) - 1),
+              {}};
+  image.pixels.reserve(std::size_t{file.columns} * file.rows);
+  const std::size_t step =
+      static_cast<std::size_t>(file.channels) * static_cast<std::size_t>(file.depth / 8);
+  for (const png_byte* row : places) {
+    for (std::size_t x = 0; x < file.columns; ++x) {
+      image.pixels.push_back(brightness(file, row + x * step, alpha));
+    }
+  }
+  return image;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Among the cells of a map, too, the checker never accepts an edge that the judge, looking every
+// millimetre, rejects, and rejects none that stays more than its tolerance away from everything.
+// A third of the maps lies so that an edge just touches or just misses a cell.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "support/cases.h"
+#include "support/collision_oracle.h"
+#include "support/grids.h"
+#include "vandplan/collision.h"
+#include "vandplan/path_check.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr Bounds wide{-1e4, 1e4, -1e4, 1e4};
+
+bool chance(double probability, Rng& rng) { return uniform01(rng) < probability; }
+
+/// Between the bounds, every power of ten as likely as the next.
+double any_size(double low, double high, Rng& rng) {
+  return low * std::pow(high / low, uniform01(rng));
+}
+
+double any_sign(double value, Rng& rng) { return chance(0.5, rng) ? value : -value; }
+
+Vehicle any_vehicle(Rng& rng) {
+  Vehicle vehicle;
+  if (chance(0.7, rng)) {
+    vehicle = {.wheelbase = any_size(0.3, 8, rng),
+               .front_overhang = chance(0.2, rng) ? 0 : any_size(0.1, 3, rng),
+               .rear_overhang = chance(0.2, rng) ? 0 : any_size(0.1, 5, rng),
+               .width = any_size(0.2, 4, rng)};
+  }
+  vehicle.min_turning_radius = 1e-3;
+  return vehicle;
+}
+
+Segment any_segment(Rng& rng) {
+  const double kind = uniform01(rng);
+  Segment segment;
+  if (kind < 0.6) segment.curvature = any_sign(1 / uniform(2, 12, rng), rng);
+  if (kind < 0.1) segment.curvature = any_sign(1 / any_size(0.02, 2, rng), rng);
+  if (kind > 0.8) segment.curvature = any_sign(any_size(1e-12, 0.1, rng), rng);
+  const double most = std::min(30.0, 9 / std::abs(segment.curvature));
+  const double length = chance(0.05, rng) ? 0 : any_size(chance(0.1, rng) ? 1e-6 : 0.02, most, rng);
+  segment.length = any_sign(length, rng);
+  return segment;
+}
+
+Path any_edge(Rng& rng) {
+  Path path{uniform_pose({-10, 10, -10, 10}, rng), {}};
+  const int count = chance(0.7, rng) ? 1 : 3;
+  for (int i = 0; i < count; ++i) path.segments.push_back(any_segment(rng));
+  return path;
+}
+
+/// Turned, around the origin, with few blocked cells.
+OccupancyGrid any_grid(Rng& rng) {
+  const auto side = [&] { return static_cast<std::int32_t>(any_size(1, 120, rng)); };
+  const std::int32_t columns = side();
+  const std::int32_t rows = side();
+  OccupancyGrid grid = random_grid(columns, rows, any_size(0.3, 6, rng) / columns / rows, rng);
+  grid.unknown_is_free = true;
+  grid.resolution = any_size(0.02, 4, rng);
+  const double turn = chance(0.3, rng) ? 0 : uniform(-pi, pi, rng);
+  const Pose turned{uniform(-12, 12, rng), uniform(-12, 12, rng), turn};
+  grid.origin = compose(turned, {-columns * grid.resolution / 2, -rows * grid.resolution / 2, 0});
+  return grid;
+}
+
+/// Moves the map so that the edge just touches or just misses what is nearest.
+void graze(OccupancyGrid& grid, const Footprint& body, const Path& path, Rng& rng) {
+  const Gap gap = least_gap(body, squares_of(grid), path, 1e-3);
+  if (gap.distance == 0 || std::isinf(gap.distance)) return;
+  const double wanted = chance(0.7, rng) ? uniform(-2e-3, 4e-3, rng) : any_size(1e-5, 1, rng);
+  const double part = 1 - wanted / gap.distance;
+  grid.origin.x += part * (gap.on_body.x - gap.on_obstacle.x);
+  grid.origin.y += part * (gap.on_body.y - gap.on_obstacle.y);
+}
+
+struct Counts {
+  int accepted = 0;
+  int barely_accepted = 0;  // within 4 mm of a cell
+  int rejected = 0;
+  int barely_rejected = 0;  // without touching, found in every 16th
+};
+
+void expect_law(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& path,
+                Counts& counts) {
+  const Footprint body = footprint(vehicle);
+  const auto world = std::make_shared<World>(vehicle, Surroundings{wide, {}, grid}, Point{});
+  const auto described = [&] {
+    return as_code(path) + " on cells of " + as_code(grid.resolution) + " m at " +
+           as_code(grid.origin) + ", " + std::to_string(grid.columns) + " x " +
+           std::to_string(grid.rows) + ": " + as_code(squares_of(grid));
+  };
+  if (world->checker().is_free(path.start, path.segments)) {
+    const PathCheck check = check_path({world, path.start, end_pose(path)}, path, {});
+    EXPECT_TRUE(check.valid) << check.reason << "; " << described();
+    ++counts.accepted;
+    counts.barely_accepted += check.clearance < 4e-3;
+  } else {
+    const std::vector<Polygon> squares = squares_of(grid);
+    EXPECT_TRUE(comes_within(CollisionChecker::tolerance, body, squares, path)) << described();
+    counts.barely_rejected += counts.rejected % 16 == 0 && !comes_within(0, body, squares, path);
+    ++counts.rejected;
+  }
+}
+
+TEST(MapLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
+  constexpr int count = 34000;
+  Counts counts;
+  for_each_case(1, count, [&](Rng& rng) {
+    const Vehicle vehicle = any_vehicle(rng);
+    const Path grazing = any_edge(rng);
+    OccupancyGrid grid = any_grid(rng);
+    graze(grid, footprint(vehicle), grazing, rng);
+    expect_law(vehicle, grid, grazing, counts);
+    for (int i = 0; i < 2; ++i) expect_law(vehicle, grid, any_edge(rng), counts);
+  });
+  EXPECT_GT(counts.accepted, cases(count));
+  EXPECT_GT(counts.rejected, cases(count) / 8);
+  EXPECT_GT(counts.barely_accepted, cases(count) / 8);
+  EXPECT_GT(counts.barely_rejected * 16, cases(count) / 16);
+}
+
+TEST(MapLaw, CrowdedAndEnclosedMapsKeepItToo) {
+  constexpr int count = 300;
+  Counts counts;
+  for_each_case(2, count, [&](Rng& rng) {
+    const auto side = [&] { return static_cast<std::int32_t>(uniform(5, 40, rng)); };
+    OccupancyGrid grid = random_grid(side(), side(), any_size(1e-3, 0.3, rng), rng);
+    grid.unknown_is_free = chance(0.3, rng);
+    grid.resolution = any_size(0.2, 2, rng);
+    grid.origin = {uniform(-20, 0, rng), uniform(-20, 0, rng), uniform(-0.5, 0.5, rng)};
+    const Vehicle vehicle = any_vehicle(rng);
+    for (int i = 0; i < 10; ++i) expect_law(vehicle, grid, any_edge(rng), counts);
+  });
+  EXPECT_GT(counts.accepted, cases(count) / 2);
+  EXPECT_GT(counts.rejected, cases(count) / 2);
+}
+
+TEST(MapLaw, TheJudgeSeesCellsAsItSeesSquares) {
+  constexpr int count = 3000;
+  int valid = 0;
+  int invalid = 0;
+  for_each_case(3, count, [&](Rng& rng) {
+    const Vehicle vehicle = any_vehicle(rng);
+    const Path path = any_edge(rng);
+    const OccupancyGrid grid = any_grid(rng);
+    const auto judged = [&](const Surroundings& surroundings) {
+      const auto world = std::make_shared<World>(vehicle, surroundings, Point{});
+      return check_path({world, path.start, end_pose(path)}, path, {});
+    };
+    const PathCheck cells = judged({wide, {}, grid});
+    const PathCheck squares = judged({wide, squares_of(grid), {}});
+    EXPECT_EQ(cells.valid, squares.valid);
+    if (cells.valid && std::isfinite(*squares.clearance)) {
+      EXPECT_NEAR(*cells.clearance, *squares.clearance, 1e-3);
+    }
+    ++(cells.valid ? valid : invalid);
+  });
+  EXPECT_GT(valid, cases(count) / 4);
+  EXPECT_GT(invalid, cases(count) / 40);
+}
+
+}  // namespace
+}  // namespace vandplan
