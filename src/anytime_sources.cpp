@@ -10,11 +10,12 @@ namespace vandplan {
 namespace {
 
 // Each search is twice as fine as the one before it but one. The first ones are greedy: they find
-// a first route; the last of a kind looks for the best.
-constexpr std::array<LatticeOptions, 6> searches = {
-    LatticeOptions{12, 0.5, 2.0},   LatticeOptions{24, 0.25, 1.5}, LatticeOptions{36, 0.17, 1.2},
-    LatticeOptions{48, 0.125, 2.0}, LatticeOptions{96, 0.06, 2.0}, LatticeOptions{192, 0.03, 3.0},
-};
+// a first route; the third looks for the best; the others find ways out of ever tighter slots.
+constexpr std::array<LatticeOptions, 8> searches = {
+    LatticeOptions{12, 0.5, 2.0},    LatticeOptions{24, 0.25, 1.5},
+    LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
+    LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
+    LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
 constexpr std::size_t most_nodes = 300'000;  // of one search: some 30 MB
 constexpr double first_guide_side = 1.0;     // [vehicle widths]
 constexpr double fine_guide_side = 0.5;      // of all searches but the first

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // How do OMPL's planners do on the same problems, in turns with ours?
-// usage: peer_planners_bench SEEDS SECONDS SCENARIO.yaml...
+// usage: peer_planners_bench SEEDS SECONDS bounds|scene PLANNER,...|all SCENARIO.yaml...
 //
+// Region of the samples, for all alike. Times are processor time, of all threads together.
 // Each of OMPL's planners runs twice: with an ordinary test of the footprint's polygon every 0.1 m,
 // and with our checker as its motion validator. Every path goes through our judge.
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -149,6 +150,17 @@ class OurEdges : public ob::MotionValidator {
 
 // ---- one run ----
 
+struct Settings {
+  int seeds;
+  double seconds;
+  Region region;
+  std::string planners;  // names with commas between and around them, or all
+
+  [[nodiscard]] bool wants(const std::string& name) const {
+    return planners == ",all," || planners.find("," + name + ",") != std::string::npos;
+  }
+};
+
 struct Outcome {
   double first = never;  // [ms]
   double cost = never;   // at the end [m]
@@ -184,7 +196,7 @@ void set_pose(ob::ScopedState<Space>& state, const Pose& pose) {
 
 Path path_of(const og::PathGeometric& found, const Problem& problem) {
   Path path{problem.start, {}};
-  for (std::size_t i = 1; i < found.getStateCount(); ++i) {
+  for (unsigned i = 1; i < found.getStateCount(); ++i) {
     const Piece piece = reeds_shepp(pose_of(found.getState(i - 1)), pose_of(found.getState(i)),
                                     problem.world->vehicle().min_turning_radius);
     path.segments.insert(path.segments.end(), piece.view().begin(), piece.view().end());
@@ -193,10 +205,10 @@ Path path_of(const og::PathGeometric& found, const Problem& problem) {
 }
 
 Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool ours,
-                 double seconds) {
+                 const Settings& settings) {
   const World& world = *problem.world;
   const auto space = std::make_shared<Space>(world.vehicle().min_turning_radius);
-  const Bounds region = sampling_region(problem, Region::scene);
+  const Bounds region = sampling_region(problem, settings.region);
   ob::RealVectorBounds bounds(2);
   bounds.setLow(0, region.x_min);
   bounds.setHigh(0, region.x_max);
@@ -228,7 +240,7 @@ Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool o
     outcome.first = std::min(outcome.first, 1e3 * elapsed());
   };
   setup.getProblemDefinition()->setIntermediateSolutionCallback(found);
-  setup.solve(seconds);
+  setup.solve(settings.seconds);
   if (!setup.haveExactSolutionPath()) return outcome;
   outcome.first = std::min(outcome.first, 1e3 * elapsed());
   const Path path = path_of(setup.getSolutionPath(), problem);
@@ -238,11 +250,11 @@ Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool o
   return outcome;
 }
 
-Outcome run_ours(const Problem& problem, std::uint64_t seed, double seconds) {
+Outcome run_ours(const Problem& problem, std::uint64_t seed, double seconds, Region region) {
   PlanOptions options;
   options.seed = seed;
   options.time_limit = seconds;
-  options.region = Region::scene;
+  options.region = region;
   const PlanResult result = plan(problem, planner_named("anytime"), options);
   if (!result.path) return {};
   return {1e3 * result.anytime.front().time, result.cost, true};
@@ -268,7 +280,7 @@ void print(const char* planner, const std::vector<Outcome>& outcomes) {
               quantile(cost, 0.5), quantile(cost, 0.95), quantile(cost, 1.0), judged);
 }
 
-void compare(const Scenario& scenario, std::size_t goal, int seeds, double seconds) {
+void compare(const Scenario& scenario, std::size_t goal, const Settings& settings) {
   const Problem problem = make_problem(scenario, goal);
   std::map<std::string, std::vector<Outcome>> outcomes;
   std::vector<std::string> order;
@@ -276,14 +288,15 @@ void compare(const Scenario& scenario, std::size_t goal, int seeds, double secon
     if (outcomes[name].empty()) order.push_back(name);
     outcomes[name].push_back(outcome);
   };
-  for (int seed = 1; seed <= seeds; ++seed) {
-    for (const double time : {0.01, 0.1, seconds}) {
-      const std::string name = "anytime, " + std::to_string(static_cast<int>(1e3 * time)) + " ms";
-      add(name, run_ours(problem, static_cast<std::uint64_t>(seed), time));
+  for (int seed = 1; seed <= settings.seeds; ++seed) {
+    for (const double time : {0.01, 0.1, settings.seconds}) {
+      const std::string name = "anytime, " + std::to_string(std::lround(1e3 * time)) + " ms";
+      add(name, run_ours(problem, static_cast<std::uint64_t>(seed), time, settings.region));
     }
     for (const auto& [name, make_planner] : ompl_planners()) {
-      add(name, run_ompl(problem, make_planner, false, seconds));
-      add(std::string(name) + ", our checker", run_ompl(problem, make_planner, true, seconds));
+      if (!settings.wants(name)) continue;
+      add(name, run_ompl(problem, make_planner, false, settings));
+      add(std::string(name) + ", our checker", run_ompl(problem, make_planner, true, settings));
     }
   }
   std::printf("%s\n", scenario.name.c_str());
@@ -296,19 +309,25 @@ void compare(const Scenario& scenario, std::size_t goal, int seeds, double secon
 
 int main(int argc, char** argv) {
   using namespace vandplan;
-  if (argc < 4) {
-    std::fprintf(stderr, "usage: peer_planners_bench SEEDS SECONDS SCENARIO.yaml...\n");
+  if (argc < 6) {
+    std::fprintf(stderr,
+                 "usage: peer_planners_bench SEEDS SECONDS bounds|scene PLANNER,...|all "
+                 "SCENARIO.yaml...\n");
     return 2;
   }
+  const Settings settings{std::atoi(argv[1]), std::atof(argv[2]),
+                          argv[3] == std::string("bounds") ? Region::bounds : Region::scene,
+                          "," + std::string(argv[4]) + ","};
   ompl::msg::noOutputHandler();
   ompl::RNG::setSeed(1);
-  std::printf("median, 95 %%, worst; OMPL's setup not counted; region scene\n");
-  for (int i = 3; i < argc; ++i) {
+  std::printf("median, 95 %%, worst of %d; region %s; processor time, without OMPL's setup\n",
+              settings.seeds, argv[3]);
+  for (int i = 5; i < argc; ++i) {
     const Scenario scenario = read_scenario(argv[i]);
     std::size_t goal = 0;
     for (std::size_t k = 0; k < scenario.goals.size(); ++k) {
       if (scenario.goals[k].distance == 200.0) goal = k;
     }
-    compare(scenario, goal, std::atoi(argv[1]), std::atof(argv[2]));
+    compare(scenario, goal, settings);
   }
 }

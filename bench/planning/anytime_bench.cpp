@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // When does `anytime` find its first path, and how near is it to the best one then on?
-// usage: anytime_bench SEEDS SECONDS SCENARIO.yaml...    one line per scenario; times are wall
-// clock
+// usage: anytime_bench SEEDS SECONDS SCENARIO.yaml...
+//
+// One line per scenario. Region scene, one thread; times are processor time.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -54,44 +55,77 @@ double cost_at(const PlanResult& result, double time) {
   return cost;
 }
 
+// ---- the runs of one scenario ----
+
+constexpr std::array times = {0.001, 0.003, 0.01, 0.1, 1.0};  // [s]
+
 struct Rates {
   double iterations = 0.0, solves = 0.0, checks = 0.0, time = 0.0;
 };
 
+struct Runs {
+  std::vector<double> first;                            // [ms]
+  std::array<std::vector<double>, times.size()> costs;  // at `times` [m]
+  double best = never;                                  // of these and of others [m]
+  double bound = 0.0;                                   // proven [m]
+  Rates rates;
+};
+
+void add(Runs& runs, const PlanResult& result) {
+  runs.first.push_back(result.anytime.empty() ? never : 1e3 * result.anytime.front().time);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    runs.costs[i].push_back(cost_at(result, times[i]));
+  }
+  if (result.path) runs.best = std::min(runs.best, result.cost);
+  runs.bound = std::max(runs.bound, result.lower_bound);
+  runs.rates.iterations += static_cast<double>(result.iterations);
+  runs.rates.solves += static_cast<double>(result.exact_solves);
+  runs.rates.checks += static_cast<double>(result.edge_checks);
+  runs.rates.time += result.time_total;
+}
+
+void print_heading(double seconds) {
+  std::printf("%-26s %8s %8s %8s %8s %8s %9s %9s", "first path [ms]:", "median", "95 %", "99 %",
+              "worst", "unsolved", "best [m]", "bound [m]");
+  std::printf("  millions a second: iterations, exact solves, edge checks; cost / best at");
+  for (const double time : times) {
+    if (time <= seconds) std::printf(" %g ms", 1e3 * time);
+  }
+  std::printf(": median, 95 %%, worst\n");
+}
+
+void print(const std::string& name, const Runs& runs, double seconds) {
+  const auto unsolved = std::count(runs.first.begin(), runs.first.end(), never);
+  std::printf("%-26s", name.c_str());
+  for (const double share : {0.5, 0.95, 0.99, 1.0}) {
+    std::printf(" %8.3f", quantile(runs.first, share));
+  }
+  std::printf(" %8ld %9.3f %9.2f", static_cast<long>(unsolved), runs.best, runs.bound);
+  const Rates& r = runs.rates;
+  std::printf("  %.2f %.2f %.2f", 1e-6 * r.iterations / r.time, 1e-6 * r.solves / r.time,
+              1e-6 * r.checks / r.time);
+  for (std::size_t i = 0; i < times.size() && times[i] <= seconds; ++i) {
+    std::printf(" ");
+    for (const double share : {0.5, 0.95, 1.0}) {
+      std::printf(" %.4f", quantile(runs.costs[i], share) / runs.best);
+    }
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
 void report(const Scenario& scenario, std::size_t goal, int seeds, double seconds) {
   const Problem problem = make_problem(scenario, goal);
-  std::vector<PlanResult> results;
-  Rates rates;
-  double best = best_of_others(scenario.name);
-  std::vector<double> first;
+  Runs runs;
+  runs.best = best_of_others(scenario.name);
   for (int seed = 1; seed <= seeds; ++seed) {
     PlanOptions options;
     options.seed = static_cast<std::uint64_t>(seed);
     options.time_limit = seconds;
     options.region = Region::scene;
-    const PlanResult& r = results.emplace_back(plan(problem, planner_named("anytime"), options));
-    rates.iterations += static_cast<double>(r.iterations);
-    rates.solves += static_cast<double>(r.exact_solves);
-    rates.checks += static_cast<double>(r.edge_checks);
-    rates.time += r.time_total;
-    if (r.path) best = std::min(best, r.cost);
-    first.push_back(r.anytime.empty() ? never : 1e3 * r.anytime.front().time);
+    add(runs, plan(problem, planner_named("anytime"), options));
   }
-  const auto unsolved = std::count(first.begin(), first.end(), never);
-  std::printf("%-26s %8.3f %8.3f %8.3f %8.3f %4ld  %8.3f", scenario.name.c_str(),
-              quantile(first, 0.5), quantile(first, 0.95), quantile(first, 0.99),
-              quantile(first, 1.0), static_cast<long>(unsolved), best);
-  for (double time : {0.001, 0.003, 0.01, 0.1, 1.0}) {
-    if (time > seconds) continue;
-    std::vector<double> ratio;
-    for (const PlanResult& result : results) ratio.push_back(cost_at(result, time) / best);
-    std::printf("  %.4f %.4f %.4f", quantile(ratio, 0.5), quantile(ratio, 0.95),
-                quantile(ratio, 1.0));
-  }
-  std::printf("  %.2f", results.front().lower_bound);
-  std::printf("  %.2f %.2f %.2f\n", 1e-6 * rates.iterations / rates.time,
-              1e-6 * rates.solves / rates.time, 1e-6 * rates.checks / rates.time);
-  std::fflush(stdout);
+  print(scenario.name, runs, seconds);
 }
 
 int run(int argc, char** argv) {
@@ -99,17 +133,16 @@ int run(int argc, char** argv) {
     std::fprintf(stderr, "usage: anytime_bench SEEDS SECONDS SCENARIO.yaml...\n");
     return 2;
   }
-  std::printf(
-      "first path [ms]: median, 95 %%, 99 %%, worst; unsolved; best known [m]; "
-      "cost / best at 10 ms, 100 ms, 1 s: median, 95 %%, worst; proven bound [m]; "
-      "millions per second: iterations, exact solves, edge checks\n");
+  const int seeds = std::atoi(argv[1]);
+  const double seconds = std::atof(argv[2]);
+  print_heading(seconds);
   for (int i = 3; i < argc; ++i) {
     const Scenario scenario = read_scenario(argv[i]);
     std::size_t goal = 0;
     for (std::size_t k = 0; k < scenario.goals.size(); ++k) {
       if (scenario.goals[k].distance == 200.0) goal = k;
     }
-    report(scenario, goal, std::atoi(argv[1]), std::atof(argv[2]));
+    report(scenario, goal, seeds, seconds);
   }
   return 0;
 }

@@ -66,6 +66,18 @@ TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
   }
 }
 
+// Parallel to a kerb, 0.3 m from the lorries before and behind.
+TEST(Anytime, LeavesAVeryTightSlotAndGetsIntoIt) {
+  const std::vector<Polygon> street = {box(-12, -1.5, -1.9, 1.5), box(6.2, -1.5, 16, 1.5),
+                                       box(-12, -3, 16, -2)};
+  const Pose slot{0, 0, 0};
+  const Pose lane{2, 8, 0};
+  const PlanResult out = run(problem_of(slot, lane, street), iterations(20000));
+  ASSERT_TRUE(out.path);
+  EXPECT_GE(gear_changes(out.path->segments), 20);
+  EXPECT_TRUE(run(problem_of(lane, slot, street), iterations(20000)).path);
+}
+
 TEST(Anytime, ReversingCostsItsWeight) {
   const Problem behind = problem_of({0, 0, 0}, {-10, 0, 0}, {});
   PlanOptions options = iterations(3000);
