@@ -183,14 +183,23 @@ std::string identifier_of(const std::string& table) {
   return name;
 }
 
+std::string exported(const TableSource& source, bool is_csv, const std::string& name) {
+  if (source.head.content == Content::bounds) {
+    if (source.bytes != bound_table_to_bytes()) {
+      throw InputError(source.name, "is not this library's table of bounds, expected that one");
+    }
+    return is_csv ? bound_table_to_csv() : bound_table_to_header(name);
+  }
+  const HeuristicTable table = table_from_bytes(source.bytes, source.name);
+  return is_csv ? table_to_csv(table) : table_to_header(table, name);
+}
+
 void export_table(const ExportArguments& arguments) {
   const std::string format = format_of(arguments);
   expect_writable(arguments.output);
   const TableSource source = table_source(arguments.table);
-  const HeuristicTable table = table_from_bytes(source.bytes, source.name);
   const std::string name = arguments.name.empty() ? identifier_of(source.name) : arguments.name;
-  write_file(arguments.output,
-             format == "csv" ? table_to_csv(table) : table_to_header(table, name));
+  write_file(arguments.output, exported(source, format == "csv", name));
   if (arguments.output == "-") return;
   if (arguments.json) {
     Json json = {{"table", source.name}, {"output", arguments.output}, {"format", format}};
@@ -281,8 +290,8 @@ void add_table_check(CLI::App& table, int& status) {
 }
 
 void add_table_export(CLI::App& table) {
-  CLI::App* const command = table.add_subcommand(
-      "export", "Write a table of lengths as a C++ header that compiles, or as CSV.");
+  CLI::App* const command =
+      table.add_subcommand("export", "Write a table as a C++ header that compiles, or as CSV.");
   const auto arguments = std::make_shared<ExportArguments>();
   command->add_option("TABLE", arguments->table, table_help)->required()->type_name("");
   command->add_option("-o,--output", arguments->output, "File, ends in .h, .hpp or .csv")

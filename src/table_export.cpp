@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "decimal.h"
+#include "table_bytes.h"
 #include "vandplan/input_error.h"
 #include "vandplan/table_file.h"
 
@@ -14,15 +15,6 @@ namespace vandplan {
 namespace {
 
 constexpr std::size_t most_entries = std::size_t{1} << 24;  // more than a compiler could bear
-
-bool is_identifier(std::string_view name) {
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  return !name.empty() && is_letter(name[0]) &&
-         std::ranges::all_of(name, [&](char c) { return is_letter(c) || is_digit(c); });
-}
 
 void check_size(const HeuristicTable& table) {
   if (table.entries().size() <= most_entries) return;
@@ -46,10 +38,20 @@ void append_shortest(std::string& text, float value) {
 
 }  // namespace
 
-std::string table_to_header(const HeuristicTable& table, std::string_view name) {
-  if (!is_identifier(name)) {
-    throw InputError("name", "\"" + std::string(name) + "\" is not a C++ identifier");
+void table_bytes::check_identifier(std::string_view name) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (!name.empty() && is_letter(name[0]) &&
+      std::ranges::all_of(name, [&](char c) { return is_letter(c) || is_digit(c); })) {
+    return;
   }
+  throw InputError("name", "\"" + std::string(name) + "\" is not a C++ identifier");
+}
+
+std::string table_to_header(const HeuristicTable& table, std::string_view name) {
+  table_bytes::check_identifier(name);
   check_size(table);
   const HeuristicTableOptions& options = table.options();
   std::string text =

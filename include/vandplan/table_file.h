@@ -55,4 +55,9 @@ void check_table_file(std::string_view bytes, const std::string& file);
 /// Throws InputError if the table has more than 2^24 entries.
 [[nodiscard]] std::string table_to_csv(const HeuristicTable& table);
 
+/// The library's table of bounds as a C++17 header and as CSV, a line for each cell with its planes
+/// as numbers. What they mean: docs/formats.md. Throws InputError if `name` is no identifier.
+[[nodiscard]] std::string bound_table_to_header(std::string_view name);
+[[nodiscard]] std::string bound_table_to_csv();
+
 }  // namespace vandplan
