@@ -87,7 +87,7 @@ std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario,
 std::vector<PlannerInfo> thesis_planners() {
   std::vector<PlannerInfo> found;
   for (const PlannerInfo& planner : planners())
-    if (planner.name.starts_with("rrt-bsc-") || planner.name.starts_with("rrt-opt-"))
+    if (planner.name.starts_with("rrt-") && !planner.name.ends_with("-bound"))
       found.push_back(planner);
   return found;
 }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "evaluation/pooled.h"
 #include "evaluation/reasons.h"
 
 namespace vandplan {
@@ -19,6 +20,12 @@ using Verdict = PairedComparison::Verdict;
 using Measure = PairedComparison TwinComparison::*;
 
 bool uses_table(const std::string& planner) { return planner.find("-hlut-") != std::string::npos; }
+
+std::vector<Pooled> pooled_tables(const Summary& summary, Region region) {
+  std::vector<Pooled> found = pooled(summary, region);
+  std::erase_if(found, [](const Pooled& planner) { return !uses_table(planner.planner); });
+  return found;
+}
 
 // One comparison and where it was made.
 struct Comparison {
@@ -71,7 +78,7 @@ Finding better_in_six_of_nine(const Summary& summary, Region region, int scenari
                   scenarios, best.planner, best.worse, best.no_difference);
   for (const Verdict kind : {Verdict::smaller, Verdict::larger}) {
     std::string list;
-    for (const Pooled& planner : pooled(summary, region))
+    for (const Pooled& planner : pooled_tables(summary, region))
       if (planner.verdict == kind)
         list += fmt::format("{}{} ({:.0f} % of the pairs better, {:.0f} % worse)",
                             list.empty() ? "" : ", ", planner.planner,
@@ -152,7 +159,7 @@ std::string headline(const Summary& summary, Region region) {
   }
   const int comparisons = sum.better + sum.worse + sum.no_difference;
   if (comparisons == 0) return text;
-  const std::vector<Pooled> together = pooled(summary, region);
+  const std::vector<Pooled> together = pooled_tables(summary, region);
   const auto count = [&](Verdict verdict) {
     return std::ranges::count(together, verdict, &Pooled::verdict);
   };
@@ -162,30 +169,6 @@ std::string headline(const Summary& summary, Region region) {
                     " tables are better, {} worse.",
                     sum.better, sum.worse, comparisons, count(Verdict::smaller), together.size(),
                     count(Verdict::larger));
-}
-
-std::vector<Pooled> pooled(const Summary& summary, Region region) {
-  std::vector<Pooled> found;
-  for (const ScenarioSummary& scenario : summary.scenarios) {
-    if (scenario.region != region) continue;
-    for (const TwinComparison& twins : scenario.twins) {
-      if (!uses_table(twins.planner)) continue;
-      auto same = std::ranges::find(found, twins.planner, &Pooled::planner);
-      if (same == found.end()) same = found.insert(same, Pooled{twins.planner});
-      same->pairs += twins.cost.pairs;
-      same->cheaper += twins.cheaper;
-      same->dearer += twins.dearer;
-    }
-  }
-  const double level = 1.0 - (1.0 - confidence) / static_cast<double>(found.size());
-  for (Pooled& planner : found) {
-    const int differ = planner.cheaper + planner.dearer;
-    if (differ == 0) continue;
-    const Interval share = share_interval(planner.cheaper, differ, level);
-    if (share.low > 0.5) planner.verdict = Verdict::smaller;
-    if (share.high < 0.5) planner.verdict = Verdict::larger;
-  }
-  return found;
 }
 
 std::vector<Tally> tally(const Summary& summary, Region region, Measure measure) {

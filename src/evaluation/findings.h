@@ -36,19 +36,6 @@ struct Finding {
 [[nodiscard]] std::vector<Finding> findings(const Summary& summary,
                                             const std::vector<Scenario>& scenarios);
 
-/// A planner against its Euclid twin over all scenarios of a region together.
-struct Pooled {
-  std::string planner;
-  int pairs = 0;
-  int cheaper = 0;  ///< of the pairs
-  int dearer = 0;
-  /// By the sign test on the pairs that differ; holds for all planners together.
-  PairedComparison::Verdict verdict = PairedComparison::Verdict::no_difference;
-};
-
-/// For every table of the thesis that was run beside its Euclid twin.
-[[nodiscard]] std::vector<Pooled> pooled(const Summary& summary, Region region);
-
 /// The shortest answer for a region, one or two sentences: who ends with the best paths, and how
 /// often the thesis' tables beat Euclid. Empty if the region was not run.
 [[nodiscard]] std::string headline(const Summary& summary, Region region);

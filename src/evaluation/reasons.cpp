@@ -59,8 +59,10 @@ Effect effect_of(const Summary& summary, Region region, const std::string& strat
       if (!twins.planner.starts_with("rrt-" + strategy + "-hlut-") || twins.cost.pairs == 0)
         continue;
       effect.pairs += twins.cost.pairs;
-      effect.better += twins.cheaper;
-      effect.worse += twins.dearer;
+      for (const double ratio : twins.cost_ratios) {
+        effect.better += ratio < 1.0;
+        effect.worse += ratio > 1.0;
+      }
       add(*method_named(scenario, twins.planner), *method_named(scenario, twins.twin), effect);
     }
   }

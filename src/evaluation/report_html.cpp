@@ -194,6 +194,7 @@ Json data_of(const Report& report) {
           {"times", times},
           {"cells", cells_json(report)},
           {"claims", claims},
+          {"pooled", pooled_json(report.summary)},
           {"headlines",
            {{"bounds", headline(report.summary, Region::bounds)},
             {"scene", headline(report.summary, Region::scene)}}},

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "evaluation/pooled.h"
+
 namespace vandplan {
 namespace {
 
@@ -52,6 +54,25 @@ OrderedJson json_of(const TwinComparison& twins) {
 }
 
 }  // namespace
+
+OrderedJson pooled_json(const Summary& summary) {
+  OrderedJson json = OrderedJson::array();
+  for (const Region region : {Region::bounds, Region::scene})
+    for (const Pooled& planner : pooled(summary, region))
+      json.push_back({{"region", name_of(region)},
+                      {"planner", planner.planner},
+                      {"runs", planner.runs},
+                      {"solved", planner.solved},
+                      {"twin_runs", planner.twin_runs},
+                      {"twin_solved", planner.twin_solved},
+                      {"pairs", planner.pairs},
+                      {"better", planner.cheaper},
+                      {"worse", planner.dearer},
+                      {"cost_ratio", finite_json(planner.ratio)},
+                      {"exact_lengths_per_iteration", planner.exact_solves},
+                      {"verdict", name_of(planner.verdict)}});
+  return json;
+}
 
 OrderedJson environment_json(const Environment& environment) {
   return {{"version", environment.version},       {"compiler", environment.compiler},
@@ -117,6 +138,7 @@ std::string headline_json(const Report& report) {
                            {"options", OrderedJson::parse(options_to_json(report.options))},
                            {"harness", harness_json(report.sessions)},
                            {"scenarios", scenarios},
+                           {"against_euclid", pooled_json(report.summary)},
                            {"claims", claims}};
   return all.dump(2);
 }

@@ -19,6 +19,9 @@ using OrderedJson = nlohmann::ordered_json;
 /// What planning, judging and storing took, all sessions together [s].
 [[nodiscard]] OrderedJson harness_json(const std::vector<Session>& sessions);
 
+/// Every planner against its Euclid twin, over all scenarios of a region together.
+[[nodiscard]] OrderedJson pooled_json(const Summary& summary);
+
 [[nodiscard]] const char* name_of(Region region) noexcept;
 
 }  // namespace vandplan

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "evaluation/pooled.h"
 #include "evaluation/report.h"
 #include "evaluation/report_json.h"
 #include "evaluation/text_table.h"
@@ -120,8 +121,8 @@ std::string row_table(const ScenarioSummary& scenario) {
   return table.markdown();
 }
 
-const char* verdict_text(const PairedComparison& comparison) {
-  switch (comparison.verdict) {
+const char* verdict_text(PairedComparison::Verdict verdict) {
+  switch (verdict) {
     case PairedComparison::Verdict::smaller:
       return "better";
     case PairedComparison::Verdict::larger:
@@ -135,7 +136,7 @@ const char* verdict_text(const PairedComparison& comparison) {
 std::string comparison_text(const PairedComparison& comparison) {
   const auto& [low, high] = comparison.interval;
   const std::string text =
-      fmt::format("{}: {}", verdict_text(comparison), change_text(comparison.ratio));
+      fmt::format("{}: {}", verdict_text(comparison.verdict), change_text(comparison.ratio));
   if (low == 0.0 && std::isinf(high)) return text;  // too few pairs, or too mixed, to bound it
   return fmt::format("{} [{}, {}]", text, change_text(low), change_text(high));
 }
@@ -147,6 +148,28 @@ std::string twin_table(const ScenarioSummary& scenario) {
     table.add({twins.planner, comparison_text(twins.cost), comparison_text(twins.first_time),
                comparison_text(twins.time_total)});
   return table.markdown();
+}
+
+// All scenarios of a region together.
+std::string pooled_table(const Report& report, Region region) {
+  const std::vector<Pooled> planners = pooled(report.summary, region);
+  if (planners.empty()) return "";
+  TextTable table({"all scenarios together", "solved", "Euclid solves", "pairs", "better", "equal",
+                   "worse", "cost", "exact lengths per iteration", "verdict"});
+  const auto share = [](int part, int whole) {
+    return fmt::format("{:.0f} %", 100.0 * part / whole);
+  };
+  for (const Pooled& found : planners) {
+    const PairedComparison::Verdict verdict = found.verdict;
+    table.add({found.planner, share(found.solved, found.runs),
+               share(found.twin_solved, found.twin_runs), std::to_string(found.pairs),
+               share(found.cheaper, found.pairs),
+               share(found.pairs - found.cheaper - found.dearer, found.pairs),
+               share(found.dearer, found.pairs), change_text(found.ratio),
+               fmt::format("{:.1f}", found.exact_solves), verdict_text(verdict)});
+  }
+  return "\nAgainst the twin that ranks by Euclid, pairs of equal seed, cost at the end:\n\n" +
+         table.markdown();
 }
 
 std::string jobs_text(const Report& report) {
@@ -199,6 +222,7 @@ std::string headline_markdown(const Report& report) {
         "\nMedian time of the first solution [ms]:\n\n{}",
         name_of(region), matrix(report, region, headline_cell),
         matrix(report, region, first_time_cell));
+    text += pooled_table(report, region);
   }
   return text + claims(report);
 }

@@ -174,8 +174,8 @@ TwinComparison compare_twins(const std::string& planner, const Runs& runs, const
                        compare([](const RunRecord& run) { return run.result.time_total; }),
                        compare(final_cost)};
   for (std::size_t i = 0; i < first.size(); ++i) {
-    twins.cheaper += final_cost(*first[i]) < final_cost(*second[i]);
-    twins.dearer += final_cost(*first[i]) > final_cost(*second[i]);
+    const double cost = final_cost(*first[i]), twin_cost = final_cost(*second[i]);
+    twins.cost_ratios.push_back(cost == twin_cost ? 1.0 : cost / twin_cost);
   }
   return twins;
 }

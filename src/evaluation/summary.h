@@ -76,8 +76,7 @@ struct TwinComparison {
   PairedComparison first_time;
   PairedComparison time_total;
   PairedComparison cost;
-  int cheaper = 0;  ///< pairs in which its path is cheaper than its twin's, and
-  int dearer = 0;   ///< in which it is dearer; the others are equal
+  std::vector<double> cost_ratios = {};  ///< of each pair; 1 if both are unsolved
 };
 
 struct ScenarioSummary {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "evaluation/findings.h"
+#include "evaluation/pooled.h"
 #include "evaluation/reasons.h"
 #include "support/made_up_runs.h"
 
@@ -123,6 +124,7 @@ TEST(Summary, ComparesWithTheTwinThatRanksByEuclid) {
   EXPECT_NEAR(twins.cost.ratio, 0.8, 1e-12);  // pair by pair, though the spread is larger
   EXPECT_EQ(twins.cost.verdict, Verdict::smaller);
   EXPECT_EQ(twins.first_time.verdict, Verdict::no_difference);
+  EXPECT_EQ(twins.cost_ratios.size(), 25U);
 }
 
 // Nine scenarios; the table halves the cost in `better` of them and doubles the time in all.
@@ -204,6 +206,10 @@ TEST(Findings, PoolAllScenariosByTheSignTest) {
   EXPECT_EQ(worse.pairs, 40);
   EXPECT_EQ(worse.cheaper, 10);
   EXPECT_EQ(worse.dearer, 30);
+  EXPECT_DOUBLE_EQ(worse.ratio, 1.1);
+  EXPECT_EQ(worse.exact_solves, 3.0);
+  EXPECT_EQ(worse.runs, 40);
+  EXPECT_EQ(worse.twin_solved, 40);
   EXPECT_EQ(pooled(summary_when_better(10), Region::scene).size(), 0U);
 }
 

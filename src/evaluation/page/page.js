@@ -212,6 +212,27 @@
         ' higher than the twin that ranks by Euclid, beyond chance.'] : []));
   }
 
+  function renderPooled() {
+    const rows = data.pooled.filter((p) => p.region === state.region);
+    $('pooled-section').hidden = rows.length === 0;
+    const share = (part, whole) => (p) => part(p) / whole(p);
+    const column = (title, value, best) => ({title, best, value, show: (p) => percent(value(p))});
+    const word = {better: 'better', worse: 'worse'};
+    $('pooled').replaceChildren(table([
+      {title: 'planner', text: true, value: (p) => rows.indexOf(p), show: (p) => named(p.planner)},
+      column('solved', share((p) => p.solved, (p) => p.runs)),
+      column('Euclid solves', share((p) => p.twin_solved, (p) => p.twin_runs)),
+      {title: 'pairs', value: (p) => p.pairs, show: (p) => count(p.pairs)},
+      column('better', share((p) => p.better, (p) => p.pairs)),
+      column('equal', share((p) => p.pairs - p.better - p.worse, (p) => p.pairs)),
+      column('worse', share((p) => p.worse, (p) => p.pairs)),
+      {title: 'exact lengths per iteration', value: (p) => p.exact_lengths_per_iteration,
+        show: (p) => p.exact_lengths_per_iteration.toFixed(1)},
+      {title: 'verdict', value: (p) => p.verdict,
+        show: (p) => element('span', {class: word[p.verdict] || null}, p.verdict)},
+    ], rows));
+  }
+
   // ---- one scenario ----
 
   function renderMethods(c) {
@@ -272,7 +293,8 @@
 
   // ---- charts ----
 
-  const size = {width: 480, height: 270, left: 46, right: 10, top: 10, bottom: 34};
+  // On a phone a chart is drawn smaller, so that its text stays as large.
+  const size = {width: window.innerWidth < 560 ? 340 : 480, height: 270, left: 46, right: 10, top: 10, bottom: 34};
 
   function frame(container, title, methods, height) {
     const legend = element('div', {class: 'legend'}, ...methods.map((m) => {
@@ -346,7 +368,7 @@
     for (const family of inFamilies(c.methods)) {
       const svg = frame(container, family.title, family.methods);
       if (values.length === 0) {
-        svg.append('text').attr('x', 240).attr('y', 135).attr('text-anchor', 'middle')
+        svg.append('text').attr('x', size.width / 2).attr('y', size.height / 2).attr('text-anchor', 'middle')
           .text('No median is finite: fewer than half of the runs are solved.');
         continue;
       }
@@ -595,6 +617,7 @@
     $('scenario-title').textContent = `${short(scenarioOf(c).name)}, samples from the ${c.region}`;
     $('scenario-description').textContent = scenarioOf(c).description;
     renderMatrix();
+    renderPooled();
     renderMethods(c);
     renderCostCharts(c);
     renderSuccessCharts(c);
