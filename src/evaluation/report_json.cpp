@@ -99,7 +99,7 @@ OrderedJson harness_json(const std::vector<Session>& sessions) {
           {"planning", sum.planning_time},
           {"judging", sum.judging_time},
           {"storing", sum.storing_time},
-          {"wall", wall}};
+          {"rest", wall - sum.planning_time - sum.judging_time}};
 }
 
 const char* name_of(Region region) noexcept {

@@ -16,7 +16,8 @@ using OrderedJson = nlohmann::ordered_json;
 /// JSON knows no infinity: null.
 [[nodiscard]] OrderedJson finite_json(double value);
 
-/// What planning, judging and storing took, all sessions together [s].
+/// What planning, judging and storing took, all sessions together [s]; `rest` is what the workers
+/// waited or did something else. Storing goes on beside them.
 [[nodiscard]] OrderedJson harness_json(const std::vector<Session>& sessions);
 
 /// Every planner against its Euclid twin, over all scenarios of a region together.

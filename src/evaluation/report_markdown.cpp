@@ -184,6 +184,16 @@ std::string circumstances(const Report& report) {
       "{} runs, {}, vandplan {} ({}, {}) on {} ({} cores), {}.\nOptions: `{}`.\n",
       report.runs.size(), jobs_text(report), here.version, here.compiler, here.build_type,
       here.processor, here.cores, here.system, options_to_json(report.options));
+  const OrderedJson harness = harness_json(report.sessions);
+  const double planning = harness.at("planning");
+  const auto share = [&](const char* part) {
+    return 100.0 * harness.at(part).get<double>() / planning;
+  };
+  if (planning > 0.0)
+    text += fmt::format(
+        "Planning took {:.1f} s; storing the runs {:.2f} % of that, judging their paths {:.1f} %, "
+        "the rest {:.1f} %.\n",
+        planning, share("storing"), share("judging"), share("rest"));
   if (report.left_out > 0)
     text += fmt::format(
         "{} runs in the store are of other programs, machines or options and are "

@@ -4,7 +4,7 @@
 // Where do finished runs live?
 //
 // In one SQLite file, one transaction per run: killing the program at any moment loses the runs
-// in flight and nothing else. Its tables: docs/formats.md.
+// in flight and nothing else. Its tables: docs/evaluation.md.
 
 #include <cstddef>
 #include <cstdint>

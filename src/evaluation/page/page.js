@@ -598,6 +598,7 @@
         .map(([name, value]) => [name, value === null ? 'no limit' : value])),
       facts('What the harness costs', [['planning', `${overhead.planning.toFixed(1)} s in ${count(overhead.runs)} runs`],
         ['storing', share(overhead.storing)], ['judging paths', share(overhead.judging)],
+        ['the rest', share(overhead.rest)],
         ['left out', `${data.left_out} runs of other programs, machines or options`]]),
       facts('Planners', data.planners.map((p) => [p.name, p.summary])));
   }
