@@ -67,7 +67,7 @@ inline Arcs r_lr(const Circles& p) {  // 8.4
 
 inline Arcs lr_lr(const Circles& p) {  // 8.7
   const double x = p.x, y = 2 * p.c - p.y;
-  const double d = root(4 + p.lr);
+  const double d = root(x * x + y * y);  // 4 + lr would cancel
   const double sin_squared = -p.lr / (8 * (2 + d));
   const double u = 2 * atan_2(root(sin_squared), root(1 - sin_squared));
   const double h = atan_2(x, y);
@@ -130,7 +130,8 @@ inline Solution shortest(const Circles& p) {
   if (p.lr >= 0) return {Word::lsr, lsr(p)};
 
   const bool is_r_lr_l = p.lr + 8 * p.s * x <= 0;
-  const double d = root(4 + p.lr);
+  const double across = 2 * p.c - p.y;
+  const double d = root(p.x * p.x + across * across);
   const bool is_lr_lr =
       p.lr * (d + 4) + 4 * (d + 2) * (p.s * x + p.y * p.c) <= 0 && ahead + 2 * p.y * p.s <= 0;
   if (is_r_lr_l && is_lr_lr) {  // the only two that overlap

@@ -182,5 +182,18 @@ TEST(ReedsSheppLaw, IsAsLongAsTheFormulasOfThePaperSay) {
   });
 }
 
+TEST(ReedsSheppLaw, IsExactWhereTheFirstLeftCircleIsTheLastRightOne) {
+  for_each_pair(13, million / 10, [](const PosePair&, Rng& rng) {
+    const double half_turn = uniform(0, std::numbers::pi / 2, rng);
+    const double offset = std::pow(10.0, uniform(-12.0, 0.0, rng));
+    const double bearing = uniform(-std::numbers::pi, std::numbers::pi, rng);
+    const double x = offset * std::cos(bearing);
+    const double y = 2 * std::cos(half_turn) + offset * std::sin(bearing);
+    const PosePair pair{{-x / 2, -y / 2, -half_turn}, {x / 2, y / 2, half_turn}};
+    const auto expected = static_cast<double>(oracle::reeds_shepp_length(pair.from, pair.to, 1));
+    EXPECT_NEAR(reeds_shepp_length(pair.from, pair.to, 1), expected, 1e-13) << as_code(pair);
+  });
+}
+
 }  // namespace
 }  // namespace vandplan
