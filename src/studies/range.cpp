@@ -50,6 +50,7 @@ RangeStudy study_range(const RangeOptions& options) {
     const double distance = uniform(0.0, options.reach, rng);
     study.pairs.push_back(random_pair(distance, options.turning_radius, rng));
   }
+  rng.seed(stream_seed(options.seed, 1));  // whatever the number of pairs above
   for (int i = 0; i <= last_ring; ++i) {
     study.rings.push_back(random_ring(options.reach * i / last_ring, options.turning_radius, rng));
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 namespace vandplan {
+namespace {
 
 std::string gnuplot_script(const Canvas& canvas, const std::string& body) {
   const auto& [name, width, height] = canvas;
@@ -29,6 +30,8 @@ std::string gnuplot_script(const Canvas& canvas, const std::string& body) {
       "}}\n",
       name, width, height, study_colour::ink, body);
 }
+
+}  // namespace
 
 StudyFiles study_files(const Canvas& canvas, std::vector<TextFile> data, const std::string& body) {
   return {std::move(data),

@@ -3,6 +3,7 @@
 #pragma once
 // What does a study leave behind: numbers as CSV, and a script that makes pictures of them?
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,7 @@ struct Canvas {
   int height = 600;
 };
 
-/// A script that draws `body` (commands of gnuplot) twice, as NAME.png and NAME.svg.
-[[nodiscard]] std::string gnuplot_script(const Canvas& canvas, const std::string& body);
-
-/// CSV, script and the names of both pictures, all called like the canvas.
+/// With a script that draws `body` (commands of gnuplot) twice, as NAME.png and as NAME.svg.
 [[nodiscard]] StudyFiles study_files(const Canvas& canvas, std::vector<TextFile> data,
                                      const std::string& body);
 

@@ -86,6 +86,20 @@ std::string panel_of(const SymmetryExample& example, int number) {
   return text + "plot " + curves + "\nunset arrow\nunset label\n";
 }
 
+// Half the height that shows every path, with room for the labels [m].
+double half_height_of(const SymmetryStudy& study) {
+  double furthest = 15.0;
+  for (const SymmetryExample& example : study.examples) {
+    const Piece piece = reeds_shepp(example.images[0].node, sample_of(example.images[0]),
+                                    study.options.turning_radius);
+    const Path path{example.images[0].node, {piece.view().begin(), piece.view().end()}};
+    for (const PathPoint& point : sampled(path, piece.length / 64)) {
+      furthest = std::max({furthest, std::abs(point.pose.y), std::abs(point.pose.x) / 1.6});
+    }
+  }
+  return 1.5 * furthest;
+}
+
 }  // namespace
 
 SeenPair folded(const SeenPair& pair) {
@@ -111,15 +125,16 @@ SymmetryStudy study_symmetry(const SymmetryOptions& options) {
 }
 
 StudyFiles files_of(const SymmetryStudy& study) {
+  const double half = half_height_of(study);
   std::string body = fmt::format(
       "set multiplot layout 1,2 title 'Mirrored pairs of poses have paths of the same length "
       "(turning radius {} m; reverse is dashed)' font ',13'\n"
       "set size ratio -1\n"
       "set xlabel 'x [m]'\n"
       "set ylabel 'y [m]'\n"
-      "set xrange [-36:36]\n"
-      "set yrange [-22:22]\n",
-      study.options.turning_radius);
+      "set xrange [-{}:{}]\n"
+      "set yrange [-{}:{}]\n",
+      study.options.turning_radius, 1.6 * half, 1.6 * half, half, half);
   for (std::size_t i = 0; i < study.examples.size(); ++i) {
     body += panel_of(study.examples[i], static_cast<int>(i) + 1);
   }
