@@ -111,9 +111,8 @@ HeuristicTable::HeuristicTable(const HeuristicTableOptions& options, std::span<c
 }
 
 std::size_t HeuristicTable::index_of(const Cell& cell) const noexcept {
-  const int index =
-      ((cell.x * positions() + cell.y) * headings() + cell.heading_node) * headings() +
-      cell.heading_sample;
+  const int index = kernels::table_index({positions(), headings()},
+                                         {cell.x, cell.y, cell.heading_node, cell.heading_sample});
   return static_cast<std::size_t>(index);
 }
 

@@ -70,7 +70,7 @@ Floats table_distance(const TableView& table, Floats dx, Floats dy, Floats node,
   sample = hn::IfThenElse(behind, mirrored_in_y(sample), sample);
   const Ints ix = whole(hn::Mul(x, set(table.cells_per_metre)));
   const Ints iy = whole(hn::Mul(y, set(table.cells_per_metre)));
-  const Ints headings = set(table.headings);
+  const Ints headings = set(table.headings);  // table_index, lane by lane
   Ints cell = hn::Add(hn::Mul(ix, set(table.positions)), iy);
   cell = hn::Add(hn::Mul(cell, headings), nearest_heading(table, node));
   cell = hn::Add(hn::Mul(cell, headings), nearest_heading(table, sample));

@@ -22,6 +22,21 @@ struct TableView {
   float from_table = 1.0F;  ///< vehicle's radius / table's
 };
 
+/// A cell, and the shape of the table it is in.
+struct TableCell {
+  int x, y, heading_node, heading_sample;
+};
+struct TableShape {
+  int positions, headings;
+};
+
+/// Position of a cell's entry; used by fill and look-up alike.
+constexpr int table_index(const TableShape& shape, const TableCell& cell) {
+  return ((cell.x * shape.positions + cell.y) * shape.headings + cell.heading_node) *
+             shape.headings +
+         cell.heading_sample;
+}
+
 /// Where the lengths lead to [m, rad]; heading in [-pi, pi].
 struct TableSample {
   float x, y, heading;

@@ -43,10 +43,10 @@ float table_distance(const TableView& table, float dx, float dy, float heading_n
   }
   const int ix = static_cast<int>(x * table.cells_per_metre);  // [3]
   const int iy = static_cast<int>(y * table.cells_per_metre);
-  const int node = nearest_heading(table, heading_node);
-  const int sample = nearest_heading(table, heading_sample);
-  const int cell = ((ix * table.positions + iy) * table.headings + node) * table.headings + sample;
-  return table.entries[cell] * table.from_table;  // [4]
+  const TableCell cell{ix, iy, nearest_heading(table, heading_node),
+                       nearest_heading(table, heading_sample)};
+  const int index = table_index({table.positions, table.headings}, cell);
+  return table.entries[index] * table.from_table;  // [4]
 }
 
 void scalar::table_distances(const TableView& table, std::span<const float> x,

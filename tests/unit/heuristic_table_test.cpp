@@ -78,6 +78,21 @@ TEST(HeuristicTable, LookUpReadsTheCellThatFillWrote) {
   }
 }
 
+TEST(HeuristicTable, TheIndexMeetsEveryEntryOnceInOrder) {
+  const HeuristicTable table = thesis_table(4);
+  std::size_t next = 0;
+  for (int x = 0; x < table.positions(); ++x) {
+    for (int y = 0; y < table.positions(); ++y) {
+      for (int node = 0; node < table.headings(); ++node) {
+        for (int sample = 0; sample < table.headings(); ++sample) {
+          ASSERT_EQ(table.index_of({x, y, node, sample}), next++);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(next, table.entries().size());
+}
+
 TEST(HeuristicTable, FoldsTheNodeIntoTheFirstQuadrant) {
   const HeuristicTable table = thesis_table(4);
   const Pose sample{100.0, -50.0, 0.3};
