@@ -91,6 +91,20 @@ std::string text_of(const PathMetrics& metrics, const DrivingStyle& style) {
       metrics.driving_time, style.speed, style.pause);
 }
 
+std::string text_of(const std::optional<double>& distance) {
+  return distance ? fmt::format("{} m", *distance) : "none";
+}
+
+/// What is wrong about the furthest goal that a file states for a row; empty if nothing is.
+std::string false_furthest(const std::vector<ResultRecord>& records) {
+  const std::optional<StatedFurthest>& stated = records.front().furthest;
+  if (!stated) return "";
+  const std::optional<double> reached = furthest_reached(records);
+  if (stated->distance == reached) return "";
+  return fmt::format("the stated furthest is {}, the furthest goal reached is {}",
+                     text_of(stated->distance), text_of(reached));
+}
+
 int run(const CheckArguments& arguments) {
   validate(arguments.style);
   const Scenario scenario = read_scenario(arguments.scenario);
@@ -112,10 +126,15 @@ int run(const CheckArguments& arguments) {
     if (scenario.goals_are_a_row) fmt::print("goals[{}]: ", i);
     fmt::print("{}\n", text);
   }
+  const std::string reason = scenario.goals_are_a_row ? false_furthest(records) : "";
+  if (!reason.empty() && !arguments.json) fmt::print("invalid: {}\n", reason);
   // A row of goals may hold some that were not reached.
-  const bool passed = valid > 0 && invalid == 0;
+  const bool passed = valid > 0 && invalid == 0 && reason.empty();
   if (arguments.json && scenario.goals_are_a_row) {
-    print({{"valid", passed}, {"goals", goals}});
+    nlohmann::ordered_json row = {{"valid", passed}};
+    if (!reason.empty()) row["reason"] = reason;
+    row["goals"] = goals;
+    print(row);
   } else if (arguments.json) {
     print(goals.front());
   }
@@ -128,7 +147,8 @@ void add_check(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand(
       "check",
       "Let the independent judge look at a result: start, goal, curvature, bounds,\n"
-      "collisions, stated length and gear changes.");
+      "collisions, and whatever the file states: length, gear changes, cost, gap, poses,\n"
+      "furthest goal.");
   const auto arguments = std::make_shared<CheckArguments>();
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
       ->required();

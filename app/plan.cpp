@@ -33,11 +33,10 @@ struct Flag {
   const char* value;
 };
 
-constexpr Flag flags[] = {{"--time", "time_limit", "S"},
-                          {"--max-iterations", "max_iterations", "N"},
-                          {"--max-nodes", "max_nodes", "N"},
-                          {"--seed", "seed", "N"},
-                          {"--region", "region", "bounds|scene"}};
+constexpr Flag flags[] = {
+    {"--time", "time_limit", "S"},     {"--max-iterations", "max_iterations", "N"},
+    {"--max-nodes", "max_nodes", "N"}, {"--seed", "seed", "N"},
+    {"--threads", "threads", "N"},     {"--region", "region", "bounds|scene"}};
 
 ResultRecord in_scenario(const World& world, ResultRecord record) {
   if (record.result.path) {
@@ -76,16 +75,14 @@ std::string outcome_of(const PlanResult& result) {
 void print_summary(const Scenario& scenario, const std::vector<ResultRecord>& records) {
   const ResultRecord& any = records.front();
   fmt::print("{}, {}, seed {}\n", scenario.name, any.planner, any.options.seed);
-  for (const auto& [name, planner, options, distance, result, claims] : records) {
-    if (distance) fmt::print("{:7.6g} m: ", *distance);
+  for (const ResultRecord& record : records) {
+    const PlanResult& result = record.result;
+    if (record.distance) fmt::print("{:7.6g} m: ", *record.distance);
     fmt::print("{}; {} iterations, {} nodes, {:.3f} s\n", outcome_of(result), result.iterations,
                result.nodes, result.time_total);
   }
   if (!scenario.goals_are_a_row) return;
-  std::optional<double> furthest;
-  for (const ResultRecord& record : records) {
-    if (record.result.path) furthest = std::max(furthest, record.distance);
-  }
+  const std::optional<double> furthest = furthest_reached(records);
   fmt::print("furthest: {}\n", furthest ? fmt::format("{:.6g} m", *furthest) : "none");
 }
 

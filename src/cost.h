@@ -30,10 +30,8 @@ struct CostRule {
 };
 
 inline CostRule cost_rule(const PlanOptions& options) {
-  const GearSign gear = options.initial_gear == InitialGear::forward   ? 1
-                        : options.initial_gear == InitialGear::reverse ? -1
-                                                                       : 0;
-  return {1.0, options.reverse_weight, options.gear_change_cost, gear};
+  return {1.0, options.reverse_weight, options.gear_change_cost,
+          direction_of(options.initial_gear)};
 }
 
 inline GearSign gear_of(const Segment& segment) { return segment.length < 0.0 ? -1 : 1; }

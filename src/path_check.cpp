@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "judge/cell_clearance.h"
+#include "judge/claims.h"
 #include "judge/clearance.h"
 #include "judge/track.h"
 
@@ -25,11 +26,6 @@ constexpr double clearance_error = 1e-3;  // of the clearance reported [m]
 constexpr double first_reach = 1.0;       // how far it looks for cells of a map at first [m]
 constexpr double position_tolerance = 1e-6;
 constexpr double heading_tolerance = 1e-6;
-constexpr double length_tolerance = 1e-6;
-constexpr double pose_distance = 0.1;  // between stated poses, at most [m]
-// Of stated poses [m, rad], curvature [1/m] and distance: files far from the origin, where doubles
-// are micrometres apart, and figures rounded by others must pass.
-constexpr double stated_tolerance = 1e-5;
 constexpr double curvature_slack = 1e-9;  // relative
 constexpr double bounds_slack = 1e-9;     // [m]
 
@@ -266,59 +262,6 @@ std::optional<Fault> collision(const Track& track, const World& world, double& l
   return survey.first;
 }
 
-std::optional<Fault> false_claim(const Track& track, const PathClaims& claims) {
-  const auto length = static_cast<double>(track.length);
-  if (claims.length && !(std::abs(*claims.length - length) <= length_tolerance)) {
-    return Fault{
-        text("the stated length is %.10g m, the path is %.10g m long", *claims.length, length), {}};
-  }
-  if (claims.gear_changes && *claims.gear_changes != track.gear_changes) {
-    return Fault{text("the stated gear changes are %d, the path has %d", *claims.gear_changes,
-                      track.gear_changes),
-                 {}};
-  }
-  return std::nullopt;
-}
-
-bool is_near(const Position& position, const Pose& pose) {
-  const Real turn = std::remainder(position.heading - static_cast<Real>(pose.heading), full_turn);
-  return std::hypot(position.x - pose.x, position.y - pose.y) <= stated_tolerance &&
-         std::abs(turn) <= stated_tolerance;
-}
-
-/// Whether a stated pose lies on the stretch. At a joint it may belong to either side.
-bool lies_on(const StatedPose& stated, const Stretch& stretch) {
-  const Real t = std::clamp<Real>(stated.s - stretch.s, 0, stretch.length);
-  if (!(std::abs(stretch.s + t - stated.s) <= stated_tolerance)) return false;
-  if (stated.direction && *stated.direction != stretch.direction) return false;
-  if (stated.curvature && !(std::abs(stretch.curvature - *stated.curvature) <= stated_tolerance)) {
-    return false;
-  }
-  return is_near(after(stretch, t), stated.pose);
-}
-
-std::optional<Fault> false_poses(const Track& track, const std::vector<StatedPose>& poses) {
-  if (poses.empty()) return std::nullopt;
-  const auto fault = [](std::size_t i, const char* problem) {
-    return Fault{"the stated poses[" + std::to_string(i) + "] " + problem, {}};
-  };
-  Real last = 0;
-  std::size_t i = 0;  // the stretch that the poses have come to
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    const StatedPose& stated = poses[k];
-    const Real step = stated.s - last;
-    if (!(step >= 0 && step <= (k == 0 ? 0 : pose_distance) + stated_tolerance)) {
-      return fault(k,
-                   k == 0 ? "does not begin at s = 0" : "is not 0 to 0.1 m after the one before");
-    }
-    while (i + 1 < track.stretches.size() && !lies_on(stated, track.stretches[i])) ++i;
-    if (!lies_on(stated, track.stretches[i])) return fault(k, "is not on the path");
-    last = stated.s;
-  }
-  if (std::abs(track.length - last) <= stated_tolerance) return std::nullopt;
-  return fault(poses.size() - 1, "is not the end of the path");
-}
-
 std::optional<Fault> first_fault(const Problem& problem, const Track& track,
                                  const PathClaims& claims, std::optional<double>& least) {
   const World& world = *problem.world;
@@ -328,8 +271,8 @@ std::optional<Fault> first_fault(const Problem& problem, const Track& track,
   least = std::numeric_limits<double>::infinity();
   if (auto f = collision(track, world, *least)) return f;
   if (auto f = off_pose(track.end, problem.goal, "ends", end_of(track))) return f;
-  if (auto f = false_claim(track, claims)) return f;
-  return false_poses(track, claims.poses);
+  if (const auto reason = false_claim(track, claims)) return Fault{*reason, {}};
+  return std::nullopt;
 }
 
 }  // namespace

@@ -35,6 +35,11 @@ namespace vandplan {
 /// Reads a case of the Trajectory Planning Competition for Automated Parking 2022 (CSV).
 [[nodiscard]] Scenario read_tpcap(const std::string& file);
 
+/// The furthest goal of a row that somebody says was reached.
+struct StatedFurthest {
+  std::optional<double> distance;  ///< [m]; none: no goal was
+};
+
 /// One planning run with what is needed to write, judge and draw it.
 struct ResultRecord {
   std::string scenario;  ///< name of the scenario
@@ -43,7 +48,12 @@ struct ResultRecord {
   std::optional<double> distance;  ///< of the goal in a row of goals [m]
   PlanResult result;               ///< path and tree in the scenario's frame
   PathClaims claims;               ///< what a file that was read says about its path
+  /// What that file says about the row that the record belongs to.
+  std::optional<StatedFurthest> furthest;
 };
+
+/// The largest distance among the goals of a row that have a path [m].
+[[nodiscard]] std::optional<double> furthest_reached(const std::vector<ResultRecord>& records);
 
 /// Result file as JSON text: one record for `goal:`, a row of records for `goals:`.
 [[nodiscard]] std::string results_to_json(const Scenario& scenario,

@@ -23,10 +23,23 @@ struct StatedPose {
   std::optional<int> direction = {};     ///< 1 forward, -1 reverse
 };
 
-/// What somebody says about a path; whatever is stated is checked.
+/// What somebody says that a path costs: its length, with a weight for metres in reverse and a
+/// price for gear changes.
+struct StatedCost {
+  double cost = 0.0;                 ///< [m]
+  double reverse_weight = 1.0;       ///< of a metre in reverse
+  double gear_change_cost = 0.0;     ///< of one gear change [m]
+  int initial_direction = 0;         ///< before the start: 1 forward, -1 reverse, 0 any
+  std::optional<double> bound = {};  ///< no path costs less [m]
+  std::optional<double> gap = {};    ///< cost / bound - 1
+};
+
+/// What somebody says about a path; whatever is stated is checked. A bound is not proven again, but
+/// must not be above the cost.
 struct PathClaims {
   std::optional<double> length = {};  ///< [m]
   std::optional<int> gear_changes = {};
+  std::optional<StatedCost> cost = {};
   /// From end to end, at most 0.1 m apart, in the frame of the path; none: nothing is said.
   std::vector<StatedPose> poses = {};
 };

@@ -17,6 +17,11 @@ namespace vandplan {
 /// What the vehicle drove last before it stands at the start.
 enum class InitialGear { any, forward, reverse };
 
+/// 1 forward, -1 reverse, 0 any.
+[[nodiscard]] constexpr int direction_of(InitialGear gear) noexcept {
+  return gear == InitialGear::forward ? 1 : gear == InitialGear::reverse ? -1 : 0;
+}
+
 /// Every knob, with its default, unit and range. A planner ignores what it has no use for.
 struct PlanOptions {
   std::uint64_t seed = 1;

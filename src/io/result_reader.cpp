@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 
 #include "io/document.h"
+#include "vandplan/input_error.h"
 #include "vandplan/io.h"
 
 namespace vandplan {
@@ -123,6 +125,44 @@ StatedPose stated_pose(const Document& file, const Node& node) {
   return stated;
 }
 
+/// What the cost depends on; the defaults where a file does not say.
+void read_cost_rule(const Document& file, const Node& node, PlanOptions& options) {
+  if (const Node* const weight = file.find(node, "reverse_weight")) {
+    options.reverse_weight = file.number(*weight);
+  }
+  if (const Node* const price = file.find(node, "gear_change_cost")) {
+    options.gear_change_cost = file.number(*price);
+  }
+  if (const Node* const gear = file.find(node, "initial_gear")) {
+    try {
+      set_option(options, "initial_gear", file.text(*gear));
+    } catch (const InputError& error) {
+      file.fail(*gear, error.problem());
+    }
+  }
+}
+
+/// Whether the planner's cost is the length, whatever the options say.
+bool goes_by_length(const std::string& planner) {
+  return std::any_of(planners().begin(), planners().end(),
+                     [&](const PlannerInfo& info) { return info.name == planner && !info.weighs; });
+}
+
+std::optional<StatedCost> cost_from(const Document& file, const Node& node,
+                                    const ResultRecord& record) {
+  const Node* const cost = file.find(node, "cost");
+  if (cost == nullptr) return std::nullopt;
+  StatedCost stated{.cost = file.number(*cost)};
+  if (!goes_by_length(record.planner)) {
+    stated.reverse_weight = record.options.reverse_weight;
+    stated.gear_change_cost = record.options.gear_change_cost;
+    stated.initial_direction = direction_of(record.options.initial_gear);
+  }
+  if (const Node* const bound = file.find(node, "bound")) stated.bound = file.number(*bound);
+  if (const Node* const gap = file.find(node, "gap")) stated.gap = file.number(*gap);
+  return stated;
+}
+
 PathClaims claims_from(const Document& file, const Node& node) {
   PathClaims claims;
   if (const Node* const length = file.find(node, "length")) claims.length = file.number(*length);
@@ -160,6 +200,10 @@ ResultRecord record_from(const Document& file, const Node& node, double radius) 
   if (result.status == PlanStatus::solved) {
     result.path = path_from(file, file.at(node, "path"), radius);
     record.claims = claims_from(file, node);
+    if (const Node* const options = file.find(node, "options")) {
+      read_cost_rule(file, *options, record.options);
+    }
+    record.claims.cost = cost_from(file, node, record);
   }
   read_statistics(file, node, result);
   return record;
@@ -188,6 +232,11 @@ std::vector<ResultRecord> read_results(const std::string& file, const Scenario& 
   }
   std::vector<ResultRecord> records;
   for (const Node& item : items) records.push_back(record_from(result, item, radius));
+  if (const Node* const furthest = result.find(root, "furthest")) {
+    StatedFurthest stated;
+    if (furthest->kind != Node::Kind::nothing) stated.distance = result.number(*furthest);
+    for (ResultRecord& record : records) record.furthest = stated;
+  }
   return records;
 }
 

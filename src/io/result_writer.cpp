@@ -137,16 +137,6 @@ Json json_of(const Scenario& scenario, const ResultRecord& record) {
   return json;
 }
 
-/// The largest distance whose goal was reached, or null.
-Json furthest_of(const std::vector<ResultRecord>& records) {
-  Json furthest;
-  for (const ResultRecord& record : records) {
-    if (record.result.status != PlanStatus::solved || !record.distance) continue;
-    if (furthest.is_null() || *record.distance > furthest) furthest = *record.distance;
-  }
-  return furthest;
-}
-
 /// Whether it goes on one line: nothing in it holds anything.
 bool is_flat(const Json& json) {
   return std::none_of(json.begin(), json.end(),
@@ -178,6 +168,14 @@ void write(const Json& json, const std::string& indent, std::string& text) {
 
 }  // namespace
 
+std::optional<double> furthest_reached(const std::vector<ResultRecord>& records) {
+  std::optional<double> furthest;
+  for (const ResultRecord& record : records) {
+    if (record.result.path) furthest = std::max(furthest, record.distance);
+  }
+  return furthest;
+}
+
 std::string results_to_json(const Scenario& scenario, const std::vector<ResultRecord>& records) {
   assert(!records.empty());
   Json json;
@@ -185,7 +183,8 @@ std::string results_to_json(const Scenario& scenario, const std::vector<ResultRe
     json = heading_of(records.front());
     json["goals"] = Json::array();
     for (const ResultRecord& record : records) json["goals"].push_back(json_of(scenario, record));
-    json["furthest"] = furthest_of(records);
+    const std::optional<double> furthest = furthest_reached(records);
+    json["furthest"] = furthest ? Json(*furthest) : Json();
   } else {
     json = json_of(scenario, records.front());
   }

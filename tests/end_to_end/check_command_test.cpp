@@ -125,6 +125,45 @@ TEST_F(CheckCommand, SaysWhatIsWrongAndWhere) {
             "invalid: the stated poses[0] is not on the path\n");
 }
 
+TEST_F(CheckCommand, TheStatedCostIsRecomputed) {
+  EXPECT_EQ(verdict([](Json& result) { result["cost"] = 4.5; }),
+            "invalid: the stated cost is 4.5 m, the path costs 5 m\n");
+  EXPECT_EQ(verdict([](Json& result) {
+              result["cost"] = 5;
+              result["options"] = {{"gear_change_cost", 2.5}, {"initial_gear", "reverse"}};
+            }),
+            "invalid: the stated cost is 5 m, the path costs 7.5 m\n");
+  EXPECT_EQ(verdict([](Json& result) {
+              result["cost"] = 5;
+              result["bound"] = 4;
+              result["gap"] = 0.2;
+            }),
+            "invalid: the stated gap is 0.2, cost and bound make it 0.25\n");
+  EXPECT_EQ(verdict([](Json& result) {
+              result["cost"] = 5;
+              result["bound"] = 6;
+            }),
+            "invalid: the stated bound is 6 m, the path costs 5 m\n");
+}
+
+TEST_F(CheckCommand, TheRuleOfTheCostIsRead) {
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5,", "goal: {x: 3, y: 0,"));
+  Json result = drive_ahead();
+  result["path"]["segments"] = {{{"turn", "straight"}, {"length", 5}},
+                                {{"turn", "straight"}, {"length", -2}}};
+  result["length"] = 7;
+  result["gear_changes"] = 1;
+  result["options"] = {{"reverse_weight", 3}, {"gear_change_cost", 10}, {"initial_gear", "any"}};
+  result["cost"] = 5 + 3 * 2 + 10;
+  EXPECT_EQ(check(result).status, 0);
+  result["planner"] = "rrt-bsc-euc";  // its cost is the length
+  EXPECT_EQ(check(result).status, 1);
+  result["cost"] = 7;
+  EXPECT_EQ(check(result).status, 0);
+  result["options"]["initial_gear"] = "neutral";
+  EXPECT_EQ(check(result).status, 2);
+}
+
 TEST_F(CheckCommand, ThePlaceIsInTheFrameOfTheScenario) {
   std::string far = replaced(yard(), "start: {x: 0", "start: {x: 4500000000");
   far = replaced(far, "goal: {x: 20, y: 5", "goal: {x: 4500000005, y: 0");
@@ -160,6 +199,18 @@ TEST_F(CheckCommand, EveryGoalOfARowIsJudged) {
   EXPECT_EQ(half.out,
             "goals[0]: valid: length 5.000 m, gear changes 0, clearance 1.100 m\n"
             "goals[1]: no path: time_limit\n");
+
+  row["furthest"] = 5;
+  row["goals"][0]["distance"] = 5;
+  row["goals"][1]["distance"] = 20;
+  EXPECT_EQ(check(row).status, 0);
+  row["furthest"] = nullptr;
+  const Outcome none = check(row);
+  EXPECT_EQ(none.status, 1);
+  EXPECT_NE(
+      none.out.find("\ninvalid: the stated furthest is none, the furthest goal reached is 5 m\n"),
+      std::string::npos)
+      << none.out;
 
   row["goals"][1] = drive_ahead();
   const Json verdict = Json::parse(check(row, {"--json"}).out);

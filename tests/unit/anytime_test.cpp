@@ -66,6 +66,16 @@ TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
   }
 }
 
+// Every path that only turns left is as long as the shortest: three gear changes do, seldom four.
+TEST(Anytime, OfTheShortestPathsItTakesOneWithFewGearChanges) {
+  PlanOptions options = iterations(6000);
+  for (options.seed = 1; options.seed <= 10; ++options.seed) {
+    const PlanResult result = run(narrow_road(), options);
+    EXPECT_NEAR(result.cost, 7 * pi, 1e-6) << options.seed;
+    EXPECT_LE(gear_changes(result.path->segments), 4) << options.seed;
+  }
+}
+
 // Parallel to a kerb, 0.3 m from the lorries before and behind.
 TEST(Anytime, LeavesAVeryTightSlotAndGetsIntoIt) {
   const std::vector<Polygon> street = {box(-12, -1.5, -1.9, 1.5), box(6.2, -1.5, 16, 1.5),

@@ -529,7 +529,7 @@
     const changes = segments.filter(([, l], i) => i > 0 && l > 0 !== segments[i - 1][1] > 0).length;
     $('dialog-content').replaceChildren(
       element('h3', {}, `${scenarioOf(c).name}, ${m.planner}, ${state.example} path`),
-      element('p', {class: 'note'}, `${run.cost.toFixed(2)} m, ${changes} gear changes, seed ${run.seed}, ` +
+      element('p', {class: 'note'}, `${run.cost.toFixed(2)} m, ${changes} gear ${changes === 1 ? 'change' : 'changes'}, seed ${run.seed}, ` +
         `first path after ${milliseconds(run.first)} ms`),
       picture(scenarioOf(c), run.goal, segments), element('code', {class: 'command'}, run.command));
     $('dialog').showModal();

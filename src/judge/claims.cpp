@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "judge/claims.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace vandplan::judge {
+namespace {
+
+constexpr double length_tolerance = 1e-6;  // [m]; of costs for every metre, too
+constexpr double gap_tolerance = 1e-6;
+constexpr double pose_distance = 0.1;  // between stated poses, at most [m]
+// Of stated poses [m, rad], curvature [1/m] and distance: files far from the origin, where doubles
+// are micrometres apart, and figures rounded by others must pass.
+constexpr double stated_tolerance = 1e-5;
+
+std::string text(const char* format, auto... values) {
+  std::array<char, 200> buffer;
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+std::optional<std::string> false_figures(const Track& track, const PathClaims& claims) {
+  const auto length = static_cast<double>(track.length);
+  if (claims.length && !(std::abs(*claims.length - length) <= length_tolerance)) {
+    return text("the stated length is %.10g m, the path is %.10g m long", *claims.length, length);
+  }
+  if (claims.gear_changes && *claims.gear_changes != track.gear_changes) {
+    return text("the stated gear changes are %d, the path has %d", *claims.gear_changes,
+                track.gear_changes);
+  }
+  return std::nullopt;
+}
+
+double cost_of(const Track& track, const StatedCost& rule) {
+  int changes = track.gear_changes;
+  const Real first = track.stretches[0].direction;
+  if (track.length > 0 && rule.initial_direction * first < 0) ++changes;
+  return static_cast<double>(track.length + (rule.reverse_weight - 1) * track.reverse_length +
+                             rule.gear_change_cost * changes);
+}
+
+std::optional<std::string> false_cost(const Track& track, const StatedCost& stated) {
+  const double cost = cost_of(track, stated);
+  if (!(std::abs(stated.cost - cost) <= length_tolerance * (1 + cost))) {
+    return text("the stated cost is %.10g m, the path costs %.10g m", stated.cost, cost);
+  }
+  if (!stated.bound) return std::nullopt;
+  if (!(*stated.bound <= cost + length_tolerance * (1 + cost))) {
+    return text("the stated bound is %.10g m, the path costs %.10g m", *stated.bound, cost);
+  }
+  const double gap = cost / *stated.bound - 1;
+  if (stated.gap && *stated.bound > 0 && !(std::abs(*stated.gap - gap) <= gap_tolerance)) {
+    return text("the stated gap is %.10g, cost and bound make it %.10g", *stated.gap, gap);
+  }
+  return std::nullopt;
+}
+
+bool is_near(const Position& position, const Pose& pose) {
+  const Real turn = std::remainder(position.heading - static_cast<Real>(pose.heading), full_turn);
+  return std::hypot(position.x - pose.x, position.y - pose.y) <= stated_tolerance &&
+         std::abs(turn) <= stated_tolerance;
+}
+
+/// Whether a stated pose lies on the stretch. At a joint it may belong to either side.
+bool lies_on(const StatedPose& stated, const Stretch& stretch) {
+  const Real t = std::clamp<Real>(stated.s - stretch.s, 0, stretch.length);
+  if (!(std::abs(stretch.s + t - stated.s) <= stated_tolerance)) return false;
+  if (stated.direction && *stated.direction != stretch.direction) return false;
+  if (stated.curvature && !(std::abs(stretch.curvature - *stated.curvature) <= stated_tolerance)) {
+    return false;
+  }
+  return is_near(after(stretch, t), stated.pose);
+}
+
+std::optional<std::string> false_poses(const Track& track, const std::vector<StatedPose>& poses) {
+  if (poses.empty()) return std::nullopt;
+  const auto fault = [](std::size_t i, const char* problem) {
+    return "the stated poses[" + std::to_string(i) + "] " + problem;
+  };
+  Real last = 0;
+  std::size_t i = 0;  // the stretch that the poses have come to
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const StatedPose& stated = poses[k];
+    const Real step = stated.s - last;
+    if (!(step >= 0 && step <= (k == 0 ? 0 : pose_distance) + stated_tolerance)) {
+      return fault(k,
+                   k == 0 ? "does not begin at s = 0" : "is not 0 to 0.1 m after the one before");
+    }
+    while (i + 1 < track.stretches.size() && !lies_on(stated, track.stretches[i])) ++i;
+    if (!lies_on(stated, track.stretches[i])) return fault(k, "is not on the path");
+    last = stated.s;
+  }
+  if (std::abs(track.length - last) <= stated_tolerance) return std::nullopt;
+  return fault(poses.size() - 1, "is not the end of the path");
+}
+
+}  // namespace
+
+std::optional<std::string> false_claim(const Track& track, const PathClaims& claims) {
+  if (auto reason = false_figures(track, claims)) return reason;
+  if (claims.cost) {
+    if (auto reason = false_cost(track, *claims.cost)) return reason;
+  }
+  return false_poses(track, claims.poses);
+}
+
+}  // namespace vandplan::judge
