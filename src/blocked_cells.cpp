@@ -5,31 +5,24 @@
 namespace vandplan {
 
 BlockedCells::BlockedCells(const OccupancyGrid& grid)
-    : columns_(grid.columns + 2),
-      rows_(grid.rows + 2),
-      words_((static_cast<std::size_t>(columns_) + 63) / 64),
-      blocked_(words_ * static_cast<std::size_t>(rows_)),
-      edges_(blocked_.size()) {
-  const auto set = [&](std::int32_t x, std::int32_t y) {
-    blocked_[word_of(x, y)] |= std::uint64_t{1} << (static_cast<std::uint32_t>(x) % 64);
-  };
+    : blocked_(grid.columns + 2, grid.rows + 2), edges_(grid.columns + 2, grid.rows + 2) {
   for (std::int32_t y = 0; y < grid.rows; ++y) {
     const Cell* const row =
         grid.cells->data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.columns);
     for (std::int32_t x = 0; x < grid.columns; ++x) {
       const bool blocked =
           row[x] == Cell::occupied || (row[x] == Cell::unknown && !grid.unknown_is_free);
-      if (blocked) set(x + 1, y + 1);
+      if (blocked) blocked_.set(x + 1, y + 1);
     }
   }
   if (!grid.unknown_is_free) {
-    for (std::int32_t x = 0; x < columns_; ++x) {
-      set(x, 0);
-      set(x, rows_ - 1);
+    for (std::int32_t x = 0; x < columns(); ++x) {
+      blocked_.set(x, 0);
+      blocked_.set(x, rows() - 1);
     }
-    for (std::int32_t y = 0; y < rows_; ++y) {
-      set(0, y);
-      set(columns_ - 1, y);
+    for (std::int32_t y = 0; y < rows(); ++y) {
+      blocked_.set(0, y);
+      blocked_.set(columns() - 1, y);
     }
   }
   mark_edges(!grid.unknown_is_free);
@@ -37,26 +30,34 @@ BlockedCells::BlockedCells(const OccupancyGrid& grid)
 
 void BlockedCells::mark_edges(bool outside_is_blocked) {
   const std::uint64_t outside = outside_is_blocked ? ~std::uint64_t{0} : 0;
-  const auto tail = static_cast<std::uint32_t>(columns_) % 64;  // bits of the last word; 0: all
+  const auto tail = static_cast<std::uint32_t>(columns()) % 64;  // bits of the last word; 0: all
   const std::uint64_t beyond = tail == 0 ? 0 : ~std::uint64_t{0} << tail;
-  // A word of a row, what lies outside of the frame filled in.
-  const auto word = [&](std::int32_t y, std::ptrdiff_t i) {
-    const auto last = static_cast<std::ptrdiff_t>(words_) - 1;
-    if (y < 0 || y >= rows_ || i < 0 || i > last) return outside;
-    const std::uint64_t bits =
-        blocked_[static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(i)];
-    return i == last ? bits | (outside & beyond) : bits;
+  const std::size_t words = blocked_.words();
+  // A word of a row, what lies outside of the frame filled in; the one before the first wraps.
+  const auto word = [&](std::size_t i, std::int32_t y) {
+    if (y < 0 || y >= rows() || i >= words) return outside;
+    return i + 1 == words ? blocked_.word(i, y) | (outside & beyond) : blocked_.word(i, y);
   };
-  for (std::int32_t y = 0; y < rows_; ++y) {
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(words_); ++i) {
-      const std::uint64_t bits = word(y, i);
-      const std::uint64_t left = bits << 1 | word(y, i - 1) >> 63;
-      const std::uint64_t right = bits >> 1 | word(y, i + 1) << 63;
-      const std::uint64_t surrounded = left & right & word(y - 1, i) & word(y + 1, i);
-      const std::size_t at = static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(i);
-      edges_[at] = blocked_[at] & ~surrounded;
+  for (std::int32_t y = 0; y < rows(); ++y) {
+    for (std::size_t i = 0; i < words; ++i) {
+      const std::uint64_t bits = word(i, y);
+      const std::uint64_t left = bits << 1 | word(i - 1, y) >> 63;
+      const std::uint64_t right = bits >> 1 | word(i + 1, y) << 63;
+      const std::uint64_t surrounded = left & right & word(i, y - 1) & word(i, y + 1);
+      edges_.word(i, y) = blocked_.word(i, y) & ~surrounded;
     }
   }
+}
+
+BitGrid blocks_of(const BitGrid& cells, int shift) {
+  const auto blocks = [&](std::int32_t count) { return ((count - 1) >> shift) + 1; };
+  BitGrid result(blocks(cells.columns()), blocks(cells.rows()));
+  const CellBox all{0, cells.columns() - 1, 0, cells.rows() - 1};
+  (void)cells.any_run(all, [&](std::int32_t y, std::int32_t begin, std::int32_t end) {
+    for (std::int32_t x = begin >> shift; x <= (end - 1) >> shift; ++x) result.set(x, y >> shift);
+    return false;
+  });
+  return result;
 }
 
 }  // namespace vandplan

@@ -28,6 +28,7 @@ struct CollisionChecker::Data {
   /// polygons that is all: whatever is entered later is entered across a side.
   [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed) const noexcept {
     if (!holds(bounds, placed.axle_box())) return false;
+    if (obstacles.is_empty()) return true;
     const Sweep sweep(footprint, placed);
     return !obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });
   }
@@ -62,7 +63,7 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
   for (const Segment& segment : segments) {
     const PlacedSegment placed(placement, segment);
     if (!data_->crosses_nothing(placed)) return false;
-    if (map && !map->is_clear(placement, segment)) return false;
+    if (map && !map->is_clear(placed)) return false;
     placement = placed.to;
   }
   return true;

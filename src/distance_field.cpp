@@ -17,7 +17,7 @@ std::vector<std::uint8_t> column_distances(const BlockedCells& cells, std::size_
     std::uint8_t* const row = distances.data() + y * columns;
     const auto mark = [&](std::int32_t cell_row) {
       const CellBox box{0, cells.columns() - 1, cell_row, cell_row};
-      (void)cells.any_blocked_run(box, [&](std::int32_t, std::int32_t begin, std::int32_t end) {
+      (void)cells.blocked().any_run(box, [&](std::int32_t, std::int32_t begin, std::int32_t end) {
         std::fill(row + begin, row + end + 1, std::uint8_t{0});
         return false;
       });
@@ -86,17 +86,26 @@ void fill_row(std::span<const std::uint8_t> distances, Envelope& envelope,
 
 }  // namespace
 
-DistanceField::DistanceField(const BlockedCells& cells)
-    : columns_(static_cast<std::size_t>(cells.columns()) + 1),
-      last_x_(cells.columns()),
-      last_y_(cells.rows()),
-      squares_(columns_ * (static_cast<std::size_t>(cells.rows()) + 1)) {
+DistanceField::DistanceField(const BlockedCells& cells, int coarseness) {
+  const std::size_t columns = static_cast<std::size_t>(cells.columns()) + 1;
   const std::size_t rows = static_cast<std::size_t>(cells.rows()) + 1;
-  const std::vector<std::uint8_t> distances = column_distances(cells, columns_, rows);
+  fine_ = {1.0, static_cast<double>(columns - 1), static_cast<double>(rows - 1), columns,
+           std::vector<std::uint16_t>(columns * rows)};
+  const std::vector<std::uint8_t> distances = column_distances(cells, columns, rows);
   Envelope envelope;
   for (std::size_t y = 0; y < rows; ++y) {
-    fill_row(std::span(distances).subspan(y * columns_, columns_), envelope,
-             std::span(squares_).subspan(y * columns_, columns_));
+    fill_row(std::span(distances).subspan(y * columns, columns), envelope,
+             std::span(fine_.squares).subspan(y * columns, columns));
+  }
+  // The last coarse corner may lie beyond the frame: it takes the distance of the last fine one,
+  // from which it is less than a step away; so points near it look no nearer than they are.
+  const std::size_t step = std::size_t{1} << coarseness;
+  coarse_ = {static_cast<double>(step), fine_.last_x, fine_.last_y, (columns - 1) / step + 2, {}};
+  for (std::size_t y = 0; y < rows + step; y += step) {
+    for (std::size_t i = 0; i < coarse_.columns; ++i) {
+      const std::size_t at = std::min(y, rows - 1) * columns + std::min(i * step, columns - 1);
+      coarse_.squares.push_back(fine_.squares[at]);
+    }
   }
 }
 

@@ -13,7 +13,17 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The closed square cells of a run, in metres.
+constexpr double block_side = 2.5;  // about [m]
+constexpr double rough_side = 0.4;  // between corners of the coarse field, about [m]
+
+/// How often cells of that side are doubled to come near to a length; at least once.
+int coarseness_of(double side, double wanted) {
+  int times = 1;
+  while (times < 10 && side * (1 << times) < wanted / std::sqrt(2.0)) ++times;
+  return times;
+}
+
+/// A run of squares with sides of that length.
 Sides sides_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, double side) {
   const double left = x_begin * side;
   const double right = x_end * side;
@@ -24,15 +34,15 @@ Sides sides_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, double 
 
 }  // namespace
 
-/// One segment, driven.
+/// One segment, driven, in the frame of the cells.
 class GridObstacles::Drive {
  public:
-  Drive(const GridObstacles& grid, const Placement& from, const Segment& segment)
+  Drive(const GridObstacles& grid, const PlacedSegment& placed, const Sweep& sweep)
       : grid_(grid),
-        segment_(segment),
-        placed_(from, segment),
-        sweep_(grid.body_, placed_),
-        speed_(speed_of(grid.body_, segment.curvature)) {}
+        placed_(placed),
+        sweep_(sweep),
+        gear_(placed.forward.x * placed.from.heading.x + placed.forward.y * placed.from.heading.y),
+        speed_(speed_of(grid.body_, placed.curvature)) {}
 
   /// [1] Goes along as far as the discs are free around the poses.
   [[nodiscard]] bool is_clear() const {
@@ -65,13 +75,28 @@ class GridObstacles::Drive {
 
   /// No point of the body is faster, with the rear axle at speed 1.
   static double speed_of(const Footprint& body, double curvature) {
-    const double k = std::abs(curvature);
-    return std::hypot(1 + k * body.half_width, k * std::max(body.front, body.rear));
+    const double across = 1 + curvature * body.half_width;
+    const double along = curvature * std::max(body.front, body.rear);
+    return std::sqrt(across * across + along * along);
   }
 
+  /// Where the vehicle is after that length, no further than the end.
   [[nodiscard]] Placement after(double driven) const {
-    const double length = std::copysign(std::min(driven, placed_.length), segment_.length);
-    return PlacedSegment(placed_.from, {segment_.curvature, length}).to;
+    const double length = std::min(driven, placed_.length);
+    const Point& forward = placed_.forward;
+    const Point& left = placed_.left;
+    const Point& from = placed_.from.position;
+    const double turn = length * placed_.curvature;
+    if (turn < 1e-15) {
+      return {{from.x + length * forward.x, from.y + length * forward.y}, placed_.from.heading};
+    }
+    const SinCos half = sin_cos(turn / 2);
+    const double sin = 2 * half.sin * half.cos;
+    const double cos = 1 - 2 * half.sin * half.sin;
+    const double x = sin / placed_.curvature;
+    const double y = 2 * half.sin * half.sin / placed_.curvature;
+    return {{from.x + x * forward.x + y * left.x, from.y + x * forward.y + y * left.y},
+            {gear_ * (cos * forward.x + sin * left.x), gear_ * (cos * forward.y + sin * left.y)}};
   }
 
   static Point point_at(const Placement& pose, double x) {
@@ -79,17 +104,27 @@ class GridObstacles::Drive {
   }
 
   /// How far may be driven both ways without touching anything; below 0 where that is not known,
-  /// minus infinity where the footprint is hit.
+  /// minus infinity where the footprint is hit. The coarse field answers where it is enough.
   [[nodiscard]] double room_at(const Placement& pose) const {
-    const auto room_of = [&](const Slice& slice) {
-      const auto [least, most] = grid_.distance(point_at(pose, slice.x));
-      return most < slice.inner ? -infinity : least - slice.radius - end_margin;
-    };
-    double room = room_of(grid_.whole_);
-    if (room >= grid_.body_.half_width || room == -infinity) return room / speed_;
-    room = infinity;
-    for (const Slice& slice : grid_.slices_) room = std::min(room, room_of(slice));
-    return room / speed_;
+    const double plenty = grid_.body_.half_width;
+    const double room = room_of(grid_.whole_, pose, &GridObstacles::rough_distance);
+    if (room >= plenty || room == -infinity) return room / speed_;
+    const double rough = room_of_slices(pose, &GridObstacles::rough_distance);
+    const bool is_answer = rough >= plenty / 2 || rough < -grid_.rough_error_;
+    return (is_answer ? rough : room_of_slices(pose, &GridObstacles::distance)) / speed_;
+  }
+
+  using Distance = DistanceField::Range (GridObstacles::*)(const Point&) const;
+
+  [[nodiscard]] double room_of(const Slice& slice, const Placement& pose, Distance distance) const {
+    const auto [least, most] = (grid_.*distance)(point_at(pose, slice.x));
+    return most < slice.inner ? -infinity : least - slice.radius - end_margin;
+  }
+
+  [[nodiscard]] double room_of_slices(const Placement& pose, Distance distance) const {
+    double room = infinity;
+    for (const Slice& slice : grid_.slices_) room = std::min(room, room_of(slice, pose, distance));
+    return room;
   }
 
   /// [2] Looks closer at both halves of an interval, and at the parts of the slices.
@@ -115,22 +150,27 @@ class GridObstacles::Drive {
   /// [3] Whether the whole sweep touches an edge cell that a slice may touch in an interval.
   [[nodiscard]] bool is_hit(const Slice& slice, const Placement& pose, double half) const {
     const double reach = slice.radius + half * speed_ + end_margin;
-    const CellBox box = grid_.cells_around(point_at(pose, slice.x), reach);
-    return grid_.cells_.any_edge_run(
-        box, [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
-          return sweep_.touches(sides_of(y, x_begin, x_end, grid_.side_));
+    const auto [x, y] = point_at(pose, slice.x);
+    const CellBox box = grid_.cells_in({x - reach, x + reach, y - reach, y + reach});
+    return grid_.cells_.edges().any_run(
+        box, [&](std::int32_t row, std::int32_t x_begin, std::int32_t x_end) {
+          return sweep_.touches(sides_of(row, x_begin, x_end, grid_.side_));
         });
   }
 
   const GridObstacles& grid_;
-  const Segment& segment_;
-  PlacedSegment placed_;
-  Sweep sweep_;
+  const PlacedSegment& placed_;
+  const Sweep& sweep_;
+  double gear_;  // 1 forward, -1 reverse
   double speed_;
 };
 
 GridObstacles::GridObstacles(const OccupancyGrid& grid, const Footprint& body)
-    : side_(grid.resolution), body_(body), cells_(grid), field_(cells_) {
+    : side_(grid.resolution),
+      body_(body),
+      cells_(grid),
+      field_(cells_, coarseness_of(side_, rough_side)),
+      rough_error_(std::sqrt(2.0) * side_ * (1 << coarseness_of(side_, rough_side))) {
   const auto [sin, cos] = sin_cos(grid.origin.heading);
   along_ = {cos, sin};
   // The frame is a cell wide.
@@ -139,6 +179,8 @@ GridObstacles::GridObstacles(const OccupancyGrid& grid, const Footprint& body)
   slices_ = sliced(std::max(2 * body.half_width, length / 8));
   halves_ = sliced(length / static_cast<double>(2 * slices_.size()));
   whole_ = sliced(length).front();
+  shift_ = coarseness_of(side_, block_side);
+  blocks_ = blocks_of(cells_.edges(), shift_);
 }
 
 /// Equal slices, none longer than that.
@@ -161,10 +203,16 @@ Point GridObstacles::in_frame(const Point& point) const noexcept {
   return {dx * along_.x + dy * along_.y, dy * along_.x - dx * along_.y};
 }
 
-Placement GridObstacles::in_frame(const Placement& placement) const noexcept {
-  const Point& h = placement.heading;
-  return {in_frame(placement.position),
-          {h.x * along_.x + h.y * along_.y, h.y * along_.x - h.x * along_.y}};
+PlacedSegment GridObstacles::in_frame(const PlacedSegment& placed) const noexcept {
+  const auto turned = [&](const Point& v) {
+    return Point{v.x * along_.x + v.y * along_.y, v.y * along_.x - v.x * along_.y};
+  };
+  PlacedSegment result = placed;
+  result.from = {in_frame(placed.from.position), turned(placed.from.heading)};
+  result.to = {in_frame(placed.to.position), turned(placed.to.heading)};
+  result.forward = turned(placed.forward);
+  result.left = turned(placed.left);
+  return result;
 }
 
 DistanceField::Range GridObstacles::distance(const Point& point) const noexcept {
@@ -172,15 +220,31 @@ DistanceField::Range GridObstacles::distance(const Point& point) const noexcept 
   return {range.least * side_, range.most * side_};
 }
 
-CellBox GridObstacles::cells_around(const Point& point, double reach) const noexcept {
-  const auto column = [&](double x) {
-    return static_cast<std::int32_t>(std::clamp(x / side_, -1.0, cells_.columns() + 1.0));
+DistanceField::Range GridObstacles::rough_distance(const Point& point) const noexcept {
+  const DistanceField::Range range = field_.roughly_around({point.x / side_, point.y / side_});
+  return {range.least * side_, range.most * side_};
+}
+
+/// The cells that meet a box, or more if it reaches beyond the frame.
+CellBox GridObstacles::cells_in(const Bounds& box) const noexcept {
+  const auto index = [&](double place, std::int32_t count) {
+    return static_cast<std::int32_t>(std::clamp(place / side_, 0.0, count - 0.5));
   };
-  const auto row = [&](double y) {
-    return static_cast<std::int32_t>(std::clamp(y / side_, -1.0, cells_.rows() + 1.0));
-  };
-  return {column(point.x - reach), column(point.x + reach), row(point.y - reach),
-          row(point.y + reach)};
+  return {index(box.x_min, cells_.columns()), index(box.x_max, cells_.columns()),
+          index(box.y_min, cells_.rows()), index(box.y_max, cells_.rows())};
+}
+
+/// Whether the sweep from a place on touches a block with edge cells.
+bool GridObstacles::is_near(const Point& from, const Sweep& sweep) const noexcept {
+  const CellBox first = cells_in({from.x, from.x, from.y, from.y});
+  const auto [x_min, x_max, y_min, y_max] = cells_in(sweep.box());
+  const CellBox box{x_min >> shift_, x_max >> shift_, y_min >> shift_, y_max >> shift_};
+  const double side = side_ * (1 << shift_);
+  int tests = 4;  // more of them cost as much as a closer look
+  if (blocks_.is_set(first.x_min >> shift_, first.y_min >> shift_)) return true;
+  return blocks_.any_run(box, [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
+    return --tests < 0 || sweep.touches(sides_of(y, x_begin, x_end, side));
+  });
 }
 
 bool GridObstacles::contain(const Point& point) const noexcept {
@@ -191,8 +255,10 @@ bool GridObstacles::contain(const Point& point) const noexcept {
   return cells_.is_blocked(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
 }
 
-bool GridObstacles::is_clear(const Placement& from, const Segment& segment) const noexcept {
-  return Drive(*this, in_frame(from), segment).is_clear();
+bool GridObstacles::is_clear(const PlacedSegment& placed) const noexcept {
+  const PlacedSegment here = in_frame(placed);
+  const Sweep sweep(body_, here);
+  return !is_near(here.from.position, sweep) || Drive(*this, here, sweep).is_clear();
 }
 
 bool GridObstacles::is_within(const Point& point, double distance) const noexcept {
@@ -201,8 +267,8 @@ bool GridObstacles::is_within(const Point& point, double distance) const noexcep
   if (least > distance) return false;
   if (most <= distance) return true;
   if (contain(point)) return true;
-  const CellBox box = cells_around(p, distance);
-  return cells_.any_edge_run(box, [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
+  const CellBox box = cells_in({p.x - distance, p.x + distance, p.y - distance, p.y + distance});
+  return cells_.edges().any_run(box, [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
     const double dx = std::max({x_begin * side_ - p.x, p.x - x_end * side_, 0.0});
     const double dy = std::max({y * side_ - p.y, p.y - (y + 1) * side_, 0.0});
     return dx * dx + dy * dy <= distance * distance;

@@ -27,7 +27,7 @@ class GridObstacles {
 
   /// Whether no edge cell is touched while the segment is driven. Together with a start whose
   /// rear axle is in no blocked cell that is all: whatever is entered later is entered there.
-  [[nodiscard]] bool is_clear(const Placement& from, const Segment& segment) const noexcept;
+  [[nodiscard]] bool is_clear(const PlacedSegment& placed) const noexcept;
 
   /// Whether a blocked cell is at most this far from the point [m].
   [[nodiscard]] bool is_within(const Point& point, double distance) const noexcept;
@@ -43,9 +43,11 @@ class GridObstacles {
 
   /// The same in the frame of the cells, in metres.
   [[nodiscard]] Point in_frame(const Point& point) const noexcept;
-  [[nodiscard]] Placement in_frame(const Placement& placement) const noexcept;
+  [[nodiscard]] PlacedSegment in_frame(const PlacedSegment& placed) const noexcept;
   [[nodiscard]] DistanceField::Range distance(const Point& point) const noexcept;
-  [[nodiscard]] CellBox cells_around(const Point& point, double reach) const noexcept;
+  [[nodiscard]] DistanceField::Range rough_distance(const Point& point) const noexcept;
+  [[nodiscard]] CellBox cells_in(const Bounds& box) const noexcept;
+  [[nodiscard]] bool is_near(const Point& from, const Sweep& sweep) const noexcept;
   [[nodiscard]] std::vector<Slice> sliced(double length) const;
 
   Point origin_;  // of the frame of the cells
@@ -56,7 +58,10 @@ class GridObstacles {
   std::vector<Slice> slices_;
   std::vector<Slice> halves_;  // two for each slice
   BlockedCells cells_;
+  BitGrid blocks_;  // with an edge cell
+  int shift_ = 0;   // a block has 2^shift cells to a side
   DistanceField field_;
+  double rough_error_;  // no rough bound of a distance is further from an exact one [m]
 };
 
 }  // namespace vandplan

@@ -17,6 +17,8 @@ class Obstacles {
  public:
   explicit Obstacles(std::span<const Polygon> polygons);
 
+  [[nodiscard]] bool is_empty() const noexcept { return sides_.empty(); }
+
   /// Calls `visit(sides)` for sides that may meet the box until it returns true; says whether it
   /// did.
   template <typename Visit>

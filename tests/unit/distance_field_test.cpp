@@ -38,7 +38,7 @@ OccupancyGrid any_grid(Rng& rng) {
 TEST(DistanceField, IsExactAtTheCornersOfCells) {
   for_each_case(1, 60, [](Rng& rng) {
     const BlockedCells cells(any_grid(rng));
-    const DistanceField field(cells);
+    const DistanceField field(cells, 2);
     for (std::int32_t y = 0; y <= cells.rows(); ++y) {
       for (std::int32_t x = 0; x <= cells.columns(); ++x) {
         const double expected = std::min(65025.0, squared_distance(cells, x, y));
@@ -53,7 +53,7 @@ TEST(DistanceField, KnowsNoMoreThan255Cells) {
   rows[1][0] = '#';
   OccupancyGrid grid = grid_of(rows, 1);
   grid.unknown_is_free = true;
-  const DistanceField field{BlockedCells(grid)};
+  const DistanceField field{BlockedCells(grid), 3};
   EXPECT_EQ(field.square_at(2 + 254, 2), 254U * 254U);
   EXPECT_EQ(field.square_at(2 + 255, 2), 65025U);
   EXPECT_EQ(field.square_at(2 + 300, 2), 65025U);
@@ -62,7 +62,7 @@ TEST(DistanceField, KnowsNoMoreThan255Cells) {
 TEST(DistanceField, BoundsDistancesEverywhere) {
   for_each_case(2, 60, [](Rng& rng) {
     const BlockedCells cells(any_grid(rng));
-    const DistanceField field(cells);
+    const DistanceField field(cells, 2);
     for (int i = 0; i < 500; ++i) {
       const double x = uniform(-20, cells.columns() + 20, rng);
       const double y = uniform(-20, cells.rows() + 20, rng);
@@ -73,6 +73,10 @@ TEST(DistanceField, BoundsDistancesEverywhere) {
       EXPECT_GE(most, expected - 1e-12);
       const bool is_inside = x >= 0 && y >= 0 && x <= cells.columns() && y <= cells.rows();
       EXPECT_LE(most - least, is_inside ? 1.4143 : 60);
+      const auto rough = field.roughly_around({x, y});
+      EXPECT_LE(rough.least, expected + 1e-12);
+      EXPECT_GE(rough.most, expected - 1e-12);
+      EXPECT_LE(rough.most - rough.least, is_inside ? 4 * 1.4143 : 60);
     }
   });
 }
@@ -85,12 +89,13 @@ TEST(BlockedCells, EdgeCellsHaveANeighbourThatIsFree) {
         static_cast<std::size_t>(cells.rows()),
         std::vector<bool>(static_cast<std::size_t>(cells.columns())));
     const CellBox all{-5, cells.columns() + 5, -5, cells.rows() + 5};
-    EXPECT_FALSE(cells.any_edge_run(all, [&](std::int32_t y, std::int32_t begin, std::int32_t end) {
-      for (std::int32_t x = begin; x < end; ++x) {
-        found[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = true;
-      }
-      return false;
-    }));
+    EXPECT_FALSE(
+        cells.edges().any_run(all, [&](std::int32_t y, std::int32_t begin, std::int32_t end) {
+          for (std::int32_t x = begin; x < end; ++x) {
+            found[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = true;
+          }
+          return false;
+        }));
     for (std::int32_t y = -1; y <= grid.rows; ++y) {
       for (std::int32_t x = -1; x <= grid.columns; ++x) {
         const bool is_edge =

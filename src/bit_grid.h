@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// A rectangle of bits, and its runs of ones in a box.
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vandplan {
+
+/// A rectangle of cells: columns from `x_min` to `x_max`, rows likewise, both included.
+struct CellBox {
+  std::int32_t x_min, x_max, y_min, y_max;
+};
+
+/// Rows of bits in words of 64.
+class BitGrid {
+ public:
+  BitGrid() = default;
+  /// All of them zero.
+  BitGrid(std::int32_t columns, std::int32_t rows)
+      : columns_(columns),
+        rows_(rows),
+        words_((static_cast<std::size_t>(columns) + 63) / 64),
+        bits_(words_ * static_cast<std::size_t>(rows)) {}
+
+  [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
+  [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
+  [[nodiscard]] std::size_t words() const noexcept { return words_; }  ///< of a row
+
+  /// The i-th word of a row; the lowest bit is the leftmost column.
+  [[nodiscard]] std::uint64_t& word(std::size_t i, std::int32_t y) noexcept {
+    return bits_[static_cast<std::size_t>(y) * words_ + i];
+  }
+  [[nodiscard]] std::uint64_t word(std::size_t i, std::int32_t y) const noexcept {
+    return bits_[static_cast<std::size_t>(y) * words_ + i];
+  }
+
+  [[nodiscard]] bool is_set(std::int32_t x, std::int32_t y) const noexcept {
+    const auto column = static_cast<std::size_t>(x);
+    return (word(column / 64, y) >> (column % 64) & 1U) != 0;
+  }
+  void set(std::int32_t x, std::int32_t y) noexcept {
+    const auto column = static_cast<std::size_t>(x);
+    word(column / 64, y) |= std::uint64_t{1} << (column % 64);
+  }
+
+  /// Calls `visit(y, x_begin, x_end)` for the runs of ones that meet a box, cut where words end,
+  /// until it returns true; says whether it did.
+  template <typename Visit>
+  [[nodiscard]] bool any_run(CellBox box, Visit visit) const {
+    box = {std::max(box.x_min, 0), std::min(box.x_max, columns_ - 1), std::max(box.y_min, 0),
+           std::min(box.y_max, rows_ - 1)};
+    if (box.x_min > box.x_max) return false;
+    const auto first = static_cast<std::size_t>(box.x_min) / 64;
+    const auto last = static_cast<std::size_t>(box.x_max) / 64;
+    for (std::int32_t y = box.y_min; y <= box.y_max; ++y) {
+      for (std::size_t i = first; i <= last; ++i) {
+        const std::uint64_t bits = word(i, y);
+        if (bits == 0) continue;
+        const auto column = static_cast<std::int32_t>(i * 64);
+        const auto in_box = [&](std::int32_t begin, std::int32_t end) {
+          return column + end > box.x_min && column + begin <= box.x_max &&
+                 visit(y, column + begin, column + end);
+        };
+        if (any_run_in(bits, in_box)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  template <typename Visit>
+  [[nodiscard]] static bool any_run_in(std::uint64_t bits, Visit visit) {
+    while (bits != 0) {
+      const int begin = std::countr_zero(bits);
+      const int end = begin + std::countr_one(bits >> begin);
+      if (visit(begin, end)) return true;
+      if (end == 64) break;
+      bits &= ~std::uint64_t{0} << end;
+    }
+    return false;
+  }
+
+  std::int32_t columns_ = 0;
+  std::int32_t rows_ = 0;
+  std::size_t words_ = 0;
+  std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace vandplan
