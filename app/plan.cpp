@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <thread>
 
 #include "commands.h"
 #include "interrupt.h"
 #include "pictures.h"
+#include "plan_poses.h"
 #include "vandplan/input_error.h"
 #include "vandplan/io.h"
 
@@ -23,6 +25,8 @@ struct PlanArguments {
   PlanOptions options;
   std::optional<std::string> output;
   std::optional<std::string> picture;
+  std::optional<std::string> poses;
+  int jobs = 0;  // as many as there are processors
   bool json = false;
 };
 
@@ -92,6 +96,12 @@ int run(const PlanArguments& arguments) {
   if (!options.time_limit && !options.max_iterations) options.time_limit = default_time;
   options.stop = stop_on_signal();
   const Scenario scenario = read_scenario(arguments.scenario);
+  if (arguments.poses) {
+    const auto processors = static_cast<int>(std::thread::hardware_concurrency());
+    const int jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1, processors);
+    return plan_poses(scenario, planner, options,
+                      {*arguments.poses, arguments.output, jobs, arguments.json});
+  }
   // What cannot be written is said before time is spent.
   if (arguments.output) expect_writable(*arguments.output);
   if (arguments.picture) expect_picture(*arguments.picture);
@@ -186,6 +196,19 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->type_name("FILE");
   command->add_option("--draw", arguments->picture, "Draw it here (.svg, .png or .pdf)")
       ->type_name("FILE");
+  command
+      ->add_option(
+          "--poses", arguments->poses,
+          "Plan many pairs in this one world: a line x, y, heading, x, y, heading of start\n"
+          "and goal each (CSV); --output writes a result a line then (JSON Lines)")
+      ->type_name("FILE")
+      ->excludes("--draw");
+  command
+      ->add_option("--jobs", arguments->jobs, "Pairs planned at a time, 0: one for each processor")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024))
+      ->needs("--poses")
+      ->capture_default_str();
   const auto set = [arguments](const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) set_by_key(arguments->options, setting);
   };

@@ -19,29 +19,46 @@ bool holds(const Bounds& outer, const Bounds& inner) {
 }  // namespace
 
 struct CollisionChecker::Data {
-  Footprint footprint;
+  /// Polygons, and what must not touch them.
+  struct Layer {
+    Footprint footprint;
+    Obstacles obstacles;
+
+    [[nodiscard]] bool is_crossed(const PlacedSegment& placed) const noexcept {
+      if (obstacles.is_empty()) return false;
+      const Sweep sweep(footprint, placed);
+      return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });
+    }
+  };
+
   Bounds bounds;
-  Obstacles obstacles;
+  Layer walls;
+  Layer kerbs;
   std::optional<GridObstacles> map = {};
 
+  /// Whether nothing contains the place of a rear axle.
+  [[nodiscard]] bool is_outside(const Point& axle) const noexcept {
+    return !walls.obstacles.contain(axle) && !kerbs.obstacles.contain(axle) &&
+           !(map && map->contain(axle));
+  }
+
   /// Whether no side is touched and the bounds are kept. Together with a start outside of all
-  /// polygons that is all: whatever is entered later is entered across a side.
+  /// that is enough: whatever is entered later is entered across a side.
   [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed) const noexcept {
-    if (!holds(bounds, placed.axle_box())) return false;
-    if (obstacles.is_empty()) return true;
-    const Sweep sweep(footprint, placed);
-    return !obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });
+    return holds(bounds, placed.axle_box()) && !walls.is_crossed(placed) &&
+           !kerbs.is_crossed(placed) && !(map && !map->is_clear(placed));
   }
 };
 
 CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                                    std::span<const Polygon> obstacles)
-    : data_(std::make_unique<const Data>(Data{footprint, bounds, Obstacles(obstacles)})) {}
+    : data_(std::make_unique<const Data>(Data{bounds, {footprint, Obstacles(obstacles)}, {}})) {}
 
 CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings) {
   const Footprint body = footprint(vehicle);
-  const auto& [bounds, obstacles, map] = surroundings;
-  auto data = std::make_unique<Data>(Data{body, bounds, Obstacles(obstacles)});
+  const auto& [bounds, obstacles, kerbs, map] = surroundings;
+  auto data = std::make_unique<Data>(
+      Data{bounds, {body, Obstacles(obstacles)}, {wheel_footprint(vehicle), Obstacles(kerbs)}});
   if (map) data->map.emplace(*map, body);
   data_ = std::move(data);
 }
@@ -56,14 +73,11 @@ bool CollisionChecker::is_free(const Pose& from, const Segment& segment) const n
 
 bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segments) const noexcept {
   if (segments.empty()) return is_free(from);
-  const std::optional<GridObstacles>& map = data_->map;
-  if (data_->obstacles.contain({from.x, from.y})) return false;
-  if (map && map->contain({from.x, from.y})) return false;
+  if (!data_->is_outside({from.x, from.y})) return false;
   Placement placement = placement_of(from);
   for (const Segment& segment : segments) {
     const PlacedSegment placed(placement, segment);
     if (!data_->crosses_nothing(placed)) return false;
-    if (map && !map->is_clear(placed)) return false;
     placement = placed.to;
   }
   return true;

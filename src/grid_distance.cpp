@@ -47,7 +47,8 @@ GridDistance::GridDistance(const World& world, const Bounds& box, double side, c
   const Footprint body = footprint(world.vehicle());
   const double disc = std::min({body.half_width, body.rear, body.front});
   near_ = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
-  mark_obstacles(world);
+  mark(world.obstacles(), near_);
+  mark(world.kerbs(), side_ / 2);  // the rear axle reaches as far
   root_ = cell_of({root.x, root.y});
   const Cell to = cell_of(target_);
   costs_[index_of(root_)] = unreached;
@@ -77,14 +78,13 @@ void GridDistance::mark_border() {
 
 // Cells whose centre is so near to a side that no point of them is free for the disc; at least the
 // cells that the side runs through.
-void GridDistance::mark_obstacles(const World& world) {
-  const double near = near_;
+void GridDistance::mark(const std::vector<Polygon>& polygons, double near) {
   const auto index = [&](double offset, std::int32_t count) {
     // In double first: an obstacle may be further away than an integer counts cells.
     const double cell = std::clamp(std::floor(offset / side_), 0.0, count - 3.0);
     return static_cast<std::int32_t>(cell) + 1;
   };
-  for (const Polygon& polygon : world.obstacles()) {
+  for (const Polygon& polygon : polygons) {
     Point a = polygon.back();
     for (const Point& b : polygon) {
       const std::int32_t x_end = index(std::max(a.x, b.x) + near - box_.x_min, columns_);

@@ -40,7 +40,8 @@ class GridDistance {
   void mark_border();
   [[nodiscard]] Point centre_of(const Cell& cell) const noexcept;
   [[nodiscard]] bool is_blocked_by_map(const Cell& cell) const;
-  void mark_obstacles(const World& world);
+  /// Blocks the cells that are near to a side of a polygon.
+  void mark(const std::vector<Polygon>& polygons, double near);
   void reach(const Cell& cell, std::int32_t cost);
   [[nodiscard]] std::size_t index_of(const Cell& cell) const noexcept;
   [[nodiscard]] std::int32_t to_root(const Cell& cell) const noexcept;

@@ -3,11 +3,8 @@
 #pragma once
 // Does the footprint touch a blocked cell while one segment is driven?
 //
-// The distance field frees most of the way; where it cannot, the cells nearby are tested in closed
-// form. Theory and proof: docs/algorithms/occupancy_grid.md.
-
-#include <array>
-#include <vector>
+// The distance field frees what is far from everything; for the rest, cells nearby are tested in
+// closed form, blocks of them at once. Theory and proof: docs/algorithms/occupancy_grid.md.
 
 #include "blocked_cells.h"
 #include "distance_field.h"
@@ -33,35 +30,27 @@ class GridObstacles {
   [[nodiscard]] bool is_within(const Point& point, double distance) const noexcept;
 
  private:
-  /// A part of the footprint from its left to its right side, in a disc.
-  struct Slice {
-    double x;       // of its middle, ahead of the rear axle [m]
-    double radius;  // of the disc around it [m]
-    double inner;   // of the largest disc around its middle in the footprint [m]
-  };
-  class Drive;
+  class Search;
 
-  /// The same in the frame of the cells, in metres.
+  /// Into the frame of the cells, in metres.
   [[nodiscard]] Point in_frame(const Point& point) const noexcept;
   [[nodiscard]] PlacedSegment in_frame(const PlacedSegment& placed) const noexcept;
-  [[nodiscard]] DistanceField::Range distance(const Point& point) const noexcept;
-  [[nodiscard]] DistanceField::Range rough_distance(const Point& point) const noexcept;
+  [[nodiscard]] bool is_far(const PlacedSegment& placed) const noexcept;
   [[nodiscard]] CellBox cells_in(const Bounds& box) const noexcept;
-  [[nodiscard]] bool is_near(const Point& from, const Sweep& sweep) const noexcept;
-  [[nodiscard]] std::vector<Slice> sliced(double length) const;
 
   Point origin_;  // of the frame of the cells
   Point along_;   // unit vector of its x axis
   double side_;   // of a cell [m]
   Footprint body_;
-  Slice whole_;  // all of the footprint
-  std::vector<Slice> slices_;
-  std::vector<Slice> halves_;  // two for each slice
+  double middle_;  // of the footprint, ahead of the rear axle [m]
+  double radius_;  // of the disc around the middle that holds the footprint [m]
+  double reach_;   // from the rear axle to the furthest corner [m]
   BlockedCells cells_;
-  BitGrid blocks_;  // with an edge cell
-  int shift_ = 0;   // a block has 2^shift cells to a side
   DistanceField field_;
-  double rough_error_;  // no rough bound of a distance is further from an exact one [m]
+  int small_shift_;  // a small block has 2^small_shift_ cells to a side, a large one 8 times as
+                     // many
+  BitGrid small_blocks_;  // with an edge cell
+  BitGrid large_blocks_;
 };
 
 }  // namespace vandplan

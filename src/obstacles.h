@@ -15,6 +15,7 @@ namespace vandplan {
 /// The sides of all polygons, four at a time, in boxes that are found quickly. Immutable.
 class Obstacles {
  public:
+  Obstacles() = default;
   explicit Obstacles(std::span<const Polygon> polygons);
 
   [[nodiscard]] bool is_empty() const noexcept { return sides_.empty(); }

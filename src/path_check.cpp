@@ -177,14 +177,23 @@ Rectangle body_of(const Vehicle& vehicle) {
           vehicle.width / 2};
 }
 
+Rectangle wheels_of(const Vehicle& vehicle) {
+  const double track = vehicle.track_width.value_or(vehicle.width);
+  return {0.0, vehicle.wheelbase, -track / 2, track / 2};
+}
+
 std::vector<Thing> polygons_of(const World& world) {
   std::vector<Thing> things;
-  const Rectangle body = body_of(world.vehicle());
-  for (const Polygon& polygon : world.obstacles()) {
-    const std::string name = "obstacles[" + std::to_string(things.size()) + "]";
-    things.push_back({"the footprint hits " + name, body,
-                      [&, body](const Position& p) { return clearance(p, body, polygon); }});
-  }
+  const auto add = [&](const std::vector<Polygon>& polygons, const std::string& hit,
+                       const Rectangle& body) {
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      const Polygon& polygon = polygons[i];
+      things.push_back({hit + "[" + std::to_string(i) + "]", body,
+                        [&, body](const Position& p) { return clearance(p, body, polygon); }});
+    }
+  };
+  add(world.obstacles(), "the footprint hits obstacles", body_of(world.vehicle()));
+  add(world.kerbs(), "the wheels hit kerbs", wheels_of(world.vehicle()));
   return things;
 }
 

@@ -53,6 +53,7 @@ Vehicle checked(const Vehicle& vehicle) {
   not_negative(vehicle.rear_overhang, "rear_overhang");
   positive(vehicle.width, "width");
   positive(vehicle.min_turning_radius, "min_turning_radius");
+  if (vehicle.track_width) positive(*vehicle.track_width, "track_width");
   return vehicle;
 }
 
@@ -94,11 +95,12 @@ Polygon checked(const Polygon& polygon, const Point& origin, const std::string& 
   return clean;
 }
 
-std::vector<Polygon> checked(const std::vector<Polygon>& polygons, const Point& origin) {
+std::vector<Polygon> checked(const std::vector<Polygon>& polygons, const Point& origin,
+                             std::string_view name) {
   std::vector<Polygon> result;
   result.reserve(polygons.size());
   for (const Polygon& polygon : polygons) {
-    const std::string where = element("obstacles", result.size());
+    const std::string where = element(name, result.size());
     check_corners(polygon, largest_local_coordinate, where);
     result.push_back(checked(polygon, origin, where));
   }
@@ -122,7 +124,8 @@ void check(const OccupancyGrid& grid, double limit) {
 
 Surroundings checked(Surroundings surroundings, const Point& origin) {
   (void)checked(surroundings.bounds, largest_local_coordinate);
-  surroundings.obstacles = checked(surroundings.obstacles, origin);
+  surroundings.obstacles = checked(surroundings.obstacles, origin, "obstacles");
+  surroundings.kerbs = checked(surroundings.kerbs, origin, "kerbs");
   if (surroundings.map) check(*surroundings.map, largest_local_coordinate);
   return surroundings;
 }
@@ -178,6 +181,7 @@ void check_shared(const Scenario& scenario) {
   (void)checked(scenario.bounds, largest_coordinate);
   check_pose(scenario.start, "start");
   check_polygons(scenario.obstacles, local_origin(scenario), "obstacles");
+  check_polygons(scenario.kerbs, local_origin(scenario), "kerbs");
   if (scenario.map) check(*scenario.map, largest_coordinate);
   require(!scenario.goals.empty(), "goals", "is empty, expected at least one goal");
 }
@@ -224,9 +228,20 @@ Problem make_problem(const Scenario& scenario, std::size_t goal) {
       surroundings.obstacles.push_back(local_polygon(polygon, origin));
     }
   }
+  for (const Polygon& kerb : scenario.kerbs) {
+    surroundings.kerbs.push_back(local_polygon(kerb, origin));
+  }
   return {.world = std::make_shared<const World>(scenario.vehicle, std::move(surroundings), origin),
           .start = local_pose(scenario.start, origin),
           .goal = local_pose(scenario.goals[goal].pose, origin)};
+}
+
+Problem make_problem(std::shared_ptr<const World> world, const Pose& start, const Pose& goal) {
+  check_pose(start, "start");
+  check_pose(goal, "goal");
+  const Pose local_start = to_local(*world, start);
+  const Pose local_goal = to_local(*world, goal);
+  return {std::move(world), local_start, local_goal};
 }
 
 Pose to_local(const World& world, const Pose& pose) noexcept {
@@ -250,6 +265,7 @@ Bounds sampling_region(const Problem& problem, Region region) noexcept {
   for (const Polygon& obstacle : problem.world->obstacles()) {
     add(bounding_box(obstacle));
   }
+  for (const Polygon& kerb : problem.world->kerbs()) add(bounding_box(kerb));
   if (problem.world->map()) add(bounding_box(outline(*problem.world->map())));
   return {std::clamp(scene.x_min - margin, bounds.x_min, bounds.x_max),
           std::clamp(scene.x_max + margin, bounds.x_min, bounds.x_max),

@@ -12,6 +12,11 @@ Footprint footprint(const Vehicle& vehicle) noexcept {
           .half_width = vehicle.width / 2};
 }
 
+Footprint wheel_footprint(const Vehicle& vehicle) noexcept {
+  const double track = vehicle.track_width.value_or(vehicle.width);
+  return {.rear = 0.0, .front = vehicle.wheelbase, .half_width = track / 2};
+}
+
 std::array<Point, 4> corners(const Footprint& footprint, const Pose& pose) noexcept {
   const SinCos heading = sin_cos(pose.heading);
   const auto at = [&](double forward, double left) {

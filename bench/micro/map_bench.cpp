@@ -10,52 +10,12 @@
 #include <memory>
 #include <vector>
 
-#include "random.h"
-#include "support/collision_oracle.h"
+#include "large_yard.h"
 #include "vandplan/problem.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {
-
-constexpr double side = 200.0;  // [m]
-constexpr std::int32_t cells = 4000;
-constexpr Bounds yard{0, side, 0, side};
-
-std::vector<Polygon> ten_obstacles() {
-  Rng rng(7);
-  std::vector<Polygon> obstacles;
-  for (int i = 0; i < 10; ++i) {
-    const Pose middle = uniform_pose({20, side - 20, 20, side - 20}, rng);
-    const double length = uniform(5, 40, rng);
-    const double width = uniform(3, 15, rng);
-    const Footprint box{length / 2, length / 2, width / 2};
-    const auto outline = corners(box, middle);
-    obstacles.emplace_back(outline.begin(), outline.end());
-  }
-  return obstacles;
-}
-
-OccupancyGrid drawn(const std::vector<Polygon>& obstacles) {
-  std::vector<Cell> ground(std::size_t{cells} * cells, Cell::free);
-  const double resolution = side / cells;
-  for (const Polygon& obstacle : obstacles) {
-    const Bounds box = bounding_box(obstacle);
-    const auto index = [&](double x) {
-      return std::clamp(static_cast<std::int32_t>(x / resolution), 0, cells - 1);
-    };
-    for (std::int32_t y = index(box.y_min); y <= index(box.y_max); ++y) {
-      for (std::int32_t x = index(box.x_min); x <= index(box.x_max); ++x) {
-        if (!contains(obstacle, {(x + 0.5) * resolution, (y + 0.5) * resolution})) continue;
-        ground[static_cast<std::size_t>(y) * cells + static_cast<std::size_t>(x)] = Cell::occupied;
-      }
-    }
-  }
-  return {.resolution = resolution,
-          .columns = cells,
-          .rows = cells,
-          .cells = std::make_shared<const std::vector<Cell>>(std::move(ground))};
-}
 
 struct Edge {
   Pose from;
@@ -84,7 +44,7 @@ struct Yards {
   std::vector<Polygon> obstacles = ten_obstacles();
   OccupancyGrid map = drawn(obstacles);
   World polygons{{}, yard, obstacles, {}};
-  World mapped{{}, Surroundings{yard, {}, map}, {}};
+  World mapped{{}, Surroundings{.bounds = yard, .map = map}, {}};
 };
 
 const Yards& yards() {
@@ -110,7 +70,7 @@ void among_cells(benchmark::State& state) { edge_check(state, yards().mapped); }
 /// The map made ready: what planning needs of it.
 void make_world(benchmark::State& state) {
   for (auto _ : state) {
-    const World world{{}, Surroundings{yard, {}, yards().map}, {}};
+    const World world{{}, Surroundings{.bounds = yard, .map = yards().map}, {}};
     benchmark::DoNotOptimize(&world);
   }
 }

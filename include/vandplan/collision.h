@@ -20,7 +20,8 @@ namespace vandplan {
 /// Where one may drive and what stands in the way, all in one frame.
 struct Surroundings {
   Bounds bounds = {};
-  std::vector<Polygon> obstacles = {};
+  std::vector<Polygon> obstacles = {};  ///< the footprint keeps clear of them
+  std::vector<Polygon> kerbs = {};      ///< the wheels do, overhangs may swing over them
   std::optional<OccupancyGrid> map = {};
 };
 

@@ -32,6 +32,19 @@ namespace vandplan {
 /// Reads a map of ROS' map_server: its YAML file and the image that it names.
 [[nodiscard]] OccupancyGrid read_map(const std::string& file);
 
+/// A vehicle of the catalogue, "city-bus". Throws InputError if there is none of that name.
+[[nodiscard]] Vehicle vehicle_named(std::string_view name);
+[[nodiscard]] std::vector<std::string> vehicle_names();
+
+/// Where a path begins and ends, in the scenario's frame.
+struct PosePair {
+  Pose start;
+  Pose goal;
+};
+
+/// Reads a list of starts and goals (CSV). "-" is standard input.
+[[nodiscard]] std::vector<PosePair> read_pose_pairs(const std::string& file);
+
 /// Reads a case of the Trajectory Planning Competition for Automated Parking 2022 (CSV).
 [[nodiscard]] Scenario read_tpcap(const std::string& file);
 
@@ -39,6 +52,25 @@ namespace vandplan {
 struct StatedFurthest {
   std::optional<double> distance;  ///< [m]; none: no goal was
 };
+
+/// One of the problems on a MovingAI map.
+struct MovingAiProblem {
+  std::string map;                    ///< file (.map)
+  std::string problems;               ///< file (.scen)
+  std::size_t number = 1;             ///< of the problem in its file; >= 1
+  double resolution = 1.0;            ///< side of a cell [m]; > 0
+  std::string vehicle = "tpcap-car";  ///< of the catalogue
+};
+
+/// Reads it; the scenario has a map, but `map_file` is still to be named.
+[[nodiscard]] Scenario read_movingai(const MovingAiProblem& problem);
+
+/// Reads a problem in the manner of dynobench (YAML): one car among boxes.
+[[nodiscard]] Scenario read_dynobench(const std::string& file, const std::string& vehicle);
+
+/// A map as an image (PGM) and as the YAML file that names the image; `read_map` reads them back.
+[[nodiscard]] std::string map_to_pgm(const OccupancyGrid& grid);
+[[nodiscard]] std::string map_to_yaml(const OccupancyGrid& grid, const std::string& image);
 
 /// One planning run with what is needed to write, judge and draw it.
 struct ResultRecord {

@@ -37,6 +37,7 @@ struct Scenario {
   std::vector<Goal> goals;       ///< one for `goal:`, several for `goals:`
   bool goals_are_a_row = false;  ///< the file says `goals:`, and the furthest one reached counts
   std::vector<Polygon> obstacles;
+  std::vector<Polygon> kerbs = {};        ///< low ones, that overhangs may swing over
   std::string map_file = {};              ///< as the file says: relative to it; empty without map
   std::optional<OccupancyGrid> map = {};  ///< what stands there
 };
@@ -58,6 +59,7 @@ class World {
   [[nodiscard]] const std::vector<Polygon>& obstacles() const noexcept {
     return surroundings_.obstacles;
   }
+  [[nodiscard]] const std::vector<Polygon>& kerbs() const noexcept { return surroundings_.kerbs; }
   /// None without a map.
   [[nodiscard]] const std::optional<OccupancyGrid>& map() const noexcept {
     return surroundings_.map;
@@ -86,6 +88,12 @@ void check_scenario(const Scenario& scenario);
 /// The problem of one goal. A start or goal in collision or outside the bounds is no error: the
 /// planner names it. Throws InputError naming the key that is wrong. `goal` < goals.size().
 [[nodiscard]] Problem make_problem(const Scenario& scenario, std::size_t goal);
+
+/// One more problem in a world that is there: nothing of it is built again, so thousands of
+/// problems may share it, on as many threads as one likes. The poses are in the scenario's frame;
+/// throws InputError naming "start" or "goal" when they are out of range.
+[[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Pose& start,
+                                   const Pose& goal);
 
 /// From the scenario's frame into the world's, heading in [-pi, pi), and back.
 [[nodiscard]] Pose to_local(const World& world, const Pose& pose) noexcept;

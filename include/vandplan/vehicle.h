@@ -4,18 +4,20 @@
 // Which lengths describe the vehicle, and where is its footprint?
 
 #include <array>
+#include <optional>
 
 #include "vandplan/geometry.h"
 
 namespace vandplan {
 
-/// A rigid vehicle steered at the front; the field names are the keys of a scenario file. [m]
+/// A rigid vehicle steered at the front; the field names are keys of a scenario file. [m]
 struct Vehicle {
-  double wheelbase = 4.5;           ///< rear axle to front axle; > 0
-  double front_overhang = 1.4;      ///< front axle to front bumper; >= 0
-  double rear_overhang = 1.6;       ///< rear axle to rear bumper; >= 0
-  double width = 2.55;              ///< > 0
-  double min_turning_radius = 7.0;  ///< of the rear-axle midpoint at full steering; > 0
+  double wheelbase = 4.5;                  ///< rear axle to front axle; > 0
+  double front_overhang = 1.4;             ///< front axle to front bumper; >= 0
+  double rear_overhang = 1.6;              ///< rear axle to rear bumper; >= 0
+  double width = 2.55;                     ///< > 0
+  double min_turning_radius = 7.0;         ///< of the rear-axle midpoint at full steering; > 0
+  std::optional<double> track_width = {};  ///< over the wheels of an axle; none: the width; > 0
   bool operator==(const Vehicle&) const = default;
 };
 
@@ -30,6 +32,9 @@ struct Footprint {
 
 /// The outline of the whole body.
 [[nodiscard]] Footprint footprint(const Vehicle& vehicle) noexcept;
+
+/// The outline of the wheels: between the axles, as wide as the track. What a kerb must not enter.
+[[nodiscard]] Footprint wheel_footprint(const Vehicle& vehicle) noexcept;
 
 /// The four corners at a pose, counter-clockwise from the rear right one.
 [[nodiscard]] std::array<Point, 4> corners(const Footprint& footprint, const Pose& pose) noexcept;

@@ -34,6 +34,7 @@ struct LegendContent {
   bool path = false;
   bool tree = false;
   bool obstacles = false;
+  bool kerbs = false;
   bool unknown = false;  ///< cells of a map
   bool outside = false;  ///< ground out of bounds
 

@@ -63,12 +63,13 @@ void paint_bounds(cairo_t* cairo, const Scene& scene, const View& view) {
   cairo_set_dash(cairo, nullptr, 0, 0.0);
 }
 
-void paint_obstacles(cairo_t* cairo, const Scene& scene, const View& view) {
-  for (const Polygon& obstacle : scene.obstacles) {
-    add_polygon(cairo, view, obstacle);
-    set_colour(cairo, colour::obstacle, 1.0);
+void paint_polygons(cairo_t* cairo, const std::vector<Polygon>& polygons, const Colour& colour,
+                    const View& view) {
+  for (const Polygon& polygon : polygons) {
+    add_polygon(cairo, view, polygon);
+    set_colour(cairo, colour, 1.0);
     cairo_fill_preserve(cairo);
-    stroke(cairo, 0.4, colour::obstacle, 1.0);  // no hairline between neighbours
+    stroke(cairo, 0.4, colour, 1.0);  // no hairline between neighbours
   }
 }
 
@@ -195,8 +196,9 @@ void paint_gear_change(cairo_t* cairo, const Point& place) {
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   const Footprint body = footprint(scene.vehicle);
   paint_bounds(cairo, scene, view);
+  paint_polygons(cairo, scene.kerbs, colour::kerb, view);
   if (scene.map) paint_map(cairo, *scene.map, view);
-  paint_obstacles(cairo, scene, view);
+  paint_polygons(cairo, scene.obstacles, colour::obstacle, view);
   paint_tree(cairo, scene, view);
   if (scene.path) paint_sweep(cairo, scene, view);
   paint_vehicle(cairo, {body, scene.goal, colour::goal}, view);

@@ -80,6 +80,7 @@ Scene scene_of(const Drawing& drawing) {
   scene.obstacles = moved(scenario.obstacles, scene.origin);
   const std::vector<Polygon> own = moved(goal.obstacles, scene.origin);
   scene.obstacles.insert(scene.obstacles.end(), own.begin(), own.end());
+  scene.kerbs = moved(scenario.kerbs, scene.origin);
   scene.map = scenario.map;
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");
   if (drawing.path) scene.path = moved(*drawing.path, scene.origin);
@@ -123,6 +124,7 @@ Bounds framed(const Scene& scene) {
   const Bounds reach = widened(core, 5.0 + 0.3 * extent(core));
   Bounds seen = core;
   std::vector<Polygon> things = scene.obstacles;
+  things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());
   if (scene.map) things.push_back(outline(*scene.map));
   for (const Polygon& thing : things) {
     const Bounds box = bounding_box(thing);

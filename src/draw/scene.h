@@ -19,6 +19,7 @@ struct Scene {
   Pose start;
   Pose goal;
   std::vector<Polygon> obstacles;
+  std::vector<Polygon> kerbs;
   std::optional<OccupancyGrid> map;
   std::optional<Path> path;
   TreeSnapshot tree;  ///< empty when there is none

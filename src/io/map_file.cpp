@@ -114,6 +114,29 @@ std::vector<Cell> cells_of(const Image& image, const Rule& rule) {
 
 }  // namespace
 
+std::string map_to_pgm(const OccupancyGrid& grid) {
+  std::string text = fmt::format("P5\n{} {}\n255\n", grid.columns, grid.rows);
+  text.reserve(text.size() + grid.cells->size());
+  for (std::int32_t row = grid.rows; row-- > 0;) {
+    for (std::int32_t column = 0; column < grid.columns; ++column) {
+      const std::size_t at =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+          static_cast<std::size_t>(column);
+      const Cell cell = (*grid.cells)[at];
+      const int brightness = cell == Cell::free ? 254 : cell == Cell::occupied ? 0 : 205;
+      text += static_cast<char>(brightness);
+    }
+  }
+  return text;
+}
+
+std::string map_to_yaml(const OccupancyGrid& grid, const std::string& image) {
+  return fmt::format(
+      "image: \"{}\"\nresolution: {}\norigin: [{}, {}, {}]\nnegate: 0\noccupied_thresh: 0.65\n"
+      "free_thresh: 0.196\nmode: trinary\n",
+      image, grid.resolution, grid.origin.x, grid.origin.y, grid.origin.heading);
+}
+
 OccupancyGrid read_map(const std::string& name) {
   const Document file = parse_yaml(read_file(name, largest_text), name);
   const Node& root = file.root();

@@ -7,21 +7,12 @@
 #include <filesystem>
 
 #include "io/document.h"
+#include "io/vehicle_file.h"
 #include "vandplan/input_error.h"
 #include "vandplan/io.h"
 
 namespace vandplan {
 namespace {
-
-Vehicle vehicle_from(const Document& file, const Node& node) {
-  file.allow_only(node,
-                  {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius"});
-  return {.wheelbase = file.number(file.at(node, "wheelbase")),
-          .front_overhang = file.number(file.at(node, "front_overhang")),
-          .rear_overhang = file.number(file.at(node, "rear_overhang")),
-          .width = file.number(file.at(node, "width")),
-          .min_turning_radius = file.number(file.at(node, "min_turning_radius"))};
-}
 
 /// A list of exactly two numbers.
 Point pair_from(const Document& file, const Node& node, const std::string& expected) {
@@ -81,7 +72,7 @@ bool unknown_from(const Document& file, const Node& node) {
   return text == "free";
 }
 
-/// Map, bounds and obstacles; with a map the others may be left out.
+/// Map, bounds, obstacles and kerbs; with a map the others may be left out.
 void read_ground(const Document& file, const std::string& where, Scenario& scenario) {
   const Node& root = file.root();
   const Node* const map = file.find(root, "map");
@@ -105,6 +96,9 @@ void read_ground(const Document& file, const std::string& where, Scenario& scena
   } else {
     scenario.bounds = bounds_from(file, file.at(root, "bounds"));
   }
+  if (const Node* const kerbs = file.find(root, "kerbs")) {
+    scenario.kerbs = polygons_from(file, *kerbs);
+  }
   const Node* const obstacles = file.find(root, "obstacles");
   if (map != nullptr && obstacles == nullptr) return;
   scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
@@ -113,7 +107,7 @@ void read_ground(const Document& file, const std::string& where, Scenario& scena
 Scenario scenario_from(const Document& file, const std::string& where) {
   const Node& root = file.root();
   file.allow_only(root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals",
-                         "obstacles", "map", "unknown"});
+                         "obstacles", "kerbs", "map", "unknown"});
   const Node* const goals = file.find(root, "goals");
   const Node* const goal = file.find(root, "goal");
   if (goals != nullptr && goal != nullptr) {
@@ -198,8 +192,9 @@ std::string scenario_to_yaml(const Scenario& scenario) {
   }
   text += fmt::format(
       "vehicle: {{wheelbase: {}, front_overhang: {}, rear_overhang: {}, width: {}, "
-      "min_turning_radius: {}}}\n",
-      v.wheelbase, v.front_overhang, v.rear_overhang, v.width, v.min_turning_radius);
+      "min_turning_radius: {}{}}}\n",
+      v.wheelbase, v.front_overhang, v.rear_overhang, v.width, v.min_turning_radius,
+      v.track_width ? fmt::format(", track_width: {}", *v.track_width) : "");
   text += fmt::format("bounds: {{x: [{}, {}], y: [{}, {}]}}\n", b.x_min, b.x_max, b.y_min, b.y_max);
   text += fmt::format("start: {}\n", yaml_of(scenario.start));
   if (scenario.goals_are_a_row) {
@@ -217,6 +212,7 @@ std::string scenario_to_yaml(const Scenario& scenario) {
     const std::vector<Polygon>& own = scenario.goals.at(0).obstacles;
     obstacles.insert(obstacles.end(), own.begin(), own.end());
   }
+  if (!scenario.kerbs.empty()) text += "kerbs:" + yaml_of(scenario.kerbs, "  ");
   if (scenario.map) {
     text += fmt::format("map: {}\n", quoted(scenario.map_file));
     if (scenario.map->unknown_is_free) text += "unknown: free\n";

@@ -118,7 +118,7 @@ TEST(ConvertCommand, UnknownFormatIsNamed) {
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("dxf"), std::string::npos) << outcome.err;
   EXPECT_EQ(run_vandplan({"convert"}).err,
-            "vandplan: convert: a format is missing, expected tpcap\n");
+            "vandplan: convert: a format is missing, expected tpcap, movingai or dynobench\n");
 }
 
 TEST(ConvertCommand, TpcapCaseBecomesAScenarioThatPlans) {

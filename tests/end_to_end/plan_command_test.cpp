@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "support/process.h"
@@ -41,6 +42,35 @@ TEST_F(PlanCommand, SummaryNamesPlannerAndOutcome) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out.substr(0, 39), "yard, rrt-opt-rs, seed 1\nsolved: length");
+}
+
+TEST_F(PlanCommand, ManyPairsArePlannedInOneWorld) {
+  const std::string poses = folder_ / "poses.csv";
+  write_content(poses, "sx,sy,sh,gx,gy,gh\n0,0,0,4,0,0\n0,0,0,0,0,3\n4,0,0,0,0,0\n");
+  const std::string file = folder_ / "results.jsonl";
+  const Outcome outcome =
+      plan({"--poses", poses, "--max-iterations", "300", "--jobs", "2", "--output", file});
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  EXPECT_EQ(outcome.out.substr(0, 36), "1: solved: length 4.000 m, gear chan");
+  EXPECT_NE(outcome.out.find("yard, anytime: 3 of 3 solved in "), std::string::npos) << outcome.out;
+  std::istringstream lines(content_of(file));
+  int pair = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const Json result = Json::parse(line);
+    EXPECT_EQ(result.at("pair"), ++pair);
+    EXPECT_EQ(result.at("status"), "solved");
+    EXPECT_EQ(result.at("path").at("poses").size() > 0, true);
+  }
+  EXPECT_EQ(pair, 3);
+}
+
+TEST_F(PlanCommand, APairIsPlannedAsIfAlone) {
+  const std::string poses = folder_ / "poses.csv";
+  write_content(poses, "0,0,0,0,0,3\n0,0,0,20,5,0\n");
+  const Outcome many = plan({"--poses", poses, "--max-iterations", "300", "--jobs", "2", "--json"});
+  const std::size_t second = many.out.find("\n") + 1;
+  ASSERT_EQ(many.status, 0) << many.err;
+  EXPECT_EQ(Json::parse(many.out.substr(second)).at("path").dump(), planned_path("anytime", "1"));
 }
 
 TEST_F(PlanCommand, WithoutLimitsItRunsForASecondAtMost) {

@@ -97,7 +97,8 @@ struct Counts {
 void expect_law(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& path,
                 Counts& counts) {
   const Footprint body = footprint(vehicle);
-  const auto world = std::make_shared<World>(vehicle, Surroundings{wide, {}, grid}, Point{});
+  const auto world =
+      std::make_shared<World>(vehicle, Surroundings{.bounds = wide, .map = grid}, Point{});
   const auto described = [&] {
     return as_code(path) + " on cells of " + as_code(grid.resolution) + " m at " +
            as_code(grid.origin) + ", " + std::to_string(grid.columns) + " x " +
@@ -161,8 +162,8 @@ TEST(MapLaw, TheJudgeSeesCellsAsItSeesSquares) {
       const auto world = std::make_shared<World>(vehicle, surroundings, Point{});
       return check_path({world, path.start, end_pose(path)}, path, {});
     };
-    const PathCheck cells = judged({wide, {}, grid});
-    const PathCheck squares = judged({wide, squares_of(grid), {}});
+    const PathCheck cells = judged({.bounds = wide, .map = grid});
+    const PathCheck squares = judged({.bounds = wide, .obstacles = squares_of(grid)});
     EXPECT_EQ(cells.valid, squares.valid);
     if (cells.valid && std::isfinite(*squares.clearance)) {
       EXPECT_NEAR(*cells.clearance, *squares.clearance, 1e-3);

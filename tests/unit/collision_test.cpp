@@ -127,6 +127,21 @@ TEST(Collision, ATurningCentreInsideTheFootprintSweepsADisc) {
   EXPECT_FALSE(among({box(-4, 0.4, -3.9, 0.6)}).is_free({0, 0, 0}, turn));
 }
 
+// Ten metres ahead the wheels reach from x = 10 to 14.5, the body from 8.4 to 15.9.
+TEST(Collision, KerbsAreForWheelsAndWallsForBodies) {
+  const auto is_free = [](const Surroundings& surroundings) {
+    return CollisionChecker(Vehicle{.track_width = 2.2}, surroundings).is_free({0, 0, 0}, {0, 10});
+  };
+  const Bounds bounds{-100, 100, -100, 100};
+  for (const Polygon& over : {box(15, -1, 17, 1), box(-3, -1, -0.1, 1), box(5, 1.15, 8, 3)}) {
+    EXPECT_TRUE(is_free({.bounds = bounds, .kerbs = {over}}));
+    EXPECT_FALSE(is_free({.bounds = bounds, .obstacles = {over}}));
+  }
+  for (const Polygon& under : {box(14, -1, 17, 1), box(5, 1.05, 8, 3), box(-30, -30, 30, 30)}) {
+    EXPECT_FALSE(is_free({.bounds = bounds, .kerbs = {under}}));
+  }
+}
+
 TEST(Collision, NearlyStraightArcsAreArcs) {
   // After 200 m at curvature 1e-5 the body is 0.2 m to the left and turned by 2 mrad.
   const Segment arc{1e-5, 200};

@@ -373,11 +373,39 @@ TEST(PathCheck, ReverseIsLookedAtToo) {
   EXPECT_EQ(check.at->direction, -1);
 }
 
+PathCheck check_with_kerb(const Polygon& kerb, const Vehicle& vehicle) {
+  const Surroundings surroundings{.bounds = {-50, 50, -50, 50}, .kerbs = {kerb}};
+  return check_path({std::make_shared<World>(vehicle, surroundings, Point{}), {0, 0, 0}, ten_ahead},
+                    ahead, {});
+}
+
+// Wheels from the rear axle to the front one, at the end from x = 10 to 14.5; the body to 15.9.
+TEST(PathCheckWithKerbs, OverhangsMaySwingOverThem) {
+  const PathCheck check = check_with_kerb(box(15.0, -2, 17, 2), {});
+  EXPECT_TRUE(check.valid) << check.reason;
+  EXPECT_NEAR(*check.clearance, 0.5, 1e-3);
+}
+
+TEST(PathCheckWithKerbs, WheelsMayNotEnterThem) {
+  const PathCheck check = check_with_kerb(box(14.0, -2, 17, 2), {});
+  EXPECT_FALSE(check.valid);
+  EXPECT_EQ(check.reason, "the wheels hit kerbs[0]");
+  EXPECT_NEAR(check.at->s, 9.5, 2e-3);
+}
+
+TEST(PathCheckWithKerbs, TheTrackMayBeNarrowerThanTheBody) {
+  const Polygon beside = box(5, 1.2, 8, 3);
+  EXPECT_FALSE(check_with_kerb(beside, {}).valid);
+  const PathCheck check = check_with_kerb(beside, {.track_width = 2.2});
+  EXPECT_TRUE(check.valid) << check.reason;
+  EXPECT_NEAR(*check.clearance, 0.1, 1e-3);
+}
+
 // The truck is 7.5 m long: from x = -1.6 to 5.9 at the start, 2.55 m wide. Cells are 1 m.
 PathCheck check_on_map(const std::vector<std::string>& rows, const Pose& origin, double metres) {
   OccupancyGrid grid = grid_of(rows, 1.0, origin);
   grid.unknown_is_free = true;
-  const Surroundings surroundings{{-50, 50, -50, 50}, {}, grid};
+  const Surroundings surroundings{.bounds = {-50, 50, -50, 50}, .map = grid};
   const Path path{{0, 0, 0}, {{0, metres}}};
   return check_path(
       {std::make_shared<World>(Vehicle{}, surroundings, Point{}), path.start, end_pose(path)}, path,

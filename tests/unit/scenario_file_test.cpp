@@ -167,6 +167,60 @@ TEST_F(ScenarioWithMap, MistakesHaveOneLineEach) {
             "s.yaml:5: map.resolution: is 1e+07, expected 1e-06 m to 1e+06 m");
 }
 
+TEST(ScenarioFile, KerbsAreReadAndWritten) {
+  const std::string text = valid + "kerbs: [[[10, 2], [12, 2], [12, 4]]]\n";
+  const Scenario scenario = scenario_from_yaml(text, "s.yaml");
+  EXPECT_EQ(scenario.kerbs, (std::vector<Polygon>{{{10, 2}, {12, 2}, {12, 4}}}));
+  EXPECT_EQ(scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml").kerbs, scenario.kerbs);
+  EXPECT_EQ(message_for(valid + "kerbs: [[[10, 2], [12, 2]]]\n"),
+            "s.yaml:15: kerbs[0]: has 2 corners, expected at least 3");
+}
+
+std::string with_vehicle(const std::string& vehicle) {
+  const std::size_t begin = valid.find("{wheelbase");
+  return valid.substr(0, begin) + vehicle + valid.substr(valid.find('\n', begin));
+}
+
+TEST(ScenarioFile, AVehicleMayBeNamed) {
+  const Scenario scenario = scenario_from_yaml(with_vehicle("city-bus"), "s.yaml");
+  EXPECT_EQ(scenario.vehicle, (Vehicle{7.6, 2.1, 2.4, 2.6, 8.66}));
+  EXPECT_EQ(message_for(with_vehicle("city-buss")),
+            "s.yaml:3: vehicle: is \"city-buss\", expected one of city-bus, coach, "
+            "three-axle-truck, tpcap-car, two-axle-truck, van, or a map of lengths");
+}
+
+TEST(ScenarioFile, EveryVehicleOfTheCatalogueIsOne) {
+  for (const std::string& name : vehicle_names()) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(scenario_from_yaml(with_vehicle(name), "s.yaml").vehicle, vehicle_named(name));
+  }
+  EXPECT_EQ(vehicle_names().size(), 6U);
+  EXPECT_THROW((void)vehicle_named("tank"), InputError);
+}
+
+TEST(ScenarioFile, SteeringAndTrackMayBeGiven) {
+  const std::string lengths =
+      "{wheelbase: 2.8, front_overhang: 0.96, rear_overhang: 0.929, "
+      "width: 1.942";
+  const Vehicle car =
+      scenario_from_yaml(with_vehicle(lengths + ", max_steering_angle: 0.75, track_width: 1.7}"),
+                         "s.yaml")
+          .vehicle;
+  EXPECT_NEAR(car.min_turning_radius, 3.005593, 1e-6);
+  EXPECT_EQ(car.track_width, 1.7);
+  EXPECT_EQ(message_for(with_vehicle(lengths + ", max_steering_angle: 1.6}")),
+            "s.yaml:3: vehicle.max_steering_angle: is 1.6, expected more than 0 and less than "
+            "1.5707 rad");
+  EXPECT_EQ(message_for(with_vehicle(lengths + ", max_steering_angle: 1, min_turning_radius: 7}")),
+            "s.yaml:3: vehicle.max_steering_angle: is given beside min_turning_radius, expected "
+            "one of the two");
+  EXPECT_EQ(message_for(with_vehicle(lengths + "}")),
+            "s.yaml:3: vehicle: key \"min_turning_radius\" is missing, expected either it or "
+            "max_steering_angle");
+  EXPECT_EQ(message_for(with_vehicle(lengths + ", min_turning_radius: 7, track_width: 0}")),
+            "s.yaml:3: vehicle.track_width: is 0, expected more than 0 m");
+}
+
 TEST(ScenarioFile, ARowOfGoalsIsRead) {
   const Scenario scenario = scenario_from_yaml(valid_row, "s.yaml");
   EXPECT_TRUE(scenario.goals_are_a_row);
@@ -221,10 +275,10 @@ std::vector<BadFile> bad_files() {
       // Keys
       spoilt("width:", "widht:",
              "3: vehicle: unknown key \"widht\", expected one of wheelbase, front_overhang, "
-             "rear_overhang, width, min_turning_radius"),
+             "rear_overhang, width, min_turning_radius, max_steering_angle, track_width"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, map, unknown"),
+             "goal, goals, obstacles, kerbs, map, unknown"),
       spoilt("name: yard\n", "", "1: key \"name\" is missing, expected it"),
       spoilt("width: 2.55, ", "", "3: vehicle: key \"width\" is missing, expected it"),
       spoilt("  y: 5.25   # metres\n", "", "7: goal: key \"y\" is missing, expected it"),
@@ -232,7 +286,7 @@ std::vector<BadFile> bad_files() {
              "1: key \"goal\" is missing, expected either goal or goals"),
       spoilt("goal:", "gaol:",
              "6: unknown key \"gaol\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, map, unknown"),
+             "goal, goals, obstacles, kerbs, map, unknown"),
       spoilt("heading: .5", "y: 6",
              "9: key \"y\" is given again, expected it once (first on line 8)"),
       spoilt("start:", "map: yard.yaml\nstart:",

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How are many starts and goals planned in one world?
+
+#include <optional>
+#include <string>
+
+#include "vandplan/planner.h"
+#include "vandplan/problem.h"
+
+namespace vandplan {
+
+struct PosesJob {
+  std::string poses;                  ///< file of starts and goals
+  std::optional<std::string> output;  ///< for the results (JSON Lines)
+  int jobs = 1;                       ///< plans at a time; >= 1
+  bool json = false;                  ///< print the results instead of a summary
+};
+
+/// Plans all pairs, prints a line for each, in their order, and how many there were. Returns the
+/// exit status: 0 if all of them are solved.
+[[nodiscard]] int plan_poses(const Scenario& scenario, const PlannerInfo& planner,
+                             const PlanOptions& options, const PosesJob& job);
+
+}  // namespace vandplan

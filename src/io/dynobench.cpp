@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How is a problem in the manner of dynobench (Ortiz-Haro, Hönig and Toussaint 2023) read?
+//
+// YAML: `environment` with `min`, `max` and `obstacles` (boxes along the axes: `center`, `size`),
+// and `robots` with `start` and `goal`, [x, y, heading].
+
+#include <fmt/format.h>
+
+#include "io/document.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+std::vector<double> numbers_from(const Document& file, const Node& node, std::size_t count,
+                                 const char* expected) {
+  std::vector<double> numbers;
+  for (const Node& item : file.list(node, expected)) numbers.push_back(file.number(item));
+  if (numbers.size() != count) {
+    file.fail(node, fmt::format("has {} elements, expected {}", numbers.size(), expected));
+  }
+  return numbers;
+}
+
+Pose pose_from(const Document& file, const Node& node) {
+  if (node.kind == Node::Kind::list && node.items.size() == 4) {
+    file.fail(node, "has 4 elements, expected [x, y, heading]: trailers are not covered");
+  }
+  const std::vector<double> pose = numbers_from(file, node, 3, "[x, y, heading]");
+  return {pose[0], pose[1], pose[2]};
+}
+
+Polygon box_from(const Document& file, const Node& node) {
+  file.allow_only(node, {"type", "center", "size"});
+  const Node& type = file.at(node, "type");
+  if (file.text(type) != "box") {
+    file.fail(type,
+              "is \"" + file.text(type).substr(0, 40) + "\", expected box, all that is covered");
+  }
+  const std::vector<double> center = numbers_from(file, file.at(node, "center"), 2, "[x, y]");
+  const std::vector<double> size = numbers_from(file, file.at(node, "size"), 2, "[width, height]");
+  const double x = size[0] / 2;
+  const double y = size[1] / 2;
+  return {{center[0] - x, center[1] - y},
+          {center[0] + x, center[1] - y},
+          {center[0] + x, center[1] + y},
+          {center[0] - x, center[1] + y}};
+}
+
+/// The one robot, of a kind that drives like a car.
+const Node& robot_in(const Document& file) {
+  const Node& robots = file.at(file.root(), "robots");
+  const std::vector<Node>& list = file.list(robots, "a list with one robot");
+  if (list.size() != 1) {
+    file.fail(robots,
+              fmt::format("has {} robots, expected one: fleets are not covered", list.size()));
+  }
+  file.allow_only(list[0], {"type", "start", "goal"});
+  const Node& type = file.at(list[0], "type");
+  if (!file.text(type).starts_with("car")) {
+    file.fail(type, "is \"" + file.text(type).substr(0, 40) +
+                        "\", expected a car: other robots are not covered");
+  }
+  return list[0];
+}
+
+}  // namespace
+
+Scenario read_dynobench(const std::string& name, const std::string& vehicle) {
+  const Document file = parse_yaml(read_file(name, largest_text), name);
+  const Node& root = file.root();
+  file.allow_only(root, {"name", "environment", "robots"});
+  const Node& ground = file.at(root, "environment");
+  file.allow_only(ground, {"min", "max", "obstacles"});
+  const Node& robot = robot_in(file);
+  Scenario scenario;
+  scenario.name = file.text(file.at(root, "name"));
+  scenario.description = "dynobench";
+  scenario.vehicle = vehicle_named(vehicle);
+  const std::vector<double> low = numbers_from(file, file.at(ground, "min"), 2, "[x, y]");
+  const std::vector<double> high = numbers_from(file, file.at(ground, "max"), 2, "[x, y]");
+  scenario.bounds = {low[0], high[0], low[1], high[1]};
+  scenario.start = pose_from(file, file.at(robot, "start"));
+  scenario.goals = {
+      {.distance = {}, .pose = pose_from(file, file.at(robot, "goal")), .obstacles = {}}};
+  for (const Node& item : file.list(file.at(ground, "obstacles"), "a list of boxes")) {
+    scenario.obstacles.push_back(box_from(file, item));
+  }
+  try {
+    check_scenario(scenario);
+  } catch (const InputError& error) {
+    file.fail(root, error.what());
+  }
+  return scenario;
+}
+
+}  // namespace vandplan

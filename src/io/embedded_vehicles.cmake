@@ -1,0 +1,10 @@
+# The catalogue of vehicles becomes constant data of the library: no path to look for.
+file(GLOB vehicle_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/vehicles/*.yaml)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${vehicle_files})
+set(vehicle_entries "")
+foreach(file IN LISTS vehicle_files)
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} text)
+  string(APPEND vehicle_entries "    {\"${name}\", R\"yaml(${text})yaml\"},\n")
+endforeach()
+configure_file(embedded_vehicles.h.in ${CMAKE_CURRENT_BINARY_DIR}/embedded_vehicles.h @ONLY)

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// How is a problem of the MovingAI benchmarks (N. Sturtevant 2012) read?
+//
+// https://movingai.com/benchmarks/formats.html: a map of characters, and a list of problems on it:
+// one a line, its cells counted from the upper left corner.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "io/document.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, std::size_t line, const std::string& problem) {
+  throw InputError(fmt::format("{}:{}", file, line), problem);
+}
+
+/// The lines of a file, without their ends.
+std::vector<std::string> lines_of(const std::string& file) {
+  std::istringstream text(read_file(file, largest_text));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream text(line);
+  std::vector<std::string> words;
+  for (std::string word; text >> word;) words.push_back(word);
+  return words;
+}
+
+std::int32_t whole_number(const std::string& word, std::int32_t least, std::int32_t most) {
+  std::int32_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool is_good = error == std::errc() && end == word.data() + word.size();
+  return is_good && value >= least && value <= most ? value : least - 1;
+}
+
+/// "height 256": the number behind the word.
+std::int32_t size_from(const std::vector<std::string>& lines, std::size_t line, const char* name,
+                       const std::string& file) {
+  const std::vector<std::string> words =
+      line < lines.size() ? words_of(lines[line]) : std::vector<std::string>{};
+  const std::int32_t size =
+      words.size() == 2 && words[0] == name ? whole_number(words[1], 1, 100000) : 0;
+  if (size < 1) fail(file, line + 1, fmt::format("is no size, expected {} and 1 to 100000", name));
+  return size;
+}
+
+OccupancyGrid read_movingai_map(const std::string& file, double resolution) {
+  const std::vector<std::string> lines = lines_of(file);
+  if (lines.empty() || words_of(lines[0]) != std::vector<std::string>{"type", "octile"}) {
+    fail(file, 1, "is no map that can be read, expected \"type octile\"");
+  }
+  OccupancyGrid grid{.resolution = resolution, .unknown_is_free = false};
+  grid.rows = size_from(lines, 1, "height", file);
+  grid.columns = size_from(lines, 2, "width", file);
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  const auto rows = static_cast<std::size_t>(grid.rows);
+  if (std::int64_t{grid.rows} * grid.columns > most_map_cells) {
+    fail(file, 2, fmt::format("is too large, expected at most {} cells", most_map_cells));
+  }
+  if (lines.size() < 4 || lines[3] != "map") fail(file, 4, "is no \"map\", expected that word");
+  if (lines.size() < 4 + rows) {
+    fail(file, lines.size(), fmt::format("is the last line, expected {} rows of cells", rows));
+  }
+  std::vector<Cell> cells;
+  cells.reserve(columns * rows);
+  for (std::size_t row = rows; row-- > 0;) {  // the first one has the largest y
+    const std::string& line = lines[4 + row];
+    if (line.size() != columns) {
+      fail(file, 5 + row, fmt::format("has {} cells, expected {}", line.size(), columns));
+    }
+    for (const char c : line) {
+      const bool is_free = c == '.' || c == 'G' || c == 'S';
+      if (!is_free && c != '@' && c != 'O' && c != 'T' && c != 'W') {
+        fail(file, 5 + row, fmt::format("has a cell \"{}\", expected one of .GS@OTW", c));
+      }
+      cells.push_back(is_free ? Cell::free : Cell::occupied);
+    }
+  }
+  grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+  return grid;
+}
+
+/// Start x, y and goal x, y of a problem, in cells from the upper left corner.
+std::vector<std::int32_t> cells_of_problem(const std::string& file, std::size_t number,
+                                           const OccupancyGrid& grid) {
+  const std::vector<std::string> lines = lines_of(file);
+  if (lines.empty() || words_of(lines[0]).empty() || words_of(lines[0])[0] != "version") {
+    fail(file, 1, "is no list of problems, expected \"version 1\"");
+  }
+  if (number + 1 > lines.size() || words_of(lines[number]).empty()) {
+    throw InputError(
+        file, fmt::format("has {} problems, expected at least {}", lines.size() - 1, number));
+  }
+  const std::vector<std::string> words = words_of(lines[number]);
+  if (words.size() != 9) {
+    fail(file, number + 1,
+         fmt::format("has {} columns, expected bucket, map, width, height, start x, y, goal x, y, "
+                     "length",
+                     words.size()));
+  }
+  if (whole_number(words[2], 1, 100000) != grid.columns ||
+      whole_number(words[3], 1, 100000) != grid.rows) {
+    fail(file, number + 1,
+         fmt::format("is for a map of {} x {} cells, expected {} x {}", words[2], words[3],
+                     grid.columns, grid.rows));
+  }
+  std::vector<std::int32_t> places;
+  for (std::size_t i = 4; i < 8; ++i) {
+    const std::int32_t most = (i % 2 == 0 ? grid.columns : grid.rows) - 1;
+    places.push_back(whole_number(words[i], 0, most));
+    if (places.back() < 0) {
+      fail(file, number + 1, fmt::format("names the cell {}, expected 0 to {}", words[i], most));
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+Scenario read_movingai(const MovingAiProblem& problem) {
+  if (!(problem.resolution > 0) || !std::isfinite(problem.resolution)) {
+    throw InputError("resolution",
+                     fmt::format("is {}, expected more than 0 m", problem.resolution));
+  }
+  if (problem.number < 1) throw InputError("number", "is 0, expected 1 or more");
+  Scenario scenario;
+  scenario.map = read_movingai_map(problem.map, problem.resolution);
+  const OccupancyGrid& grid = *scenario.map;
+  const auto places = cells_of_problem(problem.problems, problem.number, grid);
+  const auto middle = [&](std::int32_t column, std::int32_t row) {
+    return Point{(column + 0.5) * grid.resolution, (grid.rows - row - 0.5) * grid.resolution};
+  };
+  const Point start = middle(places[0], places[1]);
+  const Point goal = middle(places[2], places[3]);
+  const double heading = std::atan2(goal.y - start.y, goal.x - start.x);
+  scenario.name =
+      fmt::format("{}-{}", std::filesystem::path(problem.problems).stem().string(), problem.number);
+  scenario.description = "MovingAI; the headings at both ends are those from start to goal";
+  scenario.vehicle = vehicle_named(problem.vehicle);
+  scenario.start = {start.x, start.y, heading};
+  scenario.goals = {{.distance = {}, .pose = {goal.x, goal.y, heading}, .obstacles = {}}};
+  scenario.bounds = {0, grid.columns * grid.resolution, 0, grid.rows * grid.resolution};
+  check_scenario(scenario);
+  return scenario;
+}
+
+}  // namespace vandplan

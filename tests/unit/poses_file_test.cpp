@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/temporary_folder.h"
+#include "vandplan/input_error.h"
+#include "vandplan/io.h"
+
+namespace vandplan {
+namespace {
+
+std::vector<PosePair> read(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_pose_pairs(folder.put("p.csv", text));
+}
+
+std::string message_for(const std::string& text) {
+  const TemporaryFolder folder;
+  try {
+    (void)read_pose_pairs(folder.put("p.csv", text));
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(folder.path().size() + 1);
+  }
+  return "no error";
+}
+
+TEST(PosesFile, HeaderCommentsAndBlanksArePassedOver) {
+  const auto pairs =
+      read("x,y,h,gx,gy,gh\r\n# a comment\r\n\r\n1, 2.5,-0.5 ,3e1,4,5\r\n6,7,8,9,10,11");
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].start, (Pose{1, 2.5, -0.5}));
+  EXPECT_EQ(pairs[0].goal, (Pose{30, 4, 5}));
+  EXPECT_EQ(pairs[1].goal, (Pose{9, 10, 11}));
+}
+
+TEST(PosesFile, MistakesNameTheLine) {
+  EXPECT_EQ(message_for(""), "p.csv: has no poses, expected a start and a goal on a line");
+  EXPECT_EQ(message_for("# nothing\n"),
+            "p.csv: has no poses, expected a start and a goal on a line");
+  EXPECT_EQ(message_for("1,2,3,4,5,6\n1,2,3\n"),
+            "p.csv:2: has 3 values, expected x, y, heading of the start and of the goal");
+  EXPECT_EQ(message_for("1,2,3,4,5,6\n1,2,3,4,five,6\n"),
+            "p.csv:2: goal y: is \"five\", expected a finite number");
+  EXPECT_EQ(message_for("1,2,3,4,5,inf\n"),
+            "p.csv:1: goal heading: is \"inf\", expected a finite number");
+  EXPECT_EQ(message_for("a,b,c,d,e,f\na,b,c,d,e,f\n"),
+            "p.csv:2: start x: is \"a\", expected a finite number");
+}
+
+}  // namespace
+}  // namespace vandplan
