@@ -115,7 +115,8 @@ int plan_poses(const Scenario& scenario, const PlannerInfo& planner, const PlanO
                       .options = options,
                       .distance = {},
                       .result = std::move(result),
-                      .claims = {}});
+                      .claims = {},
+                      .furthest = {}});
   }
   if (job.output) write_file(*job.output, lines);
   if (job.json) {

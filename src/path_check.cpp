@@ -21,9 +21,9 @@ namespace {
 
 using namespace judge;
 
-constexpr double look_distance = 1e-3;    // driven between two looks, at least [m]
-constexpr double clearance_error = 1e-3;  // of the clearance reported [m]
-constexpr double first_reach = 1.0;       // how far it looks for cells of a map at first [m]
+constexpr double look_distance = 1e-3;           // driven between two looks, at least [m]
+constexpr double clearance_error = 1e-3;         // of the clearance reported [m]
+constexpr double coarse_clearance_error = 0.05;  // among cells, relative, from 1 m on
 constexpr double position_tolerance = 1e-6;
 constexpr double heading_tolerance = 1e-6;
 constexpr double curvature_slack = 1e-9;  // relative
@@ -70,6 +70,7 @@ struct Thing {
   std::string hit;  ///< what has happened when it does
   Rectangle body;
   std::function<double(const Position&)> clearance;  ///< of the body at a position [m]
+  double coarse_error = 0.0;  ///< of the clearance where that is above 1 m, relative
 };
 
 /// Looks along the track up to the first place where the body touches the thing: every
@@ -99,7 +100,10 @@ void refine(const Track& track, const Thing& thing, const std::array<Look, 2>& l
   const auto& [from, to] = looks;
   const Stretch& stretch = track.stretches[from.place.stretch];
   const auto moved = static_cast<double>(to.place.t - from.place.t) * speed(stretch, thing.body);
-  if ((from.clearance + to.clearance - moved) / 2 >= least - clearance_error) return;
+  if (std::isinf(least)) return;
+  const double error =
+      least < 1.0 ? clearance_error : std::max(clearance_error, thing.coarse_error * least);
+  if ((from.clearance + to.clearance - moved) / 2 >= least - error) return;
   const Real t = (from.place.t + to.place.t) / 2;
   const Look middle{{from.place.stretch, t}, thing.clearance(after(stretch, t))};
   least = std::min(least, middle.clearance);
@@ -197,20 +201,11 @@ std::vector<Thing> polygons_of(const World& world) {
   return things;
 }
 
-/// Looks no further than `most`.
-Thing map_of(const World& world, double most) {
+Thing map_of(const World& world) {
   const Rectangle body = body_of(world.vehicle());
   return {"the footprint hits the map", body,
-          [&, body, most](const Position& p) { return clearance(p, body, *world.map(), most); }};
-}
-
-/// No cell of the map is further than this from any pose on the way [m].
-double furthest_cell(const Track& track, const OccupancyGrid& grid) {
-  const Position& start = track.stretches[0].start;
-  const auto to_origin =
-      static_cast<double>(std::hypot(start.x - grid.origin.x, start.y - grid.origin.y));
-  return to_origin + (grid.columns + grid.rows + 2) * grid.resolution +
-         static_cast<double>(track.length);
+          [&, body](const Position& p) { return clearance(p, body, *world.map()); },
+          coarse_clearance_error};
 }
 
 /// What was seen of every thing on the way.
@@ -250,24 +245,12 @@ double refined(const Track& track, const std::vector<Thing>& things, Survey surv
   return survey.least;
 }
 
-/// The first collision on the way; without one `least` is the clearance. Cells of a map are looked
-/// for nearby, and then as far as it takes to know what is nearest: far enough beyond that cells
-/// out of sight do not seem as near.
+/// The first collision on the way; without one `least` is the clearance.
 std::optional<Fault> collision(const Track& track, const World& world, double& least) {
-  const std::vector<Thing> polygons = polygons_of(world);
-  const double furthest = world.map() ? furthest_cell(track, *world.map()) : 0.0;
-  for (double most = first_reach; most < 8 * furthest; most *= 4) {
-    std::vector<Thing> things = polygons;
-    things.push_back(map_of(world, most));
-    const Survey survey = survey_of(track, things);
-    least = survey.least;
-    if (survey.first) return survey.first;
-    if (survey.least > most / 2) continue;
-    least = refined(track, things, survey);
-    return std::nullopt;
-  }
-  const Survey survey = survey_of(track, polygons);
-  least = survey.first ? survey.least : refined(track, polygons, survey);
+  std::vector<Thing> things = polygons_of(world);
+  if (world.map()) things.push_back(map_of(world));
+  const Survey survey = survey_of(track, things);
+  least = survey.first ? survey.least : refined(track, things, survey);
   return survey.first;
 }
 

@@ -52,8 +52,9 @@ struct PathCheck {
   double length = 0.0;          ///< [m]
   double reverse_length = 0.0;  ///< of it in reverse [m]
   int gear_changes = 0;
-  /// Least distance between footprint and obstacles, to 1 mm [m]: 0 if they touch, infinity
-  /// without obstacles. None if the path was found wrong before collisions were looked for.
+  /// Least distance between footprint and obstacles, to 1 mm (among cells of a map from 1 m on to
+  /// 5 %) [m]: 0 if they touch, infinity without obstacles. None if the path was found wrong before
+  /// collisions were looked for.
   std::optional<double> clearance;
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace vandplan::judge {
 namespace {
@@ -59,10 +60,9 @@ std::int32_t free_run(const OccupancyGrid& grid, std::int32_t x, std::int32_t y,
   return run;
 }
 
-}  // namespace
-
-double clearance(const Position& position, const Rectangle& body, const OccupancyGrid& grid,
-                 double most) {
+/// The same as far as `most`, and no more than that.
+double clearance_within(const Position& position, const Rectangle& body, const OccupancyGrid& grid,
+                        double most) {
   const Seat seat = seat_on(grid, position);
   const Real side = grid.resolution;
   const auto [axle_x, axle_y] = std::array{indices(seat.axle.x, seat.axle.x, side, grid.columns)[0],
@@ -106,6 +106,20 @@ double clearance(const Position& position, const Rectangle& body, const Occupanc
     }
   }
   return least;
+}
+
+}  // namespace
+
+double clearance(const Position& position, const Rectangle& body, const OccupancyGrid& grid) {
+  constexpr double first_look = 1.0;  // how far it looks at first [m]
+  const double to_origin =
+      static_cast<double>(std::hypot(position.x - grid.origin.x, position.y - grid.origin.y));
+  const double furthest = to_origin + (grid.columns + grid.rows + 2.0) * grid.resolution;
+  for (double most = first_look;; most *= 4) {
+    const double distance = clearance_within(position, body, grid, most);
+    if (distance < most) return distance;
+    if (most > furthest) return std::numeric_limits<double>::infinity();
+  }
 }
 
 }  // namespace vandplan::judge

@@ -8,9 +8,9 @@
 
 namespace vandplan::judge {
 
-/// Between the closed body and the closed squares of the blocked cells [m]: 0 if they touch, and no
-/// more than `most`, so far it looks.
+/// Between the closed body and the closed squares of the blocked cells [m]: 0 if they touch,
+/// infinity if there are none.
 [[nodiscard]] double clearance(const Position& position, const Rectangle& body,
-                               const OccupancyGrid& grid, double most);
+                               const OccupancyGrid& grid);
 
 }  // namespace vandplan::judge
