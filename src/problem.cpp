@@ -17,6 +17,7 @@ namespace {
 
 constexpr double largest_coordinate = 1e12;  // [m]; doubles there are 0.1 mm apart
 constexpr double largest_local_coordinate = 2 * largest_coordinate;
+constexpr double largest_distance = 1e5;  // [m], start to goal: the poses of a path fill 1 GB
 constexpr double largest_heading = 1e6;   // [rad]; wrapped to better than 1e-9
 constexpr double largest_length = 1e6;    // of a vehicle [m]
 constexpr double smallest_length = 1e-6;  // of a vehicle, where it may not be zero [m]
@@ -186,6 +187,13 @@ void check_shared(const Scenario& scenario) {
   require(!scenario.goals.empty(), "goals", "is empty, expected at least one goal");
 }
 
+void check_distance(const Pose& start, const Pose& goal, const std::string& where) {
+  const double distance = std::hypot(goal.x - start.x, goal.y - start.y);
+  require(distance <= largest_distance, where,
+          "is " + std::to_string(std::llround(distance)) + " m from the start, expected at most " +
+              std::to_string(std::llround(largest_distance)) + " m");
+}
+
 void check_goal(const Scenario& scenario, std::size_t index) {
   const Goal& goal = scenario.goals[index];
   const std::string key = key_of(scenario, index);
@@ -195,7 +203,9 @@ void check_goal(const Scenario& scenario, std::size_t index) {
             "is " + shortest_text(*goal.distance) + ", expected 0 m or more");
     require_within(*goal.distance, largest_coordinate, where);
   }
-  check_pose(goal.pose, scenario.goals_are_a_row ? key + ".goal" : key);
+  const std::string pose_key = scenario.goals_are_a_row ? key + ".goal" : key;
+  check_pose(goal.pose, pose_key);
+  check_distance(scenario.start, goal.pose, pose_key);
   check_polygons(goal.obstacles, local_origin(scenario), key + ".obstacles");
 }
 
@@ -239,6 +249,7 @@ Problem make_problem(const Scenario& scenario, std::size_t goal) {
 Problem make_problem(std::shared_ptr<const World> world, const Pose& start, const Pose& goal) {
   check_pose(start, "start");
   check_pose(goal, "goal");
+  check_distance(start, goal, "goal");
   const Pose local_start = to_local(*world, start);
   const Pose local_goal = to_local(*world, goal);
   return {std::move(world), local_start, local_goal};

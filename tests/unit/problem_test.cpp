@@ -98,6 +98,7 @@ TEST(ToLocal, IsUndoneByToScenario) {
     Scenario scenario = yard();
     const double size = std::pow(10.0, uniform(-2, 11.9, rng));
     scenario.start = uniform_pose({-size, size, -size, size}, rng);
+    scenario.goals[0].pose = scenario.start;
     const Problem problem = make_problem(scenario, 0);
     ASSERT_EQ(to_scenario(*problem.world, problem.start), scenario.start)
         << as_code(scenario.start);
@@ -175,6 +176,8 @@ const BadScenario bad_scenarios[] = {
      "goals[1].distance: is -1, expected 0 m or more"},
     {[](Scenario& s) { (s = row()).goals[1].obstacles[0].pop_back(); },
      "goals[1].obstacles[0]: has 2 corners, expected at least 3"},
+    {[](Scenario& s) { s.goals[0].pose.x = s.start.x + 3e5; },
+     "goal: is 300000 m from the start, expected at most 100000 m"},
 };
 
 TEST(CheckScenario, NamesTheKeyThatIsWrong) {

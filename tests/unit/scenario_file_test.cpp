@@ -369,6 +369,7 @@ TEST(ScenarioFile, WritingAndReadingBackChangesNothing) {
     Scenario scenario = scenario_from_yaml(text, "s.yaml");
     scenario.name = "quotes \" and \\ and\nlines\tand \x01 v\xC3\xA4nd: #1";
     scenario.start = {1.0 / 3, 4484378811.24645, -6.11698657169903};
+    for (Goal& goal : scenario.goals) goal.pose.y = 4484378811.5;
     scenario.bounds.y_max = 1e10;
     scenario.vehicle.width = 0.1 + 0.2;
     expect_equal(scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml"), scenario);
