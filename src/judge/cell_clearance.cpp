@@ -45,17 +45,33 @@ bool shows(const OccupancyGrid& grid, std::int32_t x, std::int32_t y) {
          !is_blocked(grid, x, y - 1) || !is_blocked(grid, x, y + 1);
 }
 
-/// How many cells from x on, up to `end`, are free for sure: whole words of zeros.
-std::int32_t free_run(const OccupancyGrid& grid, std::int32_t x, std::int32_t y, std::int32_t end) {
+/// Eight cells from (x, y) on, all of them in the grid.
+std::uint64_t eight_cells(const OccupancyGrid& grid, std::int32_t x, std::int32_t y) {
   static_assert(static_cast<int>(Cell::free) == 0 && sizeof(Cell) == 1);
-  if (y < 0 || y >= grid.rows || x < 0) return 0;
-  const Cell* const row =
-      grid.cells->data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.columns);
+  std::uint64_t cells = 0;
+  std::memcpy(&cells,
+              grid.cells->data() +
+                  static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.columns) +
+                  static_cast<std::size_t>(x),
+              sizeof cells);
+  return cells;
+}
+
+/// How many cells from x on, up to `end`, do not show for sure: eights that are free, or occupied
+/// among others that are.
+std::int32_t hidden_run(const OccupancyGrid& grid, std::int32_t x, std::int32_t y,
+                        std::int32_t end) {
+  constexpr std::uint64_t occupied = 0x0101010101010101;
+  static_assert(static_cast<int>(Cell::occupied) == 1);
+  if (y < 1 || y + 1 >= grid.rows || x < 0) return 0;
   std::int32_t run = 0;
   for (; x + run + 8 <= std::min(end, grid.columns); run += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, row + x + run, 8);
-    if (word != 0) break;
+    const std::uint64_t cells = eight_cells(grid, x + run, y);
+    if (cells == 0) continue;
+    const bool is_inside = cells == occupied && eight_cells(grid, x + run, y - 1) == occupied &&
+                           eight_cells(grid, x + run, y + 1) == occupied &&
+                           is_blocked(grid, x + run - 1, y) && is_blocked(grid, x + run + 8, y);
+    if (!is_inside) break;
   }
   return run;
 }
@@ -93,7 +109,7 @@ double clearance_within(const Position& position, const Rectangle& body, const O
   const double half_diagonal = grid.resolution * std::sqrt(0.5);
   for (std::int32_t row = rows[0]; row <= rows[1]; ++row) {
     for (std::int32_t column = columns[0]; column <= columns[1]; ++column) {
-      column += free_run(grid, column, row, columns[1]);
+      column += hidden_run(grid, column, row, columns[1]);
       if (!is_blocked(grid, column, row) || !shows(grid, column, row)) continue;
       const Point centre = seen((column + Real{0.5}) * side, (row + Real{0.5}) * side);
       if (distance_to_rectangle(centre, body) - half_diagonal >= least) continue;
@@ -115,7 +131,7 @@ double clearance(const Position& position, const Rectangle& body, const Occupanc
   const double to_origin =
       static_cast<double>(std::hypot(position.x - grid.origin.x, position.y - grid.origin.y));
   const double furthest = to_origin + (grid.columns + grid.rows + 2.0) * grid.resolution;
-  for (double most = first_look;; most *= 4) {
+  for (double most = first_look;; most *= 2) {
     const double distance = clearance_within(position, body, grid, most);
     if (distance < most) return distance;
     if (most > furthest) return std::numeric_limits<double>::infinity();
