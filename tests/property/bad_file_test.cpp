@@ -126,8 +126,13 @@ TEST(BadFile, ScenariosAreReadOrRefused) {
 
 TEST(BadFile, ResultsAreReadOrRefused) {
   const Scenario scenario = scenario_from_yaml(our_scenario("5-leave-cage.yaml"), "s.yaml");
-  ResultRecord record{
-      .scenario = "s", .planner = "p", .options = {}, .distance = {}, .result = {}, .claims = {}};
+  ResultRecord record{.scenario = "s",
+                      .planner = "p",
+                      .options = {},
+                      .distance = {},
+                      .result = {},
+                      .claims = {},
+                      .furthest = {}};
   record.result.status = PlanStatus::solved;
   record.result.path = Path{scenario.start, {{0, 1}, {1.0 / 7, -0.2}}};
   record.result.tree = TreeSnapshot{{{0, 0, 0}, {1, 0, 0.5}}, {-1, 0}};
