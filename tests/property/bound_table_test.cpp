@@ -13,14 +13,13 @@
 #include "excess.h"
 #include "simd/bound_grid.h"
 #include "support/bound_law.h"
+#include "support/draws.h"
 #include "vandplan/path.h"
 
 namespace vandplan {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-double any_sign(double value, Rng& rng) { return uniform01(rng) < 0.5 ? value : -value; }
 
 TEST(BoundTable, HoldsTenMillionRandomPairs) { expect_all_inside(1, 10'000'000); }
 

@@ -15,6 +15,7 @@
 #include "random.h"
 #include "support/cases.h"
 #include "support/collision_oracle.h"
+#include "support/draws.h"
 #include "vandplan/collision.h"
 #include "vandplan/path_check.h"
 
@@ -38,15 +39,6 @@ std::string described(const Case& c) {
          as_code(std::array{x_min, x_max, y_min, y_max}) + ", obstacles " + as_code(c.obstacles) +
          ", " + as_code(c.path);
 }
-
-bool chance(double probability, Rng& rng) { return uniform01(rng) < probability; }
-
-/// Between the bounds, every power of ten as likely as the next.
-double any_size(double low, double high, Rng& rng) {
-  return low * std::pow(high / low, uniform01(rng));
-}
-
-double any_sign(double value, Rng& rng) { return chance(0.5, rng) ? value : -value; }
 
 Vehicle any_vehicle(Rng& rng) {
   if (chance(0.3, rng)) return {};

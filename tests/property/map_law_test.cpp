@@ -13,6 +13,7 @@
 
 #include "support/cases.h"
 #include "support/collision_oracle.h"
+#include "support/draws.h"
 #include "support/grids.h"
 #include "vandplan/collision.h"
 #include "vandplan/path_check.h"
@@ -22,15 +23,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr Bounds wide{-1e4, 1e4, -1e4, 1e4};
-
-bool chance(double probability, Rng& rng) { return uniform01(rng) < probability; }
-
-/// Between the bounds, every power of ten as likely as the next.
-double any_size(double low, double high, Rng& rng) {
-  return low * std::pow(high / low, uniform01(rng));
-}
-
-double any_sign(double value, Rng& rng) { return chance(0.5, rng) ? value : -value; }
 
 Vehicle any_vehicle(Rng& rng) {
   Vehicle vehicle;
