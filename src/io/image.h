@@ -11,8 +11,7 @@ namespace vandplan {
 
 /// What becomes of transparency.
 enum class Alpha {
-  averaged,  ///< opacity is one more channel beside red, green and blue
-  marked,    ///< a pixel that is not opaque has no brightness
+  marked,  ///< a pixel that is not opaque has no brightness
   ignored,
 };
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // How is a map of ROS' map_server read? (docs/formats.md)
+//
+// The rules are those of http://wiki.ros.org/map_server (ROS 1) and of nav2_map_server's map_io.cpp
+// (ROS 2); where these differ, the choice is named below.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -23,23 +28,31 @@ enum class Mode { trinary, scale, raw };
 struct Rule {
   Mode mode = Mode::trinary;
   bool negate = false;
-  double occupied_thresh = 0.65;
-  double free_thresh = 0.196;
+  double occupied_thresh = 0.0;
+  double free_thresh = 0.0;
 };
 
+std::string lower(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
 Mode mode_from(const Document& file, const Node& node) {
-  const std::string& text = file.text(node);
+  const std::string text = lower(file.text(node));
   if (text == "trinary") return Mode::trinary;
   if (text == "scale") return Mode::scale;
   if (text == "raw") return Mode::raw;
-  file.fail(node, "is \"" + text.substr(0, 40) + "\", expected trinary, scale or raw");
+  file.fail(node, "is \"" + file.text(node).substr(0, 40) + "\", expected trinary, scale or raw");
 }
 
+/// 0 and 1, and what YAML has for them.
 bool flag_from(const Document& file, const Node& node) {
-  const std::string& text = file.text(node);
-  if (text == "0" || text == "false") return false;
-  if (text == "1" || text == "true") return true;
-  file.fail(node, "is \"" + text.substr(0, 40) + "\", expected 0 or 1");
+  constexpr std::array<const char*, 5> no = {"0", "false", "no", "off", "n"};
+  constexpr std::array<const char*, 5> yes = {"1", "true", "yes", "on", "y"};
+  const std::string text = lower(file.text(node));
+  if (std::find(no.begin(), no.end(), text) != no.end()) return false;
+  if (std::find(yes.begin(), yes.end(), text) != yes.end()) return true;
+  file.fail(node, "is \"" + file.text(node).substr(0, 40) + "\", expected 0 or 1");
 }
 
 double threshold_from(const Document& file, const Node& node) {
@@ -62,31 +75,29 @@ Rule rule_from(const Document& file) {
   return rule;
 }
 
+/// The thresholds themselves belong to neither side, as in ROS 1 and in nav2 before 2025.
 Cell cell_between(const Rule& rule, double occupancy) {
   if (occupancy > rule.occupied_thresh) return Cell::occupied;
   return occupancy < rule.free_thresh ? Cell::free : Cell::unknown;
 }
 
-/// As map_server does it; what it calls neither free nor occupied is unknown to us.
-Cell cell_of(const Rule& rule, double brightness) {
-  const double occupancy = rule.negate ? brightness : 1.0 - brightness;
-  if (rule.mode == Mode::raw) {
-    const double percent = std::round(brightness * 255);
+/// Of a brightness out of `white`. What map_server grades between the thresholds (`scale`) is
+/// unknown to us.
+Cell cell_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
+  if (rule.mode == Mode::raw) {  // whatever `negate` says, as in nav2
+    const double percent = std::round(255.0 * brightness / white);
     return percent > 100 ? Cell::unknown : cell_between(rule, percent / 100);
   }
-  const Cell cell = cell_between(rule, occupancy);
-  if (rule.mode == Mode::trinary || cell != Cell::unknown) return cell;
-  const double part = (occupancy - rule.free_thresh) / (rule.occupied_thresh - rule.free_thresh);
-  const double percent = std::rint(part * 100);
-  return percent == 0 ? Cell::free : percent == 100 ? Cell::occupied : Cell::unknown;
+  // One division, so that 51 of 255 is not below a threshold of 0.2.
+  const std::uint32_t part = rule.negate ? brightness : white - brightness;
+  return cell_between(rule, static_cast<double>(part) / white);
 }
 
 Image image_of(const Document& file, const std::string& map, Mode mode) {
   const Node& node = file.at(file.root(), "image");
+  if (file.text(node).empty()) file.fail(node, "is empty, expected the name of a PGM or PNG image");
   const std::filesystem::path path = std::filesystem::path(map).parent_path() / file.text(node);
-  const Alpha alpha = mode == Mode::trinary ? Alpha::averaged
-                      : mode == Mode::scale ? Alpha::marked
-                                            : Alpha::ignored;
+  const Alpha alpha = mode == Mode::raw ? Alpha::ignored : Alpha::marked;
   try {
     return image_from(read_file(path.string(), largest_image), path.string(), alpha);
   } catch (const InputError& error) {
@@ -98,7 +109,7 @@ std::vector<Cell> cells_of(const Image& image, const Rule& rule) {
   // Few brightnesses, many pixels.
   std::vector<Cell> cell_of_brightness;
   for (std::uint32_t i = 0; i <= image.white; ++i) {
-    cell_of_brightness.push_back(cell_of(rule, static_cast<double>(i) / image.white));
+    cell_of_brightness.push_back(cell_of(rule, i, image.white));
   }
   std::vector<Cell> cells;
   cells.reserve(image.pixels.size());
@@ -140,9 +151,10 @@ std::string map_to_yaml(const OccupancyGrid& grid, const std::string& image) {
 OccupancyGrid read_map(const std::string& name) {
   const Document file = parse_yaml(read_file(name, largest_text), name);
   const Node& root = file.root();
-  file.allow_only(
-      root, {"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"});
-  OccupancyGrid grid;
+  if (file.find(root, "image") == nullptr) {
+    file.fail(root, "key \"image\" is missing, expected a map of ROS' map_server");
+  }
+  OccupancyGrid grid;  // keys that are not ours are passed over, as map_server does
   grid.resolution = file.number(file.at(root, "resolution"));
   if (!(grid.resolution > 0)) {
     file.fail("resolution", fmt::format("is {}, expected more than 0 m", grid.resolution));

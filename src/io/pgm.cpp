@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <string_view>
 
@@ -67,6 +68,28 @@ class Reader {
   std::size_t at_ = 2;  // behind the magic number
 };
 
+/// What a file is that we do not read, from how it begins.
+std::string kind_of(const std::string& bytes) {
+  struct Kind {
+    std::string_view begin, name;
+  };
+  constexpr std::array<Kind, 11> kinds = {{{"BM", "a BMP image"},
+                                           {"\xFF\xD8\xFF", "a JPEG image"},
+                                           {"GIF8", "a GIF image"},
+                                           {"II*", "a TIFF image"},
+                                           {"MM", "a TIFF image"},
+                                           {"RIFF", "a WebP image"},
+                                           {"P1", "a PBM image"},
+                                           {"P4", "a PBM image"},
+                                           {"P3", "a PPM image"},
+                                           {"P6", "a PPM image"},
+                                           {"P7", "a PAM image"}}};
+  for (const Kind& kind : kinds) {
+    if (bytes.starts_with(kind.begin)) return std::string(kind.name);
+  }
+  return bytes.empty() ? "empty" : "no image that can be read";
+}
+
 void read_binary(Reader& reader, std::uint64_t greatest, Image& image) {
   const std::string_view raster = reader.raster();
   const std::size_t width = greatest < 256 ? 1 : 2;
@@ -122,7 +145,7 @@ Image image_from_pgm(const std::string& bytes, const std::string& where) {
 Image image_from(const std::string& bytes, const std::string& where, Alpha alpha) {
   if (bytes.starts_with("P2") || bytes.starts_with("P5")) return image_from_pgm(bytes, where);
   if (bytes.starts_with("\x89PNG")) return image_from_png(bytes, where, alpha);
-  throw InputError(where, "is no image that can be read, expected PGM (P2 or P5) or PNG");
+  throw InputError(where, "is " + kind_of(bytes) + ", expected a PGM (P2 or P5) or PNG image");
 }
 
 }  // namespace vandplan

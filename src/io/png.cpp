@@ -96,7 +96,6 @@ std::uint32_t brightness(const PngFile& file, const png_byte* bytes, Alpha alpha
   const bool has_opacity = file.channels % 2 == 0;
   if (!has_opacity || alpha == Alpha::ignored) return sum;
   const std::uint32_t opacity = channel(file.channels - 1);
-  if (alpha == Alpha::averaged) return sum + opacity;
   return opacity == (1U << file.depth) - 1 ? sum : Image::transparent;
 }
 
@@ -110,11 +109,9 @@ Image image_from_png(const std::string& bytes, const std::string& where, Alpha a
   std::vector<png_bytep> places(file.rows);
   for (std::size_t i = 0; i < places.size(); ++i) places[i] = raster.data() + i * file.row_size;
   if (!file.read_rows(places.data())) fail(file, where);
-  const bool has_opacity = file.channels % 2 == 0;
-  const std::uint32_t parts = has_opacity && alpha == Alpha::averaged ? 4 : 3;
   Image image{static_cast<std::int32_t>(file.columns),
               static_cast<std::int32_t>(file.rows),
-              parts * ((1U << file.depth) - 1),
+              3 * ((1U << file.depth) - 1),
               {}};
   image.pixels.reserve(std::size_t{file.columns} * file.rows);
   const std::size_t step =

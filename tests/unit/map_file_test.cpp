@@ -70,6 +70,41 @@ std::string png(int format, int columns, int rows, const std::vector<png_byte>& 
   return result;
 }
 
+/// Every kind of PNG, also those that `png` cannot write.
+struct PngWriter {
+  int depth = 8;  // bits of a channel
+  int colour_type = PNG_COLOR_TYPE_GRAY;
+  int interlace = PNG_INTERLACE_NONE;
+  std::vector<png_color> palette = {};
+  std::vector<png_byte> opacities = {};  // of the palette's colours
+
+  [[nodiscard]] std::string written(std::vector<std::vector<png_byte>> rows, int columns) const {
+    std::string bytes;
+    png_structp file = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(file);
+    const auto put = [](png_structp png, png_bytep from, std::size_t size) {
+      static_cast<std::string*>(png_get_io_ptr(png))
+          ->append(reinterpret_cast<const char*>(from), size);
+    };
+    png_set_write_fn(file, &bytes, put, nullptr);
+    png_set_IHDR(file, info, static_cast<png_uint_32>(columns),
+                 static_cast<png_uint_32>(rows.size()), depth, colour_type, interlace,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (!palette.empty()) {
+      png_set_PLTE(file, info, palette.data(), static_cast<int>(palette.size()));
+    }
+    if (!opacities.empty()) {
+      png_set_tRNS(file, info, opacities.data(), static_cast<int>(opacities.size()), nullptr);
+    }
+    std::vector<png_bytep> places;
+    for (std::vector<png_byte>& row : rows) places.push_back(row.data());
+    png_set_rows(file, info, places.data());
+    png_write_png(file, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    png_destroy_write_struct(&file, &info);
+    return bytes;
+  }
+};
+
 TEST_F(MapFile, TheFirstRowOfTheImageIsTheOneOfTheLargestY) {
   const OccupancyGrid grid = read(keys, "P2 3 2 255\n0 255 255\n255 255 205\n");
   EXPECT_EQ(grid.columns, 3);
@@ -101,12 +136,22 @@ TEST_F(MapFile, NegateTurnsBlackAndWhiteRound) {
   EXPECT_EQ(cells(negated, "P2 3 1 255 0 128 255"), (Cells{free_cell, unknown, occupied}));
 }
 
-// Between the thresholds map_server counts 0 to 100, rounded: only what becomes 0 is free.
-TEST_F(MapFile, ScaleRoundsBetweenTheThresholds) {
+// The part of 255 is compared with the decimal as written: 51 of 255 is 0.2, 153 is 0.6.
+TEST_F(MapFile, AnExactThresholdBelongsToNeitherSide) {
+  const std::string tenths = exchanged(exchanged(keys, "0.65", "0.6"), "0.196", "0.2");
+  EXPECT_EQ(cells(tenths, "P2 4 1 255 101 102 204 205"),
+            (Cells{occupied, unknown, unknown, free_cell}));
+  const std::string negated = exchanged(tenths, "negate: 0", "negate: 1");
+  EXPECT_EQ(cells(negated, "P2 4 1 255 154 153 51 50"),
+            (Cells{occupied, unknown, unknown, free_cell}));
+}
+
+// map_server grades what lies between the thresholds; neither free nor occupied is unknown to us.
+TEST_F(MapFile, ScaleLeavesUnknownWhatLiesBetweenTheThresholds) {
   const std::string scale =
       exchanged(exchanged(keys, "0.65", "0.8"), "0.196", "0.2") + "mode: scale\n";
-  EXPECT_EQ(cells(scale, "P2 6 1 1000 100 201 500 790 798 900"),
-            (Cells{occupied, occupied, unknown, unknown, free_cell, free_cell}));
+  EXPECT_EQ(cells(scale, "P2 6 1 1000 100 199 201 500 799 900"),
+            (Cells{occupied, occupied, unknown, unknown, unknown, free_cell}));
 }
 
 // A raw value up to 100 is the occupancy in percent, whatever `negate` says; others are unknown.
@@ -120,16 +165,70 @@ TEST_F(MapFile, EveryKindOfPngIsRead) {
   const Cells expected{occupied, free_cell};
   EXPECT_EQ(cells(keys, png(PNG_FORMAT_GRAY, 2, 1, {0, 255})), expected);
   EXPECT_EQ(cells(keys, png(PNG_FORMAT_RGB, 2, 1, {0, 0, 90, 255, 255, 255})), expected);
-  EXPECT_EQ(cells(keys, png(PNG_FORMAT_RGBA, 2, 1, {0, 0, 0, 255, 255, 255, 255, 254})),
+  EXPECT_EQ(cells(keys, png(PNG_FORMAT_RGBA, 2, 1, {0, 0, 0, 255, 255, 255, 255, 255})),
             (Cells{occupied, free_cell}));
 }
 
-// Red, green and blue are averaged, with opacity as one more channel: 255 / 4 is darker than 89.25.
-TEST_F(MapFile, OpacityIsAChannelUnlessScaling) {
-  const std::string clear_black = png(PNG_FORMAT_GA, 3, 1, {0, 255, 0, 0, 255, 0});
-  EXPECT_EQ(cells(keys, clear_black), (Cells{occupied, occupied, unknown}));
-  EXPECT_EQ(cells(keys + "mode: scale\n", clear_black), (Cells{occupied, unknown, unknown}));
-  EXPECT_EQ(cells(keys + "mode: raw\n", clear_black), (Cells{free_cell, free_cell, unknown}));
+TEST_F(MapFile, RedGreenAndBlueAreAveraged) {
+  const std::string colours = png(PNG_FORMAT_RGB, 3, 1, {255, 0, 0, 255, 255, 0, 255, 255, 120});
+  EXPECT_EQ(cells(keys, colours), (Cells{occupied, unknown, free_cell}));
+}
+
+TEST_F(MapFile, WhatIsNotOpaqueIsUnknownUnlessRaw) {
+  const std::string partly_clear =
+      png(PNG_FORMAT_GA, 5, 1, {0, 255, 0, 0, 255, 0, 255, 254, 255, 255});
+  const Cells expected{occupied, unknown, unknown, unknown, free_cell};
+  EXPECT_EQ(cells(keys, partly_clear), expected);
+  EXPECT_EQ(cells(keys + "mode: scale\n", partly_clear), expected);
+  EXPECT_EQ(cells(keys + "mode: raw\n", partly_clear),
+            (Cells{free_cell, free_cell, unknown, unknown, unknown}));
+  // 205 stays unknown beside an opacity.
+  EXPECT_EQ(cells(keys, png(PNG_FORMAT_RGBA, 1, 1, {205, 205, 205, 255})), Cells{unknown});
+}
+
+TEST_F(MapFile, PngOfEveryDepthIsRead) {
+  const Cells expected{occupied, unknown, free_cell};
+  EXPECT_EQ(cells(keys, PngWriter{2, PNG_COLOR_TYPE_GRAY}.written({{0b00'10'11'00}}, 3)), expected);
+  EXPECT_EQ(cells(keys, PngWriter{4, PNG_COLOR_TYPE_GRAY}.written({{0x0A, 0xF0}}, 3)), expected);
+  EXPECT_EQ(
+      cells(keys, PngWriter{16, PNG_COLOR_TYPE_GRAY}.written({{0, 0, 205, 0, 0xFF, 0xFE}}, 3)),
+      expected);
+  EXPECT_EQ(cells(keys, PngWriter{1, PNG_COLOR_TYPE_GRAY}.written({{0b0110'0000}}, 3)),
+            (Cells{occupied, free_cell, free_cell}));
+}
+
+TEST_F(MapFile, PalettesAreReadWithTheirTransparency) {
+  PngWriter writer{2, PNG_COLOR_TYPE_PALETTE};
+  writer.palette = {{0, 0, 0}, {205, 205, 205}, {254, 254, 254}, {255, 255, 255}};
+  const std::vector<std::vector<png_byte>> row{{0b00'01'10'11}};
+  EXPECT_EQ(cells(keys, writer.written(row, 4)), (Cells{occupied, unknown, free_cell, free_cell}));
+  writer.opacities = {255, 255, 255, 0};
+  EXPECT_EQ(cells(keys, writer.written(row, 4)), (Cells{occupied, unknown, free_cell, unknown}));
+}
+
+TEST_F(MapFile, InterlacedImagesAreRead) {
+  PngWriter writer{8, PNG_COLOR_TYPE_GRAY};
+  std::vector<std::vector<png_byte>> rows(9, std::vector<png_byte>(9, 255));
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i][i] = 0;
+  const Cells plain = cells(keys, writer.written(rows, 9));
+  writer.interlace = PNG_INTERLACE_ADAM7;
+  EXPECT_EQ(cells(keys, writer.written(rows, 9)), plain);
+  EXPECT_EQ(plain[8], occupied);  // the last column of the last row of the image, at the least y
+}
+
+// What programs write beside the keys of map_server is passed over, and so is the case of words.
+TEST_F(MapFile, MapsOfOtherProgramsAreRead) {
+  const std::string image = "P2 2 1 255 0 255";
+  const Cells expected{occupied, free_cell};
+  EXPECT_EQ(cells(keys + "mode: Trinary\n", image), expected);
+  EXPECT_EQ(cells(exchanged(keys, "negate: 0", "negate: False"), image), expected);
+  EXPECT_EQ(cells(exchanged(keys, "negate: 0", "negate: yes"), image),
+            (Cells{free_cell, occupied}));
+  EXPECT_EQ(cells(keys + "cost_translation_table: {}\nmap_type: occupancy\n", image), expected);
+  EXPECT_EQ(cells("---\n" + exchanged(keys, "[1.5, -2, 0.25]", "\n- 1.50e0\n- -2.\n- .25"), image),
+            expected);
+  folder_.put("far.pgm", image);
+  EXPECT_EQ(cells(exchanged(keys, "m.pgm", '"' + folder_.file("far.pgm") + '"'), "gone"), expected);
 }
 
 TEST_F(MapFile, BadMapsHaveOneLineEach) {
@@ -151,9 +250,11 @@ TEST_F(MapFile, BadMapsHaveOneLineEach) {
             "m.yaml:6: free_thresh: is 0.196, expected no more than occupied_thresh");
   EXPECT_EQ(message(keys + "mode: grey\n", good),
             "m.yaml:7: mode: is \"grey\", expected trinary, scale or raw");
-  EXPECT_EQ(message(keys + "size: 3\n", good),
-            "m.yaml:7: unknown key \"size\", expected one of image, resolution, origin, negate, "
-            "occupied_thresh, free_thresh, mode");
+  EXPECT_EQ(spoilt("image: m.pgm", "image: \"\""),
+            "m.yaml:1: image: is empty, expected the name of a PGM or PNG image");
+  EXPECT_EQ(spoilt("image: m.pgm", "image: ."), "m.yaml:1: image: .: cannot read: Is a directory");
+  EXPECT_EQ(message("name: a scenario\n", good),
+            "m.yaml:1: key \"image\" is missing, expected a map of ROS' map_server");
   EXPECT_EQ(spoilt("negate: 0\n", ""), "m.yaml:1: key \"negate\" is missing, expected it");
 }
 
@@ -164,8 +265,13 @@ TEST_F(MapFile, BadImagesHaveOneLineEach) {
     EXPECT_EQ(text.substr(0, begin.size()), begin);
     return text.substr(std::min(begin.size(), text.size()));
   };
-  EXPECT_EQ(image("GIF89a"), "is no image that can be read, expected PGM (P2 or P5) or PNG");
-  EXPECT_EQ(image(""), "is no image that can be read, expected PGM (P2 or P5) or PNG");
+  const std::string readable = ", expected a PGM (P2 or P5) or PNG image";
+  EXPECT_EQ(image("GIF89a"), "is a GIF image" + readable);
+  EXPECT_EQ(image("\xFF\xD8\xFF\xE0 JFIF"), "is a JPEG image" + readable);
+  EXPECT_EQ(image("BM6"), "is a BMP image" + readable);
+  EXPECT_EQ(image("P6 1 1 255\nabc"), "is a PPM image" + readable);
+  EXPECT_EQ(image("resolution: 1"), "is no image that can be read" + readable);
+  EXPECT_EQ(image(""), "is empty" + readable);
   EXPECT_EQ(image("P5"), "ends before its width, expected a whole PGM image");
   EXPECT_EQ(image("P5 x"), "has no width at byte 3, expected a decimal number");
   EXPECT_EQ(image("P5 100000 200000 255\n"),
