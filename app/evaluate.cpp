@@ -38,14 +38,19 @@ struct EvaluateArguments {
   std::vector<std::string> exports;
 };
 
-// The YAML files of a folder in order of their names, or the file itself.
+// The YAML files of a folder in order of their names, or the file itself. Maps lie beside the
+// scenarios that name them.
 std::vector<std::string> scenario_files(const std::string& path) {
   if (!fs::is_directory(path)) return {path};
-  std::vector<std::string> files;
+  std::vector<std::string> files, maps;
   for (const fs::directory_entry& entry : fs::directory_iterator(path))
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
-  if (files.empty()) throw InputError(path, "holds no scenario (*.yaml)");
+    if (entry.path().extension() == ".yaml")
+      (is_map(entry.path()) ? maps : files).push_back(entry.path().string());
   std::ranges::sort(files);
+  std::ranges::sort(maps);
+  if (files.empty()) throw InputError(path, "holds no scenario (*.yaml)");
+  for (const std::string& map : maps)
+    fmt::print(stderr, "{}: skipped, a map and no scenario\n", map);
   return files;
 }
 
@@ -160,7 +165,7 @@ int run(const EvaluateArguments& arguments) {
   Store store = open_store(arguments);
   const int missing = run_missing(campaign, store, arguments.jobs);
   write_exports(arguments, store);
-  write_report(arguments, make_report(store, this_environment(), campaign.options), missing);
+  write_report(arguments, make_report(store, campaign), missing);
   return missing == 0 ? exit_status::done : exit_status::failed;
 }
 

@@ -209,6 +209,29 @@ void check_goal(const Scenario& scenario, std::size_t index) {
   check_polygons(goal.obstacles, local_origin(scenario), key + ".obstacles");
 }
 
+/// The world of a goal that has these obstacles of its own.
+std::shared_ptr<const World> world_of(const Scenario& scenario, const std::vector<Polygon>& own) {
+  const Point origin = local_origin(scenario);
+  Surroundings surroundings{.bounds = local_bounds(scenario.bounds, origin),
+                            .map = local_map(scenario.map, origin)};
+  for (const auto* list : {&scenario.obstacles, &own}) {
+    for (const Polygon& polygon : *list) {
+      surroundings.obstacles.push_back(local_polygon(polygon, origin));
+    }
+  }
+  for (const Polygon& kerb : scenario.kerbs) {
+    surroundings.kerbs.push_back(local_polygon(kerb, origin));
+  }
+  return std::make_shared<const World>(scenario.vehicle, std::move(surroundings), origin);
+}
+
+Problem problem_of(const Scenario& scenario, std::size_t goal, std::shared_ptr<const World> world) {
+  const Point origin = world->origin();
+  return {.world = std::move(world),
+          .start = local_pose(scenario.start, origin),
+          .goal = local_pose(scenario.goals[goal].pose, origin)};
+}
+
 }  // namespace
 
 World::World(const Vehicle& vehicle, const Bounds& bounds, std::vector<Polygon> obstacles,
@@ -230,20 +253,19 @@ Problem make_problem(const Scenario& scenario, std::size_t goal) {
   check_shared(scenario);
   assert(goal < scenario.goals.size());
   check_goal(scenario, goal);
-  const Point origin = local_origin(scenario);
-  Surroundings surroundings{.bounds = local_bounds(scenario.bounds, origin),
-                            .map = local_map(scenario.map, origin)};
-  for (const auto* list : {&scenario.obstacles, &scenario.goals[goal].obstacles}) {
-    for (const Polygon& polygon : *list) {
-      surroundings.obstacles.push_back(local_polygon(polygon, origin));
-    }
+  return problem_of(scenario, goal, world_of(scenario, scenario.goals[goal].obstacles));
+}
+
+std::vector<Problem> make_problems(const Scenario& scenario) {
+  check_scenario(scenario);
+  std::shared_ptr<const World> shared;
+  std::vector<Problem> problems;
+  for (std::size_t goal = 0; goal < scenario.goals.size(); ++goal) {
+    const std::vector<Polygon>& own = scenario.goals[goal].obstacles;
+    if (own.empty() && shared == nullptr) shared = world_of(scenario, {});
+    problems.push_back(problem_of(scenario, goal, own.empty() ? shared : world_of(scenario, own)));
   }
-  for (const Polygon& kerb : scenario.kerbs) {
-    surroundings.kerbs.push_back(local_polygon(kerb, origin));
-  }
-  return {.world = std::make_shared<const World>(scenario.vehicle, std::move(surroundings), origin),
-          .start = local_pose(scenario.start, origin),
-          .goal = local_pose(scenario.goals[goal].pose, origin)};
+  return problems;
 }
 
 Problem make_problem(std::shared_ptr<const World> world, const Pose& start, const Pose& goal) {

@@ -22,15 +22,19 @@ namespace vandplan {
 /// Reads and checks a scenario file (YAML). "-" is standard input.
 [[nodiscard]] Scenario read_scenario(const std::string& file);
 
-/// The same for the text of a scenario file; `where` stands for the file in errors, and a map is
-/// looked for beside it.
-[[nodiscard]] Scenario scenario_from_yaml(const std::string& text, const std::string& where);
+/// The same for the text of a scenario file; `where` stands for the file in errors, and the map is
+/// looked for beside it unless it is here.
+[[nodiscard]] Scenario scenario_from_yaml(const std::string& text, const std::string& where,
+                                          const std::optional<OccupancyGrid>& map = {});
 
 /// A scenario as YAML that `read_scenario` reads back exactly.
 [[nodiscard]] std::string scenario_to_yaml(const Scenario& scenario);
 
 /// Reads a map of ROS' map_server: its YAML file and the image that it names.
 [[nodiscard]] OccupancyGrid read_map(const std::string& file);
+
+/// Whether a YAML file is a map, that is, names an image; scenarios do not.
+[[nodiscard]] bool is_map(const std::string& file);
 
 /// A vehicle of the catalogue, "city-bus". Throws InputError if there is none of that name.
 [[nodiscard]] Vehicle vehicle_named(std::string_view name);

@@ -89,6 +89,10 @@ void check_scenario(const Scenario& scenario);
 /// planner names it. Throws InputError naming the key that is wrong. `goal` < goals.size().
 [[nodiscard]] Problem make_problem(const Scenario& scenario, std::size_t goal);
 
+/// The problems of all goals, the same as one by one. Goals without obstacles of their own share
+/// one world, which is built once.
+[[nodiscard]] std::vector<Problem> make_problems(const Scenario& scenario);
+
 /// One more problem in a world that is there: nothing of it is built again, so thousands of
 /// problems may share it, on as many threads as one likes. The poses are in the scenario's frame;
 /// throws InputError naming "start" or "goal" when they are out of range.

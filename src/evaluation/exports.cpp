@@ -106,8 +106,7 @@ class OmplWriter {
  public:
   OmplWriter(Database& database, Store& store)
       : database_(database), environments_(store.environments()), files_(store.scenarios()) {
-    for (const StoredScenario& file : files_)
-      scenarios_.push_back(scenario_from_yaml(file.yaml, file.name));
+    for (const StoredScenario& file : files_) scenarios_.push_back(scenario_of(file));
     for (int i = 0; i <= static_cast<int>(PlanStatus::stopped); ++i)
       Statement(database_, "INSERT INTO enums VALUES ('status', ?, ?)")
           .run(i, name_of(static_cast<PlanStatus>(i)));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/campaign.h"
 #include "evaluation/findings.h"
 #include "evaluation/store.h"
 #include "evaluation/summary.h"
@@ -20,18 +21,18 @@ struct Report {
   std::vector<Scenario> scenarios;  ///< what the files say
   std::vector<RunRecord> runs;
   std::vector<Session> sessions;
-  int left_out = 0;  ///< runs in the store that are of another environment or other options
+  /// Runs in the store that are of another environment, other options, or of files changed since.
+  int left_out = 0;
   Summary summary;
   std::vector<Finding> findings;
 };
 
 /// Tells of the runs of a store that were made where and with the options with which the last one
-/// was. Throws InputError when there is none.
+/// was, of each file those of what it held last. Throws InputError when there is none.
 [[nodiscard]] Report make_report(Store& store);
 
-/// The same for an environment and options that are named.
-[[nodiscard]] Report make_report(Store& store, const Environment& environment,
-                                 const PlanOptions& options);
+/// Tells of the runs that this program made on this machine with the options of a campaign.
+[[nodiscard]] Report make_report(Store& store, const Campaign& campaign);
 
 /// The headline and a table of all planners and scenarios for each region, as Markdown that is
 /// easy to read in a terminal.

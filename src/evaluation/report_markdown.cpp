@@ -196,8 +196,8 @@ std::string circumstances(const Report& report) {
         planning, share("storing"), share("judging"), share("rest"));
   if (report.left_out > 0)
     text += fmt::format(
-        "{} runs in the store are of other programs, machines or options and are "
-        "left out.\n",
+        "{} runs in the store are of other programs, machines or options, or of files changed "
+        "since, and are left out.\n",
         report.left_out);
   return text;
 }

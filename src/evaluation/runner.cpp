@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 
 namespace vandplan {
 namespace {
@@ -43,20 +42,21 @@ class TaskList {
     environment_ = store.index_of(this_environment());
     std::vector<std::size_t> scenarios;
     for (const auto& [scenario, file] : campaign.scenarios)
-      scenarios.push_back(
-          store.index_of(StoredScenario{scenario.name, file, scenario_to_yaml(scenario)}));
+      scenarios.push_back(store.index_of(stored(scenario, file)));
     for (const RunSpec& spec : runs_of(campaign)) {
       ++total_;
       const Scenario& scenario = campaign.scenarios[spec.scenario].scenario;
       const PlannerInfo& planner = campaign.planners[spec.planner];
-      Task task{{}, problem_of(scenario, spec.goal), &scenario, &planner};
+      Task task{{}, nullptr, &scenario, &planner};
       task.run.environment = environment_;
       task.run.scenario = scenarios[spec.scenario];
       task.run.goal = spec.goal;
       task.run.planner = planner.name;
       task.run.options = spec.options;
       task.run.jobs = jobs;
-      if (!store.contains(task.run)) tasks_.push_back(std::move(task));
+      if (store.contains(task.run)) continue;
+      task.problem = &problems_of(scenario)[spec.goal];
+      tasks_.push_back(std::move(task));
     }
   }
 
@@ -65,16 +65,16 @@ class TaskList {
   int total() const { return total_; }
 
  private:
-  const Problem* problem_of(const Scenario& scenario, std::size_t goal) {
-    const auto key = std::pair(&scenario, goal);
-    const auto found = problems_.find(key);
-    if (found != problems_.end()) return &found->second;
-    return &problems_.emplace(key, make_problem(scenario, goal)).first->second;
+  // Their worlds are built once, for all runs of all planners.
+  const std::vector<Problem>& problems_of(const Scenario& scenario) {
+    std::vector<Problem>& problems = problems_[&scenario];
+    if (problems.empty()) problems = make_problems(scenario);
+    return problems;
   }
 
   std::size_t environment_ = 0;
   int total_ = 0;
-  std::map<std::pair<const Scenario*, std::size_t>, Problem> problems_;
+  std::map<const Scenario*, std::vector<Problem>> problems_;
   std::vector<Task> tasks_;
 };
 

@@ -98,6 +98,12 @@ std::string Statement::text(int column) const {
   return bytes == nullptr ? std::string() : std::string(bytes);
 }
 
+std::span<const std::byte> Statement::bytes(int column) const {
+  const auto* const bytes =
+      static_cast<const std::byte*>(sqlite3_column_blob(handle_.get(), column));
+  return {bytes, static_cast<std::size_t>(sqlite3_column_bytes(handle_.get(), column))};
+}
+
 void Statement::reset() noexcept { sqlite3_reset(handle_.get()); }
 
 void Statement::set(int index, std::int64_t value) {
@@ -111,6 +117,12 @@ void Statement::set(int index, double value) {
 void Statement::set(int index, std::string_view value) {
   if (sqlite3_bind_text(handle_.get(), index + 1, value.data(), static_cast<int>(value.size()),
                         SQLITE_TRANSIENT) != SQLITE_OK)
+    database_->fail();
+}
+
+void Statement::set(int index, std::span<const std::byte> value) {
+  if (sqlite3_bind_blob64(handle_.get(), index + 1, value.data(), value.size(), SQLITE_TRANSIENT) !=
+      SQLITE_OK)
     database_->fail();
 }
 

@@ -5,9 +5,11 @@
 //
 // Every failure is an InputError "FILE: what SQLite says".
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -73,12 +75,15 @@ class Statement {
   [[nodiscard]] double real(int column) const noexcept;
   [[nodiscard]] std::optional<double> optional_real(int column) const noexcept;
   [[nodiscard]] std::string text(int column) const;
+  /// Until the next step.
+  [[nodiscard]] std::span<const std::byte> bytes(int column) const;
 
  private:
   void set(int index, std::int64_t value);
   void set(int index, int value) { set(index, std::int64_t{value}); }
   void set(int index, double value);
   void set(int index, std::string_view value);
+  void set(int index, std::span<const std::byte> value);
   void set(int index, const std::optional<double>& value);
 
   struct Finalize {

@@ -9,7 +9,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "evaluation/hash.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
@@ -23,9 +22,6 @@ CREATE TABLE environments(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, compiler TEXT NOT NULL, build_type TEXT NOT NULL,
   executable TEXT NOT NULL, processor TEXT NOT NULL, cores INTEGER NOT NULL, system TEXT NOT NULL)
   STRICT;
-CREATE TABLE scenarios(
-  id INTEGER PRIMARY KEY, name TEXT NOT NULL, file TEXT NOT NULL, hash TEXT NOT NULL,
-  yaml TEXT NOT NULL UNIQUE) STRICT;
 CREATE TABLE configurations(
   id INTEGER PRIMARY KEY, planner TEXT NOT NULL, options TEXT NOT NULL, UNIQUE(planner, options))
   STRICT;
@@ -163,6 +159,7 @@ Store Store::create(const std::string& file) {
   {
     Database database(unfinished, Database::Mode::create);
     Transaction transaction(database);
+    database.execute(tables_of_scenarios);
     database.execute(tables);
     database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}",
                                  application_id, format));
@@ -183,12 +180,7 @@ std::size_t Store::index_of(const Environment& environment) {
 }
 
 std::size_t Store::index_of(const StoredScenario& scenario) {
-  Statement(database_, "INSERT OR IGNORE INTO scenarios VALUES (NULL, ?, ?, ?, ?)")
-      .run(scenario.name, scenario.file, fmt::format("{:016x}", hash_of(scenario.yaml)),
-           scenario.yaml);
-  Statement find(database_, "SELECT id FROM scenarios WHERE yaml = ?");
-  find.bind(scenario.yaml).step();
-  return index_of_id(find.integer(0));
+  return vandplan::index_of(database_, scenario);
 }
 
 std::int64_t Store::configuration_of(const RunRecord& run) {
@@ -279,12 +271,7 @@ std::vector<Environment> Store::environments() {
   return found;
 }
 
-std::vector<StoredScenario> Store::scenarios() {
-  Statement rows(database_, "SELECT name, file, yaml FROM scenarios ORDER BY id");
-  std::vector<StoredScenario> found;
-  while (rows.step()) found.push_back({rows.text(0), rows.text(1), rows.text(2)});
-  return found;
-}
+std::vector<StoredScenario> Store::scenarios() { return stored_scenarios(database_); }
 
 std::vector<Session> Store::sessions() {
   Statement rows(database_, "SELECT * FROM sessions ORDER BY id");

@@ -14,22 +14,16 @@
 
 #include "evaluation/run_record.h"
 #include "evaluation/sqlite.h"
+#include "evaluation/stored_scenario.h"
 
 namespace vandplan {
-
-/// A scenario as a store keeps it.
-struct StoredScenario {
-  std::string name;
-  std::string file;  ///< where it was read from
-  std::string yaml;  ///< all of it; two scenarios are the same when this is
-};
 
 /// An open result store. One thread at a time. Environments and scenarios are named by their
 /// index.
 class Store {
  public:
   /// Raised when the tables change.
-  static constexpr int format = 1;
+  static constexpr int format = 2;
 
   /// Opens a store. Throws InputError when it is missing, damaged, of another format, or no store.
   [[nodiscard]] static Store open(const std::string& file);

@@ -148,6 +148,11 @@ std::string map_to_yaml(const OccupancyGrid& grid, const std::string& image) {
       image, grid.resolution, grid.origin.x, grid.origin.y, grid.origin.heading);
 }
 
+bool is_map(const std::string& name) {
+  const Document file = parse_yaml(read_file(name, largest_text), name);
+  return file.root().kind == Node::Kind::map && file.find(file.root(), "image") != nullptr;
+}
+
 OccupancyGrid read_map(const std::string& name) {
   const Document file = parse_yaml(read_file(name, largest_text), name);
   const Node& root = file.root();

@@ -72,20 +72,28 @@ bool unknown_from(const Document& file, const Node& node) {
   return text == "free";
 }
 
+using Map = std::optional<OccupancyGrid>;
+
+/// The map that a scenario names, relative to itself.
+OccupancyGrid map_from(const Document& file, const Node& node, const std::string& where) {
+  const auto path = std::filesystem::path(where).parent_path() / file.text(node);
+  try {
+    return read_map(path.string());
+  } catch (const InputError& error) {
+    if (error.where() != path.string()) throw;  // in the map and not the file as such
+    file.fail(node, error.what());
+  }
+}
+
 /// Map, bounds, obstacles and kerbs; with a map the others may be left out.
-void read_ground(const Document& file, const std::string& where, Scenario& scenario) {
+void read_ground(const Document& file, const std::string& where, const Map& known,
+                 Scenario& scenario) {
   const Node& root = file.root();
   const Node* const map = file.find(root, "map");
   const Node* const unknown = file.find(root, "unknown");
   if (map != nullptr) {
     scenario.map_file = file.text(*map);
-    const auto path = std::filesystem::path(where).parent_path() / scenario.map_file;
-    try {
-      scenario.map = read_map(path.string());
-    } catch (const InputError& error) {
-      if (error.where() != path.string()) throw;  // in the map and not the file as such
-      file.fail(*map, error.what());
-    }
+    scenario.map = known ? *known : map_from(file, *map, where);
     scenario.map->unknown_is_free = unknown != nullptr && unknown_from(file, *unknown);
   } else if (unknown != nullptr) {
     file.fail(*unknown, "is given without a map, expected map beside it");
@@ -104,8 +112,11 @@ void read_ground(const Document& file, const std::string& where, Scenario& scena
   scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
 }
 
-Scenario scenario_from(const Document& file, const std::string& where) {
+Scenario scenario_from(const Document& file, const std::string& where, const Map& map) {
   const Node& root = file.root();
+  if (const Node* const image = file.find(root, "image")) {
+    file.fail(*image, "belongs into a map, expected a scenario that names this file as its map");
+  }
   file.allow_only(root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals",
                          "obstacles", "kerbs", "map", "unknown"});
   const Node* const goals = file.find(root, "goals");
@@ -128,7 +139,7 @@ Scenario scenario_from(const Document& file, const std::string& where) {
       goals != nullptr
           ? goals_from(file, *goals)
           : std::vector<Goal>{{.distance = {}, .pose = pose_from(file, *goal), .obstacles = {}}};
-  read_ground(file, where, scenario);
+  read_ground(file, where, map, scenario);
   return scenario;
 }
 
@@ -168,9 +179,9 @@ std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& ind
 
 }  // namespace
 
-Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
+Scenario scenario_from_yaml(const std::string& text, const std::string& where, const Map& map) {
   const Document file = parse_yaml(text, where);
-  Scenario scenario = scenario_from(file, where);
+  Scenario scenario = scenario_from(file, where, map);
   try {
     check_scenario(scenario);
   } catch (const InputError& error) {

@@ -194,6 +194,71 @@ TEST_F(EvaluateCommand, MergesCampaigns) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "both/index.html"));
 }
 
+// A folder as people have it: a map, its image, and two scenarios on it.
+class EvaluateCommandOnMaps : public EvaluateCommand {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directory(maps_);
+    write_content(maps_ + "/yard.yaml",
+                  "image: yard.pgm\nresolution: 1\norigin: [-10, -20, 0]\nnegate: 0\n"
+                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    draw_wall(20);
+    const std::string ground = "obstacles:\n  - [[12, -9], [13, -9], [13, 9], [12, 9]]\n";
+    for (const char* const name : {"there", "back"})
+      write_content(maps_ + "/" + name + ".yaml",
+                    replaced(replaced(yard(), "yard", name), ground, "map: yard.yaml\n"));
+  }
+
+  // A wall in column 22, that is, at x = 12 m, in all rows but those below.
+  void draw_wall(int from) const {
+    std::string image = "P5\n50 40\n255\n";
+    for (int row = 40; row-- > 0;)
+      for (int column = 0; column < 50; ++column)
+        image += column == 22 && row >= from ? '\0' : '\xfe';
+    std::filesystem::remove(maps_ + "/yard.pgm");
+    write_content(maps_ + "/yard.pgm", image);
+  }
+
+  [[nodiscard]] Outcome evaluate(const Words& more = {}) const {
+    Words all = {"evaluate",         "--scenarios", maps_,          "--planners", "anytime",
+                 "--max-iterations", "300",         "--repeats",    "2",          "--region",
+                 "bounds",           "--output",    folder_ / "out"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_vandplan(all);
+  }
+
+  const std::string maps_ = folder_ / "maps";
+};
+
+TEST_F(EvaluateCommandOnMaps, SkipsTheMapsOfAFolderAndSaysSo) {
+  const Outcome outcome = evaluate();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err.find(maps_ + "/yard.yaml: skipped, a map and no scenario\n"), 0U)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("6 runs: 2 scenarios (2 goals)"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("there"), std::string::npos) << outcome.out;
+}
+
+TEST_F(EvaluateCommandOnMaps, ReportsWithoutTheFiles) {
+  ASSERT_EQ(evaluate().status, 0);
+  std::filesystem::remove_all(maps_);
+  const Outcome outcome = evaluate({"--report-only"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST_F(EvaluateCommandOnMaps, ResumesAnewOnAChangedImage) {
+  ASSERT_EQ(evaluate().status, 0);
+  EXPECT_NE(evaluate({"--resume"}).out.find("\n6 runs"), std::string::npos);
+  EXPECT_EQ(runs("out").size(), 6U);  // 2 scenarios, 2 repeats and a profiled run
+  draw_wall(15);
+  const Outcome again = evaluate({"--resume"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.out.find("6 runs in the store are of other"), std::string::npos) << again.out;
+  const std::vector<RunRecord> all = runs("out");
+  ASSERT_EQ(all.size(), 12U);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NE(all[i].scenario, all[i + 6].scenario);
+}
+
 TEST_F(EvaluateCommand, RefusesBadInputOnOneLine) {
   write_content(folder_ / "no-store.sqlite", std::string(3000, 'x'));
   const std::vector<std::pair<Words, std::string>> kinds = {

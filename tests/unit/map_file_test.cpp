@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/temporary_folder.h"
+#include "support/yard.h"
 #include "vandplan/input_error.h"
 #include "vandplan/io.h"
 
@@ -290,6 +291,20 @@ TEST_F(MapFile, BadImagesHaveOneLineEach) {
   const std::string whole = png(PNG_FORMAT_GRAY, 2, 1, {0, 255});
   for (std::size_t size = 4; size + 1 < whole.size(); ++size) {
     EXPECT_EQ(image(whole.substr(0, size)).substr(0, 22), "is a broken PNG image ");
+  }
+}
+
+TEST_F(MapFile, IsToldFromAScenario) {
+  EXPECT_TRUE(is_map(folder_.put("m.yaml", keys)));
+  EXPECT_FALSE(is_map(folder_.put("s.yaml", yard())));
+  EXPECT_FALSE(is_map(folder_.put("list.yaml", "[image]")));
+  try {
+    (void)read_scenario(folder_ / "m.yaml");
+    ADD_FAILURE() << "a map was read as a scenario";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), folder_ / "m.yaml" +
+                                ":1: image: belongs into a map, expected a scenario that names "
+                                "this file as its map");
   }
 }
 

@@ -68,6 +68,22 @@ TEST(MakeProblem, AGoalOfARowBringsItsOwnObstacles) {
             (std::vector<Polygon>{{{-11, 3}, {-10, 3}, {-10, 4}}, {{-6, 8}, {-5, 8}, {-5, 9}}}));
 }
 
+TEST(MakeProblems, GoalsWithoutObstaclesOfTheirOwnShareAWorld) {
+  Scenario scenario = row();
+  scenario.goals.push_back({60.0, {45, 0, 0}, {}});
+  const std::vector<Problem> problems = make_problems(scenario);
+  ASSERT_EQ(problems.size(), 3U);
+  EXPECT_EQ(problems[0].world, problems[2].world);
+  EXPECT_NE(problems[0].world, problems[1].world);
+  for (std::size_t goal = 0; goal < problems.size(); ++goal) {
+    const Problem alone = make_problem(scenario, goal);
+    EXPECT_EQ(problems[goal].start, alone.start);
+    EXPECT_EQ(problems[goal].goal, alone.goal);
+    EXPECT_EQ(problems[goal].world->bounds(), alone.world->bounds());
+    EXPECT_EQ(problems[goal].world->obstacles(), alone.world->obstacles());
+  }
+}
+
 TEST(MakeProblem, WrapsHeadingsAndDropsRepeatedCorners) {
   Scenario scenario = yard();
   scenario.start.heading = 2 * std::numbers::pi + 0.5;

@@ -75,10 +75,30 @@ TEST(Report, TellsOfTheRunsOfOneEnvironmentAndOptionsOnly) {
   EXPECT_EQ(last.runs.size() * 2, store.runs().size());
   EXPECT_EQ(last.left_out, static_cast<int>(last.runs.size()));
   campaign.options.max_iterations = 30;
-  EXPECT_EQ(make_report(store, this_environment(), campaign.options).runs.size(), last.runs.size());
+  EXPECT_EQ(make_report(store, campaign).runs.size(), last.runs.size());
   campaign.options.max_iterations = 50;
-  EXPECT_THROW(static_cast<void>(make_report(store, this_environment(), campaign.options)),
-               InputError);
+  EXPECT_THROW(static_cast<void>(make_report(store, campaign)), InputError);
+}
+
+TEST(Report, TellsOfWhatAFileHoldsNow) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign before = small_campaign();
+  before.options.max_iterations = 30;
+  Campaign after = before;
+  after.scenarios[0].scenario.obstacles = {{{0, 0}, {1, 0}, {0, 1}}};
+  run_campaign(before, store, {});
+  run_campaign(after, store, {});
+  for (const Campaign& campaign : {before, after}) {
+    const Report report = make_report(store, campaign);
+    EXPECT_EQ(report.left_out,
+              16);  // of "one": 2 planners, 2 regions, 3 repeats and a profiled run
+    for (const RunRecord& run : report.runs) {
+      if (report.files[run.scenario].file != "one.yaml") continue;
+      EXPECT_EQ(report.scenarios[run.scenario].obstacles, campaign.scenarios[0].scenario.obstacles);
+    }
+  }
+  EXPECT_EQ(make_report(store).left_out, 16);
 }
 
 TEST(Report, IsOnePageWithEverythingInIt) {

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/grids.h"
+#include "support/made_up_runs.h"
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
 
@@ -145,6 +147,56 @@ TEST(Store, CanBeReadAndWrittenWhileARunIsBeingAddedElsewhere) {
   EXPECT_EQ(second.runs().size(), 2U);
 }
 
+Scenario on_a_map(const OccupancyGrid& map) {
+  Scenario scenario = vandplan::open_ground("yard");
+  scenario.map_file = "map.yaml";
+  scenario.map = map;
+  return scenario;
+}
+
+TEST(Store, KeepsTheMapOfAScenario) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  OccupancyGrid map = grid_of({"#.?", "..#"}, 30.1, {-1.5, 2, 0.25});
+  map.unknown_is_free = true;
+  {
+    Store store = Store::create(file);
+    store.index_of(stored(on_a_map(map), "no/such/yard.yaml"));
+  }
+  Store first = Store::open(file), second = Store::create(folder / "second.sqlite");
+  second.merge(first);
+  for (Store* const store : {&first, &second}) {
+    const Scenario scenario = scenario_of(store->scenarios().at(0));
+    ASSERT_TRUE(scenario.map);
+    EXPECT_EQ(*scenario.map->cells, *map.cells);
+    EXPECT_EQ(scenario.map->columns, 3);
+    EXPECT_EQ(scenario.map->rows, 2);
+    EXPECT_EQ(scenario.map->resolution, map.resolution);
+    EXPECT_EQ(scenario.map->origin, map.origin);
+    EXPECT_TRUE(scenario.map->unknown_is_free);
+    EXPECT_EQ(scenario.map_file, "map.yaml");
+  }
+}
+
+TEST(Store, TellsScenariosApartByTheirMaps) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  const OccupancyGrid map = grid_of({"#..", "..."}, 30);
+  OccupancyGrid shifted = map, finer = map;
+  shifted.origin.y = 0.5;
+  finer.resolution = 29;
+  std::vector<Scenario> scenarios = {on_a_map(map),
+                                     on_a_map(grid_of({"#..", ".#."}, 30)),
+                                     on_a_map(grid_of({"#.", "..", ".."}, 30)),
+                                     on_a_map(shifted),
+                                     on_a_map(finer),
+                                     vandplan::open_ground("yard")};
+  for (int twice = 0; twice < 2; ++twice)
+    for (std::size_t i = 0; i < scenarios.size(); ++i)
+      EXPECT_EQ(store.index_of(stored(scenarios[i], "yard.yaml")), i);
+  EXPECT_EQ(store.scenarios().size(), scenarios.size());
+}
+
 TEST(Store, MergesWhatIsNew) {
   const TemporaryFolder folder;
   Store first = Store::create(folder / "first.sqlite");
@@ -191,7 +243,8 @@ TEST(Store, RefusesAnotherFormat) {
   const std::string file = folder / "runs.sqlite";
   { const Store store = Store::create(file); }
   Database(file, Database::Mode::write).execute("PRAGMA user_version = 99");
-  EXPECT_EQ(complaint(file), file + ": is a result store of format 99, expected 1");
+  EXPECT_EQ(complaint(file),
+            file + ": is a result store of format 99, expected " + std::to_string(Store::format));
 }
 
 TEST(Store, RefusesADamagedFile) {

@@ -599,7 +599,7 @@
       facts('What the harness costs', [['planning', `${overhead.planning.toFixed(1)} s in ${count(overhead.runs)} runs`],
         ['storing', share(overhead.storing)], ['judging paths', share(overhead.judging)],
         ['the rest', share(overhead.rest)],
-        ['left out', `${data.left_out} runs of other programs, machines or options`]]),
+        ['left out', `${data.left_out} runs of other programs, machines or options, or of files changed since`]]),
       facts('Planners', data.planners.map((p) => [p.name, p.summary])));
   }
 
