@@ -138,17 +138,24 @@ void write_exports(const EvaluateArguments& arguments, Store& store) {
 }
 
 void write_report(const EvaluateArguments& arguments, const Report& report, int missing) {
-  const std::string page = arguments.output + "/index.html", text = arguments.output + "/report.md";
+  const std::string page = arguments.output + "/index.html", text = arguments.output + "/report.md",
+                    picture = arguments.output + "/gallery.png";
+  const std::string gallery = gallery_png(report);
   write_file(text, report_markdown(report));
-  write_file(page, report_html(report));
+  write_file(picture, gallery);
+  write_file(page, report_html(report, gallery));
   if (arguments.json) {
     auto json = nlohmann::ordered_json::parse(headline_json(report));
     json["missing"] = missing;
-    json["output"] = {{"store", arguments.output + "/runs.sqlite"}, {"page", page}, {"text", text}};
+    json["output"] = {{"store", arguments.output + "/runs.sqlite"},
+                      {"page", page},
+                      {"text", text},
+                      {"gallery", picture}};
     print(json);
     return;
   }
-  fmt::print("{}\nMore: {} (in a browser), {}\n", headline_markdown(report), page, text);
+  fmt::print("{}\nMore: {} (in a browser), {}, {}\n", headline_markdown(report), page, text,
+             picture);
   if (missing > 0) fmt::print("{} runs are missing; --resume does them.\n", missing);
 }
 

@@ -44,4 +44,15 @@ enum class PictureFormat { png, svg, pdf };
 [[nodiscard]] std::string draw(const Drawing& drawing, PictureFormat format, int width);
 [[nodiscard]] std::string draw(const ContactSheet& sheet, PictureFormat format, int width);
 
+/// The cells of a map, for other pictures to lie on.
+struct MapImage {
+  std::string png;      ///< obstacles and unknown ground; what is free is transparent
+  double width = 0.0;   ///< along the columns [m]
+  double height = 0.0;  ///< along the rows, the first line of pixels being row 0 [m]
+};
+
+/// A pixel for each cell, or for a block of cells, so that no side has more than `most` pixels; it
+/// shows the worst of them. `most` >= 1.
+[[nodiscard]] MapImage map_image(const OccupancyGrid& map, int most);
+
 }  // namespace vandplan

@@ -66,11 +66,16 @@ std::string render(PictureFormat format, int width, const Size& page,
   cairo_scale(cairo.get(), scale, scale);
   paint(cairo.get());
   require(cairo_status(cairo.get()));
-  if (format == PictureFormat::png) {
-    require(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
-  }
+  if (format == PictureFormat::png) return png_of(surface.get());
   cairo_surface_finish(surface.get());
   require(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+std::string png_of(cairo_surface_t* image) {
+  std::string bytes;
+  require(cairo_surface_status(image));
+  require(cairo_surface_write_to_png_stream(image, append, &bytes));
   return bytes;
 }
 

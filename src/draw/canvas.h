@@ -53,6 +53,9 @@ void set_colour(cairo_t* cairo, const Colour& colour, double alpha);
 [[nodiscard]] std::string render(PictureFormat format, int width, const Size& page,
                                  const std::function<void(cairo_t*)>& paint);
 
+/// An image as PNG. Throws as `render` does.
+[[nodiscard]] std::string png_of(cairo_surface_t* image);
+
 enum class Align { left, centre, right };
 
 struct TextStyle {

@@ -32,15 +32,13 @@ void paint_caption(cairo_t* cairo, const Caption& caption, const Point& at, doub
   write_text(cairo, caption.text, at.x, at.y, style);
 }
 
-void paint_plot(cairo_t* cairo, const Scene& scene, const View& view) {
+void paint_clipped(cairo_t* cairo, const Scene& scene, const View& view) {
   const Box& plot = view.plot;
   cairo_save(cairo);
   cairo_rectangle(cairo, plot.x, plot.y, plot.width, plot.height);
   cairo_clip(cairo);
   paint_scene(cairo, scene, view);
-  paint_grid(cairo, view);
   cairo_restore(cairo);
-  paint_axes(cairo, view);
 }
 
 }  // namespace
@@ -62,7 +60,9 @@ std::string draw(const Drawing& drawing, PictureFormat format, int width) {
   legend.add(scene, layout.view);
   return render(format, width, layout.page, [&](cairo_t* cairo) {
     paint_caption(cairo, {drawing.caption, 14.0}, {plot.x, plot.y - 14.0}, plot.width);
-    paint_plot(cairo, scene, layout.view);
+    paint_clipped(cairo, scene, layout.view);
+    paint_grid(cairo, layout.view);
+    paint_axes(cairo, layout.view);
     paint_axis_titles(cairo, scene, layout.view);
     paint_legend(cairo, legend, layout.legend);
   });
@@ -71,10 +71,10 @@ std::string draw(const Drawing& drawing, PictureFormat format, int width) {
 std::string draw(const ContactSheet& sheet, PictureFormat format, int width) {
   require_width(width);
   if (sheet.columns < 1) throw InputError("columns", "must be at least 1");
-  constexpr Size cell{360.0, 290.0};
-  constexpr Box plot{40.0, 26.0, 308.0, 236.0};  // in its cell
-  constexpr double below = 36.0;                 // legend
-  const double top = sheet.caption.empty() ? 8.0 : 40.0;
+  constexpr Size cell{240.0, 208.0};
+  constexpr Box plot{6.0, 24.0, 228.0, 178.0};  // in its cell
+  constexpr double below = 34.0;                // legend
+  const double top = sheet.caption.empty() ? 2.0 : 40.0;
   const auto columns = static_cast<std::size_t>(sheet.columns);
   const std::size_t rows = (sheet.drawings.size() + columns - 1) / columns;
   const Size page{cell.width * sheet.columns,
@@ -88,8 +88,9 @@ std::string draw(const ContactSheet& sheet, PictureFormat format, int width) {
       const double x = cell.width * static_cast<double>(i % columns) + plot.x;
       const double y = top + cell.height * static_cast<double>(i / columns) + plot.y;
       const View view = view_of(framed(scene), {x, y, plot.width, plot.height});
-      paint_caption(cairo, {drawing.caption, 11.5}, {x, y - 8.0}, plot.width);
-      paint_plot(cairo, scene, view);
+      paint_caption(cairo, {drawing.caption, 11.5}, {x, y - 6.0}, plot.width);
+      paint_clipped(cairo, scene, view);
+      paint_small_frame(cairo, view);
       legend.add(scene, view);
     }
     paint_legend(cairo, legend, {0.0, page.height - below, page.width, below});

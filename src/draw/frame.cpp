@@ -49,11 +49,17 @@ void add_line(cairo_t* cairo, const Point& from, const Point& to) {
   cairo_line_to(cairo, to.x, to.y);
 }
 
-void paint_scale_bar(cairo_t* cairo, const View& view) {
-  const double metres = tick_step(view.scale, 90.0);
-  const double right = view.plot.x + view.plot.width;
-  const double left = right - metres * view.scale;
-  const double y = view.plot.y + view.plot.height + 29;
+void paint_frame(cairo_t* cairo, const Box& plot) {
+  cairo_rectangle(cairo, plot.x, plot.y, plot.width, plot.height);
+  set_colour(cairo, colour::faint_ink, 1.0);
+  cairo_set_line_width(cairo, 0.9);
+  cairo_stroke(cairo);
+}
+
+// A bar that ends at (right, y), its length in metres before it.
+void paint_scale_bar(cairo_t* cairo, double metres, double scale, const Point& right_end) {
+  const auto [right, y] = right_end;
+  const double left = right - metres * scale;
   add_line(cairo, {left, y}, {right, y});
   add_line(cairo, {left, y - 4}, {left, y + 4});
   add_line(cairo, {right, y - 4}, {right, y + 4});
@@ -180,10 +186,7 @@ void paint_axes(cairo_t* cairo, const View& view) {
     add_line(cairo, {at.x - 4, at.y}, at);
     write_text(cairo, number(y, step), at.x - 7, at.y + 4, aligned(tick_style, Align::right));
   }
-  cairo_rectangle(cairo, plot.x, plot.y, plot.width, plot.height);
-  set_colour(cairo, colour::faint_ink, 1.0);
-  cairo_set_line_width(cairo, 0.9);
-  cairo_stroke(cairo);
+  paint_frame(cairo, plot);
 }
 
 void paint_axis_titles(cairo_t* cairo, const Scene& scene, const View& view) {
@@ -196,7 +199,20 @@ void paint_axis_titles(cairo_t* cairo, const Scene& scene, const View& view) {
   cairo_rotate(cairo, -1.5707963267948966);
   write_text(cairo, axis_title("y", scene.origin.y), 0.0, 0.0, style);
   cairo_restore(cairo);
-  paint_scale_bar(cairo, view);
+  paint_scale_bar(cairo, tick_step(view.scale, 90.0), view.scale,
+                  {plot.x + plot.width, plot.y + plot.height + 29});
+}
+
+void paint_small_frame(cairo_t* cairo, const View& view) {
+  const Box& plot = view.plot;
+  const double metres = tick_step(view.scale, 50.0);
+  const double width =
+      metres * view.scale + text_width(cairo, number(metres, metres) + " m", {.size = 10.5}) + 19;
+  cairo_rectangle(cairo, plot.x + plot.width - width, plot.y + plot.height - 16, width, 16);
+  set_colour(cairo, colour::paper, 0.85);
+  cairo_fill(cairo);
+  paint_scale_bar(cairo, metres, view.scale, {plot.x + plot.width - 6, plot.y + plot.height - 8});
+  paint_frame(cairo, plot);
 }
 
 void LegendContent::add(const Scene& scene, const View& view) noexcept {

@@ -29,6 +29,9 @@ void paint_axes(cairo_t* cairo, const View& view);
 /// What the axes count, with the origin when it is not zero, and a scale bar.
 void paint_axis_titles(cairo_t* cairo, const Scene& scene, const View& view);
 
+/// Instead of axes, where there is little room: a frame, and a scale bar in its corner.
+void paint_small_frame(cairo_t* cairo, const View& view);
+
 /// What the legend explains beside start and goal.
 struct LegendContent {
   bool path = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 #include "draw/paint.h"
 
@@ -60,6 +61,21 @@ void fill(cairo_surface_t* image, const OccupancyGrid& grid, const Part& part, s
   cairo_surface_mark_dirty(image);
 }
 
+using SurfacePtr = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+
+/// A broken one if there is no memory.
+SurfacePtr image_of(const OccupancyGrid& grid, const Part& part, std::int32_t block) {
+  const auto pixels = [&](std::int32_t begin, std::int32_t end) {
+    return (end - begin + block - 1) / block;
+  };
+  SurfacePtr image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, pixels(part.x_begin, part.x_end),
+                                              pixels(part.y_begin, part.y_end)),
+                   cairo_surface_destroy);
+  if (cairo_surface_status(image.get()) == CAIRO_STATUS_SUCCESS)
+    fill(image.get(), grid, part, block);
+  return image;
+}
+
 }  // namespace
 
 void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view) {
@@ -68,12 +84,7 @@ void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view) {
   constexpr double finest = 0.3;  // side of a pixel, at least [page units]
   const double cell = grid.resolution * view.scale;
   const auto block = static_cast<std::int32_t>(std::clamp(finest / cell, 1.0, 1e6));
-  const auto pixels = [&](std::int32_t begin, std::int32_t end) {
-    return (end - begin + block - 1) / block;
-  };
-  cairo_surface_t* const image = cairo_image_surface_create(
-      CAIRO_FORMAT_ARGB32, pixels(part.x_begin, part.x_end), pixels(part.y_begin, part.y_end));
-  if (cairo_surface_status(image) == CAIRO_STATUS_SUCCESS) fill(image, grid, part, block);
+  const SurfacePtr image = image_of(grid, part, block);
   const Point origin = view.on_page({grid.origin.x, grid.origin.y});
   cairo_save(cairo);
   cairo_translate(cairo, origin.x, origin.y);
@@ -81,11 +92,22 @@ void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view) {
   cairo_scale(cairo, cell, -cell);  // rows count upwards
   cairo_translate(cairo, part.x_begin, part.y_begin);
   cairo_scale(cairo, block, block);
-  cairo_set_source_surface(cairo, image, 0.0, 0.0);  // a broken one tells when all is painted
+  cairo_set_source_surface(cairo, image.get(), 0.0, 0.0);  // a broken one tells when all is painted
   cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_NEAREST);
   cairo_paint(cairo);
   cairo_restore(cairo);
-  cairo_surface_destroy(image);
 }
 
 }  // namespace vandplan::picture
+
+namespace vandplan {
+
+MapImage map_image(const OccupancyGrid& map, int most) {
+  const std::int32_t block = (std::max(map.columns, map.rows) + most - 1) / most;
+  const picture::SurfacePtr image = picture::image_of(map, {0, map.columns, 0, map.rows}, block);
+  const double pixel = block * map.resolution;
+  return {picture::png_of(image.get()), cairo_image_surface_get_width(image.get()) * pixel,
+          cairo_image_surface_get_height(image.get()) * pixel};
+}
+
+}  // namespace vandplan

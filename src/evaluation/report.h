@@ -4,6 +4,7 @@
 // How is a comparison told to people?
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "evaluation/campaign.h"
@@ -44,8 +45,11 @@ struct Report {
 /// The headline and a table for each scenario and region.
 [[nodiscard]] std::string report_markdown(const Report& report);
 
-/// One page with everything in it: text, data, pictures and program.
-[[nodiscard]] std::string report_html(const Report& report);
+/// A picture (PNG) with a cell for each scenario: the best path, whoever found it.
+[[nodiscard]] std::string gallery_png(const Report& report);
+
+/// One page with everything in it: text, data, pictures and program. `gallery` as above.
+[[nodiscard]] std::string report_html(const Report& report, std::string_view gallery);
 
 /// The command that repeats a run and finds the same path, whatever the machine's speed; with a
 /// row of goals it plans for all of them, the run's goal among them.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "evaluation/page.h"
@@ -16,7 +17,7 @@ namespace {
 
 using Json = OrderedJson;
 
-constexpr int contact_sheet_width = 1600;  // [pixels]
+constexpr int largest_map_image = 1000;  // along a side [pixels]
 
 // Six digits are more than a page can show; infinity becomes null.
 Json number(double value) {
@@ -43,7 +44,47 @@ Json polygons(const std::vector<Polygon>& values) {
   return json;
 }
 
-Json scenario_json(const Scenario& scenario, const StoredScenario& file) {
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t j = 0; j < 3; ++j)
+      group = group << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
+    for (std::size_t j = 0; j < 4; ++j)
+      text += i + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63] : '=';
+  }
+  return text;
+}
+
+// A picture of the map, and where it lies.
+Json map_json(const OccupancyGrid& map) {
+  const MapImage image = map_image(map, largest_map_image);
+  return {{"image", "data:image/png;base64," + base64(image.png)},
+          {"origin", pose(map.origin)},
+          {"size", {number(image.width), number(image.height)}},
+          {"extent", {number(map.columns * map.resolution), number(map.rows * map.resolution)}}};
+}
+
+// Scenarios on the same cells share one picture.
+class MapList {
+ public:
+  // The index of a map in the list, null without a map.
+  Json index_of(const std::optional<OccupancyGrid>& map) {
+    if (!map) return nullptr;
+    const auto [found, is_new] = indices_.try_emplace(map->cells.get(), list_.size());
+    if (is_new) list_.push_back(map_json(*map));
+    return found->second;
+  }
+  const Json& list() const { return list_; }
+
+ private:
+  std::map<const void*, std::size_t> indices_;
+  Json list_ = Json::array();
+};
+
+Json scenario_json(const Scenario& scenario, const StoredScenario& file, MapList& maps) {
   const Footprint body = footprint(scenario.vehicle);
   Json goals = Json::array();
   for (const Goal& goal : scenario.goals)
@@ -57,7 +98,9 @@ Json scenario_json(const Scenario& scenario, const StoredScenario& file) {
           {"footprint", {body.rear, body.front, body.half_width}},
           {"start", pose(scenario.start)},
           {"goals", goals},
-          {"obstacles", polygons(scenario.obstacles)}};
+          {"obstacles", polygons(scenario.obstacles)},
+          {"kerbs", polygons(scenario.kerbs)},
+          {"map", maps.index_of(scenario.map)}};
 }
 
 Json path_json(const RunRecord& run) {
@@ -172,8 +215,9 @@ Json planners_json(const Report& report) {
 
 Json data_of(const Report& report) {
   Json scenarios = Json::array();
+  MapList maps;
   for (std::size_t i = 0; i < report.scenarios.size(); ++i)
-    scenarios.push_back(scenario_json(report.scenarios[i], report.files[i]));
+    scenarios.push_back(scenario_json(report.scenarios[i], report.files[i], maps));
   Json times = Json::array();
   for (const double time : report.summary.times) times.push_back(number(time));
   Json claims = Json::array();
@@ -191,6 +235,7 @@ Json data_of(const Report& report) {
           {"overhead", harness_json(report.sessions)},
           {"planners", planners_json(report)},
           {"scenarios", scenarios},
+          {"maps", maps.list()},
           {"times", times},
           {"cells", cells_json(report)},
           {"claims", claims},
@@ -201,43 +246,6 @@ Json data_of(const Report& report) {
           {"runs", runs_json(report)}};
 }
 
-// The best path of each scenario, whoever found it.
-std::string contact_sheet(const Report& report) {
-  ContactSheet sheet{.columns = 3};
-  for (std::size_t i = 0; i < report.scenarios.size(); ++i) {
-    const RunRecord* best = nullptr;
-    for (const ScenarioSummary& scenario : report.summary.scenarios)
-      for (const MethodSummary& method : scenario.methods) {
-        if (scenario.scenario != i || !method.best) continue;
-        const RunRecord& run = report.runs[*method.best];
-        if (best == nullptr || run.goal > best->goal ||
-            (run.goal == best->goal && final_cost(run) < final_cost(*best)))
-          best = &run;
-      }
-    if (best == nullptr) continue;
-    sheet.drawings.push_back({.scenario = &report.scenarios[i],
-                              .goal = best->goal,
-                              .path = &*best->result.path,
-                              .caption = fmt::format("{}: {:.1f} m, {}", report.scenarios[i].name,
-                                                     final_cost(*best), best->planner)});
-  }
-  return sheet.drawings.empty() ? "" : draw(sheet, PictureFormat::png, contact_sheet_width);
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      group = group << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
-    for (std::size_t j = 0; j < 4; ++j)
-      text += i + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63] : '=';
-  }
-  return text;
-}
-
 // Puts `value` in the place of a mark.
 void fill(std::string& page, std::string_view mark, std::string_view value) {
   page.replace(page.find(mark), mark.size(), value);
@@ -245,12 +253,10 @@ void fill(std::string& page, std::string_view mark, std::string_view value) {
 
 }  // namespace
 
-std::string report_html(const Report& report) {
-  const std::string sheet = contact_sheet(report);
+std::string report_html(const Report& report, std::string_view gallery) {
   const std::string image =
-      sheet.empty() ? ""
-                    : "<img alt=\"The best path in every scenario\" src=\"data:image/png;base64," +
-                          base64(sheet) + "\">";
+      "<img alt=\"The best path in every scenario\" src=\"data:image/png;base64," +
+      base64(gallery) + "\">";
   std::string data;
   for (const char character : data_of(report).dump())
     data += character == '<' ? std::string("\\u003c") : std::string(1, character);

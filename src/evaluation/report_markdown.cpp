@@ -59,27 +59,34 @@ std::string first_time_cell(const MethodSummary& method, bool) {
 
 using Cell = std::string (*)(const MethodSummary&, bool);
 
-// Planners down, scenarios across.
+// Planners down and scenarios across, or the other way round: the longer list goes down.
 std::string matrix(const Report& report, Region region, Cell cell) {
-  std::vector<std::string> head = {"planner"};
-  std::vector<std::string> names;
-  std::vector<const ScenarioSummary*> columns;
+  std::vector<std::string> planners, scenarios;
+  std::vector<std::vector<std::string>> cells;  // of each scenario, in the order of the planners
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     if (scenario.region != region) continue;
-    columns.push_back(&scenario);
-    head.push_back(short_name(report.scenarios[scenario.scenario].name));
-    for (const MethodSummary& method : scenario.methods)
-      if (std::ranges::find(names, method.planner) == names.end()) names.push_back(method.planner);
-  }
-  TextTable table(head);
-  for (const std::string& name : names) {
-    std::vector<std::string> cells = {name};
-    for (const ScenarioSummary* scenario : columns) {
-      const auto method = std::ranges::find(scenario->methods, name, &MethodSummary::planner);
-      cells.push_back(method == scenario->methods.end() ? ""
-                                                        : cell(*method, is_row(report, *scenario)));
+    scenarios.push_back(short_name(report.scenarios[scenario.scenario].name));
+    std::vector<std::string>& row = cells.emplace_back(planners.size());
+    for (const MethodSummary& method : scenario.methods) {
+      const auto known = std::ranges::find(planners, method.planner);
+      const auto at = static_cast<std::size_t>(known - planners.begin());
+      if (known == planners.end()) planners.push_back(method.planner);
+      row.resize(planners.size());
+      row[at] = cell(method, is_row(report, scenario));
     }
-    table.add(std::move(cells));
+  }
+  const bool planners_down = planners.size() >= scenarios.size();
+  const std::vector<std::string>& down = planners_down ? planners : scenarios;
+  std::vector<std::string> head = planners_down ? scenarios : planners;
+  const std::size_t across = head.size();
+  head.insert(head.begin(), planners_down ? "planner" : "scenario");
+  TextTable table(head);
+  for (std::vector<std::string>& row : cells) row.resize(planners.size());
+  for (std::size_t i = 0; i < down.size(); ++i) {
+    std::vector<std::string> line = {down[i]};
+    for (std::size_t j = 0; j < across; ++j)
+      line.push_back(planners_down ? cells[j][i] : cells[i][j]);
+    table.add(std::move(line));
   }
   return table.markdown();
 }

@@ -237,6 +237,11 @@ TEST_F(EvaluateCommandOnMaps, SkipsTheMapsOfAFolderAndSaysSo) {
       << outcome.err;
   EXPECT_NE(outcome.err.find("6 runs: 2 scenarios (2 goals)"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.out.find("there"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(content_of(folder_ / "out/gallery.png").starts_with("\x89PNG"));
+  const std::string page = content_of(folder_ / "out/index.html");
+  const std::size_t map = page.find("\"image\":\"data:image/png;base64,");
+  EXPECT_NE(map, std::string::npos);  // once for both scenarios
+  EXPECT_EQ(page.find("\"image\":\"data:image/png;base64,", map + 1), std::string::npos);
 }
 
 TEST_F(EvaluateCommandOnMaps, ReportsWithoutTheFiles) {

@@ -55,6 +55,17 @@ window.addEventListener('load', () => {
     expect(all('#gallery svg').length === methods.filter((m) => m[kind]).length, `a ${kind} path is missing`);
   }
 
+  // What the vehicle drives over and around is there, the map as an image that loads.
+  function checkGround(scenario) {
+    const {map, kerbs, obstacles, goals} = data.scenarios[scenario];
+    const paths = all('#gallery svg').length;
+    expect(all('#gallery image').length === (map === null ? 0 : paths), 'a map is missing');
+    expect(all('#gallery .kerb').length === paths * kerbs.length, 'a kerb is missing');
+    expect(all('#gallery .obstacle').length >= paths * obstacles.length && goals.length > 0, 'an obstacle is missing');
+    for (const image of all('#gallery image'))
+      expect(size(image).width > 60 && size(image).height > 60, 'a map does not show');
+  }
+
   const press = (id, label) =>
     all(`#${id} button`).find((button) => button.textContent.startsWith(label)).click();
   const short = (name) => name.replace(/^thesis-/, '');
@@ -65,6 +76,7 @@ window.addEventListener('load', () => {
     for (const [label, kind] of [['Typical', 'typical'], ['Best', 'best']]) {
       press('examples', label);
       checkGallery(scenario, region, kind);
+      checkGround(scenario);
       checkPictures();
     }
     checkSorting('runs', 'nodes');

@@ -17,6 +17,7 @@
 #include "draw/canvas.h"
 #include "draw/frame.h"
 #include "draw/scene.h"
+#include "support/grids.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
@@ -261,20 +262,43 @@ TEST(Draw, EveryCellOfASheetShowsItsDrawing) {
   const Scenario scenario = yard();
   const Drawing drawing{.scenario = &scenario, .caption = "yard"};
   const ContactSheet sheet{.drawings = {5, drawing}, .columns = 2, .caption = "five yards"};
-  const Image image(draw(sheet, PictureFormat::png, 720));
-  EXPECT_EQ(image.width(), 720);
+  const Image image(draw(sheet, PictureFormat::png, 480));
+  EXPECT_EQ(image.width(), 480);
   // Dark pixels of the block, 3 rows of cells, the sixth one empty.
-  const int cell_height = 290;
+  const int cell_height = 208;
   for (int cell = 0; cell < 6; ++cell) {
     int found = 0;
     for (int row = 0; row < cell_height; ++row) {
-      for (int column = 0; column < 360; ++column) {
-        const auto pixel = image.at(360 * (cell % 2) + column, 40 + cell_height * (cell / 2) + row);
+      for (int column = 0; column < 240; ++column) {
+        const auto pixel = image.at(240 * (cell % 2) + column, 40 + cell_height * (cell / 2) + row);
         found += matches(pixel, picture::colour::obstacle);
       }
     }
-    EXPECT_EQ(found > 500, cell < 5) << "cell " << cell;
+    EXPECT_EQ(found > 200, cell < 5) << "cell " << cell;
   }
+}
+
+TEST(MapImage, HasItsFirstRowFirstAndLeavesWhatIsFreeOpen) {
+  const MapImage image = map_image(grid_of({"#..", "..?"}, 0.5), 3);
+  const Image pixels(image.png);
+  EXPECT_EQ(pixels.width(), 3);
+  EXPECT_EQ(pixels.height(), 2);
+  EXPECT_EQ(image.width, 1.5);
+  EXPECT_EQ(image.height, 1.0);
+  EXPECT_TRUE(matches(pixels.at(2, 0), picture::colour::unknown));
+  EXPECT_TRUE(matches(pixels.at(0, 1), picture::colour::obstacle));
+  EXPECT_EQ(pixels.at(0, 0), (std::array{0, 0, 0}));  // transparent: nothing of any colour
+}
+
+TEST(MapImage, ShowsTheWorstCellOfABlock) {
+  const MapImage image = map_image(grid_of({"....?", ".....", ".#..."}, 0.5), 3);
+  const Image pixels(image.png);
+  EXPECT_EQ(pixels.width(), 3);  // of 2 x 2 cells
+  EXPECT_EQ(pixels.height(), 2);
+  EXPECT_EQ(image.width, 3.0);
+  EXPECT_EQ(image.height, 2.0);
+  EXPECT_TRUE(matches(pixels.at(0, 0), picture::colour::obstacle));
+  EXPECT_TRUE(matches(pixels.at(2, 1), picture::colour::unknown));
 }
 
 TEST(Draw, TheSameDrawingGivesTheSameBytes) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <utility>
 
 #include "evaluation/runner.h"
 #include "support/made_up_runs.h"
@@ -107,7 +108,8 @@ TEST(Report, IsOnePageWithEverythingInIt) {
   Campaign campaign = small_campaign();
   campaign.options.max_iterations = 100;
   run_campaign(campaign, store, {});
-  const std::string page = report_html(make_report(store));
+  const Report report = make_report(store);
+  const std::string page = report_html(report, gallery_png(report));
   EXPECT_EQ(page.find("one</script>"), std::string::npos);  // text must not end the script
   EXPECT_NE(page.find("one\\u003c/script>"), std::string::npos);
   EXPECT_NE(page.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
@@ -129,6 +131,56 @@ TEST(Report, IsATableInTheTerminal) {
   EXPECT_NE(headline.find("| planner        | one</script> |"), std::string::npos) << headline;
   EXPECT_NE(headline.find("| rrt-bsc-hlut-1 |"), std::string::npos);
   EXPECT_NE(report_markdown(report).find("## row, samples from the scene"), std::string::npos);
+}
+
+TEST(Report, PutsTheLongerListDown) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.options.max_iterations = 30;
+  campaign.scenarios.push_back({open_ground("third"), "3.yaml"});
+  run_campaign(campaign, store, {});
+  const std::string headline = headline_markdown(make_report(store));
+  EXPECT_NE(headline.find("| scenario     | rrt-bsc-euc | rrt-bsc-hlut-1 |"), std::string::npos)
+      << headline;
+  EXPECT_NE(headline.find("\n| third "), std::string::npos);
+}
+
+// Width and height [pixels], from the head of the file.
+std::pair<int, int> size_of(const std::string& png) {
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(png.at(i));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST(Report, HasAGalleryWithACellForEachScenario) {
+  const TemporaryFolder folder;
+  Campaign campaign{
+      .planners = {planner_named("rrt-bsc-euc")}, .regions = {Region::bounds}, .repeats = 1};
+  campaign.options.max_iterations = 50;
+  const auto gallery_of = [&](int scenarios) {
+    campaign.scenarios.clear();
+    for (int i = 0; i < scenarios; ++i) {
+      Scenario scenario = open_ground("number " + std::to_string(i));
+      if (i % 2 == 1)
+        scenario.obstacles = {{{39, 29}, {41, 29}, {40, 31}}};  // on the goal: no path
+      campaign.scenarios.push_back({scenario, std::to_string(i) + ".yaml"});
+    }
+    Store store = Store::create(folder / (std::to_string(scenarios) + ".sqlite"));
+    run_campaign(campaign, store, {});
+    return size_of(gallery_png(make_report(store, campaign)));
+  };
+  const auto [width, row] = gallery_of(1);  // and the legend
+  const int cell = gallery_of(4).second - row;
+  EXPECT_GT(cell, 250);
+  EXPECT_EQ(gallery_of(3), std::pair(width, row));
+  EXPECT_EQ(gallery_of(9), std::pair(width, row + 2 * cell));
+  EXPECT_EQ(gallery_of(10), std::pair(width / 3 * 4, row + 2 * cell));
+  EXPECT_EQ(gallery_of(33), std::pair(2 * width, row + 5 * cell));
 }
 
 TEST(Report, OfNothingIsRefused) {

@@ -50,7 +50,7 @@
   // ---- methods: colour by estimate, family by strategy ----
 
   const colours = {euc: '#7f7f7f', 'hlut-1': '#56b4e9', 'hlut-2': '#009e73', 'hlut-3': '#cc79a7',
-    'hlut-4': '#0072b2', rs: '#d55e00'};
+    'hlut-4': '#0072b2', rs: '#d55e00', bound: '#7b4ab5'};
   const spare = ['#e69f00', '#8c564b', '#9467bd', '#17becf'];
   const families = [
     {prefix: 'rrt-bsc-', title: 'BSC: parent is the nearest node'},
@@ -79,7 +79,12 @@
 
   // ---- tables ----
 
-  // columns: {title, value(row) for sorting, show(row), best: 'low' | 'high', text, hint}
+  function bestOf(values, best) {
+    const known = values.filter((v) => v !== null && v !== undefined);
+    return known.length ? (best === 'low' ? Math.min : Math.max)(...known) : null;
+  }
+
+  // columns: {title, value(row) for sorting, show(row), best: 'low' | 'high' or isBest(row), text, hint}
   function table(columns, rows, options) {
     const {sorted, chosen} = options || {};
     const order = sorted || {column: -1, up: true};
@@ -89,11 +94,9 @@
         element('button', {on: () => sort(i)}, column.title));
       return head;
     });
-    const bests = columns.map((column) => {
-      if (!column.best) return null;
-      const values = rows.map(column.value).filter((v) => v !== null && v !== undefined);
-      return values.length ? (column.best === 'low' ? Math.min : Math.max)(...values) : null;
-    });
+    const bests = columns.map((column) => (column.best ? bestOf(rows.map(column.value), column.best) : null));
+    const isBest = (column, i, row) => column.value(row) !== null &&
+      (column.isBest ? column.isBest(row) : column.value(row) === bests[i]);
     function sort(i) {
       order.up = order.column === i ? !order.up : true;
       order.column = i;
@@ -120,7 +123,7 @@
         const line = element('tr', chosen ? {on: () => chosen(row, line)} : {},
           ...columns.map((column, i) => {
             const content = column.show(row);
-            const best = bests[i] !== null && column.value(row) === bests[i] ? 'best' : '';
+            const best = isBest(column, i, row) ? 'best' : '';
             const kind = content === none ? 'none' : column.text ? 'text' : '';
             return element('td', {class: `${best} ${kind}`.trim() || null}, content);
           }));
@@ -184,28 +187,32 @@
     better ? ' \u25bc' : ' \u25b2');
   }
 
+  // Planners down and scenarios across, or the other way round: the longer list goes down.
   function renderMatrix() {
     const measure = measures[state.measure];
     const cells = data.cells.filter((c) => c.region === state.region);
-    const columns = [{title: 'planner', text: true, value: (p) => data.planners.indexOf(p),
-      show: (p) => named(p.name)}];
-    for (const c of cells) {
-      const {name, row} = scenarioOf(c);
-      const method = (p) => c.methods.find((m) => m.planner === p.name);
-      const twin = (p) => c.twins.find((t) => t.planner === p.name);
-      columns.push({
-        title: short(name),
-        best: measure.best(row),
-        value: (p) => (method(p) ? measure.value(method(p), row) : null),
-        show: (p) => {
-          if (!method(p)) return none;
-          const mark = measure.twin && twin(p) ? arrow(twin(p)[measure.twin]) : null;
-          const text = measure.show(method(p), row);
-          return mark ? element('span', {}, text, mark) : text;
-        },
-      });
+    const rowOf = (c) => scenarioOf(c).row;
+    const method = (c, p) => c.methods.find((m) => m.planner === p.name);
+    const value = (c, p) => (method(c, p) ? measure.value(method(c, p), rowOf(c)) : null);
+    const show = (c, p) => {
+      if (!method(c, p)) return none;
+      const twin = c.twins.find((t) => t.planner === p.name);
+      const mark = measure.twin && twin ? arrow(twin[measure.twin]) : null;
+      const text = measure.show(method(c, p), rowOf(c));
+      return mark ? element('span', {}, text, mark) : text;
+    };
+    const best = (c) => bestOf(data.planners.map((p) => value(c, p)), measure.best(rowOf(c)));
+    if (cells.length <= data.planners.length) {
+      const columns = cells.map((c) => ({title: short(scenarioOf(c).name), value: (p) => value(c, p),
+        show: (p) => show(c, p), isBest: (p) => value(c, p) === best(c)}));
+      columns.unshift({title: 'planner', text: true, value: (p) => data.planners.indexOf(p), show: (p) => named(p.name)});
+      $('matrix').replaceChildren(table(columns, data.planners));
+    } else {
+      const columns = data.planners.map((p) => ({title: p.name, value: (c) => value(c, p),
+        show: (c) => show(c, p), isBest: (c) => value(c, p) === best(c)}));
+      columns.unshift({title: 'scenario', text: true, value: (c) => cells.indexOf(c), show: (c) => short(scenarioOf(c).name)});
+      $('matrix').replaceChildren(table(columns, cells));
     }
-    $('matrix').replaceChildren(table(columns, data.planners));
     $('matrix-note').replaceChildren(measure.note + ' Bold: best of its scenario.',
       ...(measure.twin ? [' ', element('span', {class: 'better'}, '\u25bc'), ' lower and ',
         element('span', {class: 'worse'}, '\u25b2'),
@@ -472,6 +479,31 @@
 
   const pointList = (points) => points.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join(' ');
 
+  function mapOutline({origin: [x, y, h], extent: [width, height]}) {
+    const [c, s] = [Math.cos(h), Math.sin(h)];
+    return [[0, 0], [width, 0], [width, height], [0, height]].map(([u, v]) => [x + u * c - v * s, y + u * s + v * c]);
+  }
+
+  function boxOf(points) {
+    return [...d3.extent(points, (p) => p[0]), ...d3.extent(points, (p) => p[1])];
+  }
+
+  // The box around the path and what stands near it: what is further away than a third adds nothing.
+  function framed(points, things) {
+    const [x0, x1, y0, y1] = boxOf(points);
+    const margin = 5 + 0.3 * Math.max(x1 - x0, y1 - y0);
+    const reach = [x0 - margin, x1 + margin, y0 - margin, y1 + margin];
+    const seen = [x0, x1, y0, y1];
+    for (const [a0, a1, b0, b1] of things.map(boxOf)) {
+      if (a0 > reach[1] || a1 < reach[0] || b0 > reach[3] || b1 < reach[2]) continue;
+      seen[0] = Math.min(seen[0], Math.max(a0, reach[0]));
+      seen[1] = Math.max(seen[1], Math.min(a1, reach[1]));
+      seen[2] = Math.min(seen[2], Math.max(b0, reach[2]));
+      seen[3] = Math.max(seen[3], Math.min(b1, reach[3]));
+    }
+    return seen;
+  }
+
   function picture(scenario, goalIndex, segments) {
     const goal = scenario.goals[goalIndex];
     const obstacles = scenario.obstacles.concat(goal.obstacles);
@@ -480,9 +512,9 @@
     const bodies = drive(scenario.start, segments, Math.max(1.2, total / 90)).flatMap((s) => s.poses)
       .map((p) => outline(p, scenario.footprint));
     const ends = [scenario.start, goal.pose].map((p) => outline(p, scenario.footprint));
-    const points = obstacles.concat(bodies, ends).flat();
-    const [x0, x1] = d3.extent(points, (p) => p[0]);
-    const [y0, y1] = d3.extent(points, (p) => p[1]);
+    const map = scenario.map === null ? null : data.maps[scenario.map];
+    const [x0, x1, y0, y1] = framed(bodies.concat(ends).flat(),
+      obstacles.concat(scenario.kerbs, map ? [mapOutline(map)] : []));
     const side = 1.06 * Math.max(x1 - x0, y1 - y0);
     const [cx, cy] = [(x0 + x1) / 2, (y0 + y1) / 2];
     const svg = d3.select(document.createElementNS('http://www.w3.org/2000/svg', 'svg'))
@@ -490,6 +522,12 @@
       .attr('role', 'img').attr('aria-label', 'Path in its scenario');
     const scene = svg.append('g').attr('transform', 'scale(1,-1)');
     const polygon = (kind, corners) => scene.append('polygon').attr('class', kind).attr('points', pointList(corners));
+    if (map) {
+      const [x, y, heading] = map.origin;
+      scene.append('image').attr('href', map.image).attr('width', map.size[0]).attr('height', map.size[1])
+        .attr('transform', `translate(${x},${y}) rotate(${(180 / Math.PI) * heading})`).attr('preserveAspectRatio', 'none');
+    }
+    scenario.kerbs.forEach((k) => polygon('kerb', k));
     obstacles.forEach((o) => polygon('obstacle', o));
     bodies.forEach((b) => polygon('sweep', b));
     polygon('start', ends[0]);
@@ -502,7 +540,7 @@
 
   // A bar of 10, 20, 50, ... metres in the lower left corner.
   function drawScale(svg, left, bottom, side) {
-    const length = [5, 10, 20, 50, 100, 200].filter((l) => l <= side / 3).pop() || 5;
+    const length = [1, 2, 5, 10, 20, 50, 100, 200].filter((l) => l <= side / 3).pop() || 1;
     const [x, y] = [left + 0.03 * side, bottom - 0.03 * side];
     svg.append('line').attr('class', 'scale').attr('x1', x).attr('x2', x + length).attr('y1', y).attr('y2', y);
     svg.append('text').attr('x', x).attr('y', y - 0.015 * side).style('font-size', `${0.045 * side}px`)
