@@ -19,26 +19,24 @@ using Json = OrderedJson;
 
 constexpr int largest_map_image = 1000;  // along a side [pixels]
 
-// Six digits are more than a page can show; infinity becomes null.
-Json number(double value) {
+// Six digits are more than a page can show.
+Json rounded(Json json) {
+  if (json.is_structured())
+    for (Json& part : json) part = rounded(std::move(part));
+  if (!json.is_number_float()) return json;
+  const double value = json.get<double>();
   if (!std::isfinite(value)) return nullptr;
   if (value == std::trunc(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
   return std::stod(fmt::format("{:.6g}", value));
 }
 
-Json interval(const Interval& value) { return {number(value.low), number(value.high)}; }
-
-Json estimate(const MedianEstimate& value) {
-  return {number(value.median), number(value.interval.low), number(value.interval.high)};
-}
-
-Json pose(const Pose& value) { return {number(value.x), number(value.y), number(value.heading)}; }
+Json pose(const Pose& value) { return {value.x, value.y, value.heading}; }
 
 Json polygons(const std::vector<Polygon>& values) {
   Json json = Json::array();
   for (const Polygon& polygon : values) {
     Json corners = Json::array();
-    for (const Point& point : polygon) corners.push_back({number(point.x), number(point.y)});
+    for (const Point& point : polygon) corners.push_back({point.x, point.y});
     json.push_back(std::move(corners));
   }
   return json;
@@ -63,8 +61,8 @@ Json map_json(const OccupancyGrid& map) {
   const MapImage image = map_image(map, largest_map_image);
   return {{"image", "data:image/png;base64," + base64(image.png)},
           {"origin", pose(map.origin)},
-          {"size", {number(image.width), number(image.height)}},
-          {"extent", {number(map.columns * map.resolution), number(map.rows * map.resolution)}}};
+          {"size", {image.width, image.height}},
+          {"extent", {map.columns * map.resolution, map.rows * map.resolution}}};
 }
 
 // Scenarios on the same cells share one picture.
@@ -89,7 +87,7 @@ Json scenario_json(const Scenario& scenario, const StoredScenario& file, MapList
   Json goals = Json::array();
   for (const Goal& goal : scenario.goals)
     goals.push_back({{"pose", pose(goal.pose)},
-                     {"distance", goal.distance ? number(*goal.distance) : Json(nullptr)},
+                     {"distance", goal.distance ? Json(*goal.distance) : Json(nullptr)},
                      {"obstacles", polygons(goal.obstacles)}});
   return {{"name", scenario.name},
           {"file", file.file},
@@ -106,7 +104,7 @@ Json scenario_json(const Scenario& scenario, const StoredScenario& file, MapList
 Json path_json(const RunRecord& run) {
   Json segments = Json::array();
   for (const Segment& segment : run.result.path->segments)
-    segments.push_back({number(segment.curvature), number(segment.length)});
+    segments.push_back({segment.curvature, segment.length});
   return segments;
 }
 
@@ -118,68 +116,52 @@ Json example_json(const Report& report, std::optional<std::size_t> index) {
 Json curve_json(const std::vector<CurvePoint>& curve) {
   Json cost = Json::array(), solved = Json::array();
   for (const CurvePoint& point : curve) {
-    cost.push_back(estimate(point.cost));
-    solved.push_back({number(point.solved), number(point.solved_interval.low),
-                      number(point.solved_interval.high)});
+    cost.push_back({point.cost.median, point.cost.interval.low, point.cost.interval.high});
+    solved.push_back({point.solved, point.solved_interval.low, point.solved_interval.high});
   }
   return {{"cost", cost}, {"solved", solved}};
 }
 
-Json method_json(const Report& report, const MethodSummary& method) {
+Json method_json(const Report& report, const MethodSummary& method, bool row) {
+  Json json = json_of(method, row);
   Json goals = Json::array();
   for (const GoalSummary& goal : method.goals)
-    goals.push_back({number(goal.distance), goal.runs, goal.solved, number(goal.cost)});
-  Json quantiles = Json::array();
-  for (const double quantile : method.cost_quantiles) quantiles.push_back(number(quantile));
-  Json phases = nullptr;
+    goals.push_back({goal.distance, goal.runs, goal.solved, goal.cost});
+  json["goals"] = goals;
+  json["full"] = method.full;
+  json["cost_when_full"] = json_of(method.cost_when_full);
+  json["phases"] = nullptr;
   if (method.phases)
-    phases = {number(method.phases->ranking), number(method.phases->steering),
-              number(method.phases->checking)};
-  return {{"planner", method.planner},
-          {"runs", method.runs},
-          {"solved", method.solved},
-          {"solved_interval", interval(method.solved_interval)},
-          {"first", estimate(method.first_time)},
-          {"at10", estimate(method.cost_at_10ms)},
-          {"at100", estimate(method.cost_at_100ms)},
-          {"end", estimate(method.cost_at_end)},
-          {"full", method.full},
-          {"at_full", method.full > 0 ? estimate(method.cost_when_full) : Json(nullptr)},
-          {"total", number(method.time_total)},
-          {"nodes", number(method.nodes)},
-          {"iterations", number(method.iterations)},
-          {"phases", phases},
-          {"quantiles", quantiles},
-          {"furthest", number(method.furthest)},
-          {"goals", goals},
-          {"curve", curve_json(method.curve)},
-          {"best", example_json(report, method.best)},
-          {"typical", example_json(report, method.typical)}};
+    json["phases"] = {method.phases->ranking, method.phases->steering, method.phases->checking};
+  json["quantiles"] = method.cost_quantiles;
+  json["curve"] = curve_json(method.curve);
+  json["best"] = example_json(report, method.best);
+  json["typical"] = example_json(report, method.typical);
+  return json;
 }
 
-Json comparison_json(const PairedComparison& comparison) {
-  return {{"ratio", number(comparison.ratio)},
-          {"text", change_text(comparison.ratio)},
-          {"low", change_text(comparison.interval.low)},
-          {"high", change_text(comparison.interval.high)},
-          {"bounded", comparison.interval.low > 0.0 || std::isfinite(comparison.interval.high)},
-          {"verdict", comparison.verdict == PairedComparison::Verdict::smaller  ? -1
-                      : comparison.verdict == PairedComparison::Verdict::larger ? 1
-                                                                                : 0}};
+// With the changes in words.
+Json twin_json(const TwinComparison& twins) {
+  Json json = json_of(twins);
+  for (const auto& [key, comparison] : {std::pair("cost", &twins.cost),
+                                        {"first_solution", &twins.first_time},
+                                        {"time", &twins.time_total}}) {
+    const auto& [low, high] = comparison->interval;
+    json[key]["text"] = change_text(comparison->ratio);
+    json[key]["between"] = {change_text(low), change_text(high)};
+    json[key]["bounded"] = low > 0.0 || std::isfinite(high);
+  }
+  return json;
 }
 
 Json cells_json(const Report& report) {
   Json cells = Json::array();
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     Json methods = Json::array(), twins = Json::array();
+    const bool row = report.scenarios[scenario.scenario].goals_are_a_row;
     for (const MethodSummary& method : scenario.methods)
-      methods.push_back(method_json(report, method));
-    for (const TwinComparison& twin : scenario.twins)
-      twins.push_back({{"planner", twin.planner},
-                       {"twin", twin.twin},
-                       {"cost", comparison_json(twin.cost)},
-                       {"first", comparison_json(twin.first_time)},
-                       {"total", comparison_json(twin.time_total)}});
+      methods.push_back(method_json(report, method, row));
+    for (const TwinComparison& twin : scenario.twins) twins.push_back(twin_json(twin));
     cells.push_back({{"scenario", scenario.scenario},
                      {"region", name_of(scenario.region)},
                      {"methods", methods},
@@ -193,10 +175,9 @@ Json runs_json(const Report& report) {
   Json rows = Json::array();
   for (const RunRecord& run : report.runs)
     rows.push_back({run.scenario, name_of(run.options.region), run.goal, run.planner,
-                    run.options.seed, name_of(run.result.status), number(final_cost(run)),
-                    number(first_solution_time(run)), number(run.result.time_total),
-                    run.result.iterations, run.result.nodes, run.options.profile,
-                    reproduce_command(report, run)});
+                    run.options.seed, name_of(run.result.status), final_cost(run),
+                    first_solution_time(run), run.result.time_total, run.result.iterations,
+                    run.result.nodes, run.options.profile, reproduce_command(report, run)});
   return {{"columns",
            {"scenario", "region", "goal", "planner", "seed", "status", "cost", "first", "total",
             "iterations", "nodes", "profile", "command"}},
@@ -218,15 +199,6 @@ Json data_of(const Report& report) {
   MapList maps;
   for (std::size_t i = 0; i < report.scenarios.size(); ++i)
     scenarios.push_back(scenario_json(report.scenarios[i], report.files[i], maps));
-  Json times = Json::array();
-  for (const double time : report.summary.times) times.push_back(number(time));
-  Json claims = Json::array();
-  for (const Finding& finding : report.findings)
-    claims.push_back({{"region", name_of(finding.region)},
-                      {"claim", finding.claim},
-                      {"holds", finding.holds},
-                      {"found", finding.found},
-                      {"why", finding.why}});
   return {{"created", report.runs.back().started},
           {"environment", environment_json(report.environment)},
           {"options", Json::parse(options_to_json(report.options))},
@@ -236,13 +208,11 @@ Json data_of(const Report& report) {
           {"planners", planners_json(report)},
           {"scenarios", scenarios},
           {"maps", maps.list()},
-          {"times", times},
+          {"times", report.summary.times},
           {"cells", cells_json(report)},
-          {"claims", claims},
+          {"claims", claims_json(report.findings)},
           {"pooled", pooled_json(report.summary)},
-          {"headlines",
-           {{"bounds", headline(report.summary, Region::bounds)},
-            {"scene", headline(report.summary, Region::scene)}}},
+          {"headlines", headlines_json(report.summary)},
           {"runs", runs_json(report)}};
 }
 
@@ -258,7 +228,7 @@ std::string report_html(const Report& report, std::string_view gallery) {
       "<img alt=\"The best path in every scenario\" src=\"data:image/png;base64," +
       base64(gallery) + "\">";
   std::string data;
-  for (const char character : data_of(report).dump())
+  for (const char character : rounded(data_of(report)).dump())
     data += character == '<' ? std::string("\\u003c") : std::string(1, character);
   std::string page(page::html);
   fill(page, "/*STYLE*/", page::css);

@@ -13,10 +13,6 @@ OrderedJson json_of(const Interval& interval) {
   return {finite_json(interval.low), finite_json(interval.high)};
 }
 
-OrderedJson json_of(const MedianEstimate& estimate) {
-  return {{"median", finite_json(estimate.median)}, {"interval", json_of(estimate.interval)}};
-}
-
 const char* name_of(PairedComparison::Verdict verdict) {
   if (verdict == PairedComparison::Verdict::smaller) return "better";
   return verdict == PairedComparison::Verdict::larger ? "worse" : "no difference";
@@ -27,6 +23,12 @@ OrderedJson json_of(const PairedComparison& comparison) {
           {"ratio", finite_json(comparison.ratio)},
           {"interval", json_of(comparison.interval)},
           {"verdict", name_of(comparison.verdict)}};
+}
+
+}  // namespace
+
+OrderedJson json_of(const MedianEstimate& estimate) {
+  return {{"median", finite_json(estimate.median)}, {"interval", json_of(estimate.interval)}};
 }
 
 OrderedJson json_of(const MethodSummary& method, bool row) {
@@ -52,8 +54,6 @@ OrderedJson json_of(const TwinComparison& twins) {
           {"first_solution", json_of(twins.first_time)},
           {"time", json_of(twins.time_total)}};
 }
-
-}  // namespace
 
 OrderedJson pooled_json(const Summary& summary) {
   OrderedJson json = OrderedJson::array();
@@ -106,6 +106,26 @@ const char* name_of(Region region) noexcept {
   return region == Region::bounds ? "bounds" : "scene";
 }
 
+OrderedJson claims_json(const std::vector<Finding>& findings) {
+  OrderedJson claims = OrderedJson::array();
+  for (const Finding& finding : findings)
+    claims.push_back({{"region", name_of(finding.region)},
+                      {"claim", finding.claim},
+                      {"holds", finding.holds},
+                      {"found", finding.found},
+                      {"why", finding.why}});
+  return claims;
+}
+
+OrderedJson headlines_json(const Summary& summary) {
+  OrderedJson headlines = OrderedJson::object();
+  for (const Region region : {Region::bounds, Region::scene}) {
+    const std::string text = headline(summary, region);
+    if (!text.empty()) headlines[name_of(region)] = text;
+  }
+  return headlines;
+}
+
 std::string headline_json(const Report& report) {
   OrderedJson scenarios = OrderedJson::array();
   for (const ScenarioSummary& summary : report.summary.scenarios) {
@@ -119,19 +139,7 @@ std::string headline_json(const Report& report) {
                          {"planners", methods},
                          {"against_euclid", twins}});
   }
-  OrderedJson claims = OrderedJson::array();
-  for (const Finding& finding : report.findings)
-    claims.push_back({{"region", name_of(finding.region)},
-                      {"claim", finding.claim},
-                      {"holds", finding.holds},
-                      {"found", finding.found},
-                      {"why", finding.why}});
-  OrderedJson headlines = OrderedJson::object();
-  for (const Region region : {Region::bounds, Region::scene}) {
-    const std::string text = headline(report.summary, region);
-    if (!text.empty()) headlines[name_of(region)] = text;
-  }
-  const OrderedJson all = {{"headline", headlines},
+  const OrderedJson all = {{"headline", headlines_json(report.summary)},
                            {"runs", report.runs.size()},
                            {"left_out", report.left_out},
                            {"environment", environment_json(report.environment)},
@@ -139,7 +147,7 @@ std::string headline_json(const Report& report) {
                            {"harness", harness_json(report.sessions)},
                            {"scenarios", scenarios},
                            {"against_euclid", pooled_json(report.summary)},
-                           {"claims", claims}};
+                           {"claims", claims_json(report.findings)}};
   return all.dump(2);
 }
 

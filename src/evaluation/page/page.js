@@ -39,7 +39,7 @@
 
   // A median with its interval; nothing is known of it where there are too few runs.
   function withInterval(estimate, text) {
-    const [median, low, high] = estimate;
+    const {median, interval: [low, high]} = estimate;
     if (median === null) return none;
     const made = element('span', {}, text(median));
     if (low !== null)
@@ -147,8 +147,8 @@
   const measures = {
     end: {
       label: 'Cost at the end',
-      value: (m, row) => (row ? m.furthest || null : m.end[0]),
-      show: (m, row) => (row ? (m.furthest ? `${m.furthest} m` : none) : costText(m.end[0])),
+      value: (m, row) => (row ? m.furthest || null : m.cost_at_end.median),
+      show: (m, row) => (row ? (m.furthest ? `${m.furthest} m` : none) : costText(m.cost_at_end.median)),
       best: (row) => (row ? 'high' : 'low'),
       twin: 'cost',
       note: 'Median length of the best path at the end of a run [m]; in a row of goals the furthest distance ' +
@@ -163,27 +163,27 @@
     },
     first: {
       label: 'First solution',
-      value: (m) => m.first[0],
-      show: (m) => milliseconds(m.first[0]),
+      value: (m) => m.first_solution.median,
+      show: (m) => milliseconds(m.first_solution.median),
       best: () => 'low',
-      twin: 'first',
+      twin: 'first_solution',
       note: 'Median time of the first path [ms].',
     },
     total: {
       label: 'Whole run',
-      value: (m) => m.total,
-      show: (m) => milliseconds(m.total),
+      value: (m) => m.time,
+      show: (m) => milliseconds(m.time),
       best: () => 'low',
-      twin: 'total',
+      twin: 'time',
       note: 'Median time until the tree is full or the time is up [ms].',
     },
   };
 
   function arrow(comparison) {
-    if (!comparison || comparison.verdict === 0) return null;
-    const better = comparison.verdict < 0;
+    if (!comparison || comparison.verdict === 'no difference') return null;
+    const better = comparison.verdict === 'better';
     return element('span', {class: better ? 'better' : 'worse',
-      title: `against Euclid: ${comparison.text} (${comparison.low} to ${comparison.high})`},
+      title: `against Euclid: ${comparison.text} (${comparison.between.join(' to ')})`},
     better ? ' \u25bc' : ' \u25b2');
   }
 
@@ -250,18 +250,18 @@
       {title: 'solved', best: 'high', value: (m) => m.solved / m.runs,
         show: (m) => element('span', {}, `${m.solved}/${m.runs} `, element('small', {},
           `[${percent(m.solved_interval[0])}, ${percent(m.solved_interval[1])}]`))},
-      {title: 'first solution [ms]', best: 'low', value: (m) => m.first[0],
-        show: (m) => withInterval(m.first, milliseconds)},
-      {title: 'cost at 10 ms', best: 'low', value: (m) => m.at10[0], show: (m) => cost(m.at10[0])},
-      {title: 'at 100 ms', best: 'low', value: (m) => m.at100[0], show: (m) => cost(m.at100[0])},
+      {title: 'first solution [ms]', best: 'low', value: (m) => m.first_solution.median,
+        show: (m) => withInterval(m.first_solution, milliseconds)},
+      {title: 'cost at 10 ms', best: 'low', value: (m) => m.cost_at_10ms.median, show: (m) => cost(m.cost_at_10ms.median)},
+      {title: 'at 100 ms', best: 'low', value: (m) => m.cost_at_100ms.median, show: (m) => cost(m.cost_at_100ms.median)},
       {title: 'tree full', hint: 'Median cost of the runs that reached the limit on nodes, and how many did',
-        value: (m) => (m.at_full ? m.at_full[0] : null),
-        show: (m) => (m.full === 0 ? none : element('span', {}, `${cost(m.at_full[0])} `,
+        value: (m) => (m.full > 0 ? m.cost_when_full.median : null),
+        show: (m) => (m.full === 0 ? none : element('span', {}, `${cost(m.cost_when_full.median)} `,
           element('small', {}, `(${m.full})`)))},
-      {title: 'at the end', best: 'low', value: (m) => m.end[0], show: (m) => withInterval(m.end, cost)},
+      {title: 'at the end', best: 'low', value: (m) => m.cost_at_end.median, show: (m) => withInterval(m.cost_at_end, cost)},
       {title: 'nodes', value: (m) => m.nodes, show: (m) => count(m.nodes)},
       {title: 'iterations', value: (m) => m.iterations, show: (m) => count(m.iterations)},
-      {title: 'time [ms]', value: (m) => m.total, show: (m) => milliseconds(m.total)},
+      {title: 'time [ms]', value: (m) => m.time, show: (m) => milliseconds(m.time)},
       {title: 'rank / steer / check', hint: 'Shares of the time, from one profiled run',
         value: (m) => (m.phases ? m.phases[0] : null),
         show: (m) => (m.phases ? m.phases.map((p) => Math.round(100 * p)).join(' / ') + ' %' : none)},
@@ -287,14 +287,13 @@
 
   function renderTwins(c) {
     const column = (title, key) => ({title, value: (t) => t[key].ratio, show: (t) => {
-      const {verdict, text, low, high, bounded} = t[key];
-      const word = ['better', 'no difference', 'worse'][verdict + 1];
-      return element('span', {}, element('span', {class: verdict ? word : null}, word), ` ${text} `,
-        element('small', {}, bounded ? `[${low}, ${high}]` : ''));
+      const {verdict, text, between, bounded} = t[key];
+      return element('span', {}, element('span', {class: verdict === 'no difference' ? null : verdict}, verdict),
+        ` ${text} `, element('small', {}, bounded ? `[${between.join(', ')}]` : ''));
     }});
     $('twins').replaceChildren(...(c.twins.length ? [table([
       {title: 'planner', text: true, value: (t) => c.twins.indexOf(t), show: (t) => named(t.planner)},
-      column('cost at the end', 'cost'), column('first solution', 'first'), column('whole run', 'total'),
+      column('cost at the end', 'cost'), column('first solution', 'first_solution'), column('whole run', 'time'),
     ], c.twins)] : []));
   }
 
