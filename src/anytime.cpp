@@ -32,7 +32,7 @@ constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 6
                                                    {Work::search_from_start, 2, 64, 64},
                                                    {Work::random_trees, 0, 16, 32},
                                                    {Work::refine, 0, 0, 256},
-                                                   {Work::bound, 0, 0, 64}}};
+                                                   {Work::bound, 0, 0, 2}}};
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }

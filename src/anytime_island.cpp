@@ -32,7 +32,7 @@ void Island::prepare() {
       attempts_.emplace(problem_, rule, region_, stream_seed(seed_, 0));
       break;
     case Work::bound:
-      geodesic_.emplace(*problem_.world, problem_.start, problem_.goal);
+      geodesic_.emplace(*problem_.world, problem_.start, problem_.goal, best_cost_);
       break;
   }
 }
@@ -104,8 +104,8 @@ void Island::take_over(const Route& best) {
 
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {
   Slice slice;
-  if (!is_prepared_ && iterations > 0) prepare();
   if (best != nullptr) take_over(*best);
+  if (!is_prepared_ && iterations > 0) prepare();
   while (slice.iterations < iterations && has_work()) {
     if (slice.iterations % 4 == 0 && budget.is_interrupted()) break;
     ++slice.iterations;

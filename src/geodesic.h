@@ -1,54 +1,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is it at least, around the obstacles? A proven bound, from the visibility graph.
+// How far is it at least, around the obstacles? A proven bound, on lattices.
 //
-// The rear axle keeps `disc` away from every side of an obstacle, where `disc` is its least
-// distance to the outline of the footprint. So it stays out of a box around each side (inscribed in
-// all points nearer than `disc`), and no path is shorter than the shortest one around these boxes.
+// The rear axle keeps `disc` away from every obstacle of the body, where `disc` is its least
+// distance to the outline of the footprint. A cell of a lattice is open unless every point of it is
+// nearer than that to something. So the axle stays in the open cells, and no path is shorter than
+// the shortest way through them, with any straight line and any turn at a corner. Kerbs are left
+// out.
 
+#include <algorithm>
 #include <cstdint>
+#include <queue>
+#include <unordered_map>
 #include <vector>
 
 #include "vandplan/problem.h"
 
 namespace vandplan {
 
-/// A* over the corners of the boxes, a few tests at a time. Its bound only rises.
+/// A* over intervals of the lattice's horizontal lines, with the runs of open cells in its rows as
+/// convex polygons: Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh"
+/// (2017). Lattices follow each other, each of half the size. The bound only rises.
 class Geodesic {
  public:
-  Geodesic(const World& world, const Pose& from, const Pose& to);
+  /// From a free pose to a free pose. Takes no notice of paths that are longer than `longest` [m].
+  Geodesic(const World& world, const Pose& from, const Pose& to, double longest);
 
-  /// Looks whether one corner is seen from another, a few microseconds at most. False when the
-  /// bound is final.
+  /// Goes on from some intervals, about 20 microseconds of work. False when the bound is final.
   bool step();
 
   /// Length of no path is below this [m].
-  [[nodiscard]] double bound() const { return bound_; }
+  [[nodiscard]] double bound() const { return std::min(bound_, longest_); }
 
  private:
-  struct Box {
-    Point middle;
-    Point along;  // unit vector
-    double half_length;
-    double half_width;
+  /// Open cells of a row, from the lattice line `begin` to `end`.
+  struct Run {
+    std::int32_t begin, end;
   };
-  struct Corner {
-    Point place;
-    double length = 0.0;  // of the shortest way found from the start
-    bool is_settled = false;
+  /// A run by its row and its place there.
+  struct RunId {
+    std::int32_t row, index;
+    bool operator==(const RunId&) const = default;
+  };
+  /// Part of what two runs share: from `left` to `right` on a lattice line. At an end that is a
+  /// corner a way may turn.
+  struct Interval {
+    double left, right;
+    bool turns_left, turns_right;
+  };
+  /// Ways from the start by a straight line from `root` through an interval into a run.
+  struct Node {
+    Point root;
+    double cost;  // of the way to the root
+    double rank;  // what any way through here costs at least
+    Interval interval;
+    std::int32_t line;
+    RunId from, into;
+  };
+  struct IsWorse {
+    bool operator()(const Node& a, const Node& b) const { return a.rank > b.rank; }
   };
 
-  void settle_next();
-  [[nodiscard]] bool is_seen(const Point& p, const Point& q) const;
-  [[nodiscard]] double rank(const Corner& corner) const;
+  bool next_lattice();
+  [[nodiscard]] const std::vector<Run>& runs(std::int32_t row);
+  void block_near_sides(double y, std::vector<char>& is_blocked) const;
+  [[nodiscard]] RunId run_at(const Point& point);
+  [[nodiscard]] double rank(const Node& node) const;
+  void push(Node node);
+  void turn(const Node& node, double limit, bool to_left);
+  bool reaches(const Point& corner, double cost);
 
-  std::vector<Box> boxes_;
-  std::vector<Corner> corners_;  // the start, the goal, and those of the boxes
-  std::size_t current_ = 0;      // settled; its neighbours are looked at one by one
-  std::size_t next_ = 0;
-  bool is_final_ = false;
-  double bound_ = 0.0;
+  /// Calls `visit(interval, other)` for each run that shares part of a line with `id`.
+  template <typename Visit>
+  void for_neighbours(const RunId& id, std::int32_t line, Visit visit);
+  void expand(const Node& node);
+  void spread(const Point& root, double cost, const RunId& in, const RunId& from);
+
+  const World& world_;
+  Point from_, to_;  // [m]
+  double longest_;   // [m]
+  Bounds box_;       // paths up to that length stay in it
+  double disc_;
+  double side_ = 0.0;  // of a cell [m]
+  double near_ = 0.0;  // no obstacle is within this distance of the middle of an open cell [m]
+  std::int32_t columns_ = 0;
+  std::int32_t rows_ = 0;
+  std::vector<std::vector<Run>> runs_;  // rows that were looked at
+  std::vector<bool> is_known_;          // which these are
+  Point goal_;                          // this and all below in cells
+  RunId goal_run_{};
+  std::priority_queue<Node, std::vector<Node>, IsWorse> open_;
+  std::unordered_map<std::int64_t, double> turn_costs_;  // least cost of a way to a corner
+  double bound_ = 0.0;                                   // [m]
+  int work_ = 0;                                         // done in this step
 };
 
 }  // namespace vandplan
