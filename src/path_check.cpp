@@ -6,14 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <limits>
-#include <tuple>
 #include <vector>
 
-#include "judge/cell_clearance.h"
+#include "judge/along.h"
+#include "judge/cell_tree.h"
 #include "judge/claims.h"
-#include "judge/clearance.h"
 #include "judge/track.h"
 
 namespace vandplan {
@@ -21,9 +19,6 @@ namespace {
 
 using namespace judge;
 
-constexpr double look_distance = 1e-3;           // driven between two looks, at least [m]
-constexpr double clearance_error = 1e-3;         // of the clearance reported [m]
-constexpr double coarse_clearance_error = 0.05;  // among cells, relative, from 1 m on
 constexpr double position_tolerance = 1e-6;
 constexpr double heading_tolerance = 1e-6;
 constexpr double curvature_slack = 1e-9;  // relative
@@ -42,73 +37,6 @@ std::string text(const char* format, auto... values) {
 
 Place end_of(const Track& track) {
   return {track.stretches.size() - 1, track.stretches.back().length};
-}
-
-/// After one full turn an arc repeats itself.
-Real length_to_look_at(const Stretch& stretch) {
-  const Real curvature = std::abs(stretch.curvature);
-  return curvature * stretch.length > full_turn ? full_turn / curvature : stretch.length;
-}
-
-// ---- Along the path ----
-
-/// The clearance as seen from one place.
-struct Look {
-  Place place;
-  double clearance;
-};
-
-/// No point of the body moves further than this for each metre driven.
-double speed(const Stretch& stretch, const Rectangle& body) {
-  const double reach =
-      std::hypot(std::max(-body.x_min, body.x_max), std::max(-body.y_min, body.y_max));
-  return 1 + static_cast<double>(std::abs(stretch.curvature)) * reach;
-}
-
-/// Something that a body must not touch.
-struct Thing {
-  std::string hit;  ///< what has happened when it does
-  Rectangle body;
-  std::function<double(const Position&)> clearance;  ///< of the body at a position [m]
-  double coarse_error = 0.0;  ///< of the clearance where that is above 1 m, relative
-};
-
-/// Looks along the track up to the first place where the body touches the thing: every
-/// millimetre, or as far as the clearance proves that nothing can be touched in between.
-std::vector<Look> looks_along(const Track& track, const Thing& thing) {
-  std::vector<Look> looks;
-  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
-    const Stretch& stretch = track.stretches[i];
-    const Real length = length_to_look_at(stretch);
-    const double body_speed = speed(stretch, thing.body);
-    Real t = 0;
-    while (true) {
-      const double distance = thing.clearance(after(stretch, t));
-      looks.push_back({{i, t}, distance});
-      if (!(distance > 0)) return looks;
-      if (t >= length) break;
-      t = std::min<Real>(length, t + std::max(look_distance, distance / body_speed));
-    }
-  }
-  return looks;
-}
-
-/// Lowers `least` to the clearance between two looks at one stretch wherever it may be more than
-/// `clearance_error` below.
-void refine(const Track& track, const Thing& thing, const std::array<Look, 2>& looks,
-            double& least) {
-  const auto& [from, to] = looks;
-  const Stretch& stretch = track.stretches[from.place.stretch];
-  const auto moved = static_cast<double>(to.place.t - from.place.t) * speed(stretch, thing.body);
-  if (std::isinf(least)) return;
-  const double error =
-      least < 1.0 ? clearance_error : std::max(clearance_error, thing.coarse_error * least);
-  if ((from.clearance + to.clearance - moved) / 2 >= least - error) return;
-  const Real t = (from.place.t + to.place.t) / 2;
-  const Look middle{{from.place.stretch, t}, thing.clearance(after(stretch, t))};
-  least = std::min(least, middle.clearance);
-  refine(track, thing, {from, middle}, least);
-  refine(track, thing, {middle, to}, least);
 }
 
 // ---- What can be wrong ----
@@ -193,7 +121,9 @@ std::vector<Thing> polygons_of(const World& world) {
     for (std::size_t i = 0; i < polygons.size(); ++i) {
       const Polygon& polygon = polygons[i];
       things.push_back({hit + "[" + std::to_string(i) + "]", body,
-                        [&, body](const Position& p) { return clearance(p, body, polygon); }});
+                        [&, body](const Passage& passage, double most) {
+                          return clearance(passage, body, polygon, most);
+                        }});
     }
   };
   add(world.obstacles(), "the footprint hits obstacles", body_of(world.vehicle()));
@@ -202,56 +132,21 @@ std::vector<Thing> polygons_of(const World& world) {
 }
 
 Thing map_of(const World& world) {
+  const CellTree& cells = *world.judges_cells();
   const Rectangle body = body_of(world.vehicle());
-  return {"the footprint hits the map", body,
-          [&, body](const Position& p) { return clearance(p, body, *world.map()); },
-          coarse_clearance_error};
-}
-
-/// What was seen of every thing on the way.
-struct Survey {
-  std::vector<std::vector<Look>> looks;
-  std::optional<Fault> first;  ///< the first collision
-  double least = std::numeric_limits<double>::infinity();
-};
-
-Survey survey_of(const Track& track, const std::vector<Thing>& things) {
-  Survey survey;
-  std::optional<Fault>& first = survey.first;
-  for (const Thing& thing : things) {
-    survey.looks.push_back(looks_along(track, thing));
-    for (const Look& look : survey.looks.back()) {
-      survey.least = std::min(survey.least, look.clearance);
-    }
-    const auto& [place, distance] = survey.looks.back().back();
-    if (distance > 0) continue;
-    if (first &&
-        std::tie(first->place->stretch, first->place->t) <= std::tie(place.stretch, place.t)) {
-      continue;
-    }
-    first = Fault{thing.hit, place};
-  }
-  return survey;
-}
-
-double refined(const Track& track, const std::vector<Thing>& things, Survey survey) {
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const std::vector<Look>& looks = survey.looks[i];
-    for (std::size_t k = 1; k < looks.size(); ++k) {
-      if (looks[k - 1].place.stretch != looks[k].place.stretch) continue;
-      refine(track, things[i], {looks[k - 1], looks[k]}, survey.least);
-    }
-  }
-  return survey.least;
+  return {"the footprint hits the map", body, [&, body](const Passage& passage, double most) {
+            return cells.clearance(passage, body, most);
+          }};
 }
 
 /// The first collision on the way; without one `least` is the clearance.
 std::optional<Fault> collision(const Track& track, const World& world, double& least) {
   std::vector<Thing> things = polygons_of(world);
   if (world.map()) things.push_back(map_of(world));
-  const Survey survey = survey_of(track, things);
-  least = survey.first ? survey.least : refined(track, things, survey);
-  return survey.first;
+  const Nearest nearest = nearest_along(track, things);
+  least = nearest.clearance;
+  if (!nearest.touch) return std::nullopt;
+  return Fault{things[nearest.touch->thing].hit, nearest.touch->place};
 }
 
 std::optional<Fault> first_fault(const Problem& problem, const Track& track,

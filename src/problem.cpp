@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "decimal.h"
+#include "judge/cell_tree.h"
 #include "polygon.h"
 #include "vandplan/input_error.h"
 
@@ -242,7 +243,8 @@ World::World(const Vehicle& vehicle, Surroundings surroundings, const Point& ori
     : vehicle_(checked(vehicle)),
       surroundings_(checked(std::move(surroundings), origin)),
       origin_(origin),
-      checker_(vehicle_, surroundings_) {}
+      checker_(vehicle_, surroundings_),
+      judges_cells_(map() ? std::make_shared<const judge::CellTree>(*map()) : nullptr) {}
 
 void check_scenario(const Scenario& scenario) {
   check_shared(scenario);

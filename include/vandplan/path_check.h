@@ -3,8 +3,8 @@
 #pragma once
 // Is this path really valid?
 //
-// The independent judge: slow and simple, it shares no code with the checker, the planners or the
-// kernels. Its method: docs/algorithms/path_check.md.
+// The independent judge: it shares no code with the checker, the planners or the kernels. Its
+// method: docs/algorithms/path_check.md.
 
 #include <optional>
 #include <string>
@@ -52,16 +52,15 @@ struct PathCheck {
   double length = 0.0;          ///< [m]
   double reverse_length = 0.0;  ///< of it in reverse [m]
   int gear_changes = 0;
-  /// Least distance between footprint and obstacles, to 1 mm (among cells of a map from 1 m on to
-  /// 5 %) [m]: 0 if they touch, infinity without obstacles. None if the path was found wrong before
-  /// collisions were looked for.
+  /// Least distance between footprint and obstacles, at most 1 mm too large [m]: 0 if they touch,
+  /// infinity without obstacles. None if the path was found wrong before collisions were looked for.
   std::optional<double> clearance;
 };
 
 /// Judges a path in the frame of the problem's world, in this order: every number is finite, it
 /// begins at the start, every curvature is drivable, the rear axle stays in the bounds, the
-/// footprint touches no obstacle (looked at every millimetre, skipping only what the clearance
-/// proves free), it ends at the goal within 1e-6 m and 1e-6 rad, and what is claimed is true.
+/// footprint touches no obstacle (looked at every millimetre, skipping only what is proven to be
+/// free), it ends at the goal within 1e-6 m and 1e-6 rad, and what is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims);
 

@@ -20,6 +20,10 @@
 
 namespace vandplan {
 
+namespace judge {
+class CellTree;
+}
+
 /// One goal of a scenario, with obstacles that exist for this goal only.
 struct Goal {
   std::optional<double> distance = {};  ///< how far this goal counts in a row of goals [m]
@@ -67,12 +71,15 @@ class World {
   /// Where the origin of the local frame lies in the scenario's frame [m].
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
   [[nodiscard]] const CollisionChecker& checker() const noexcept { return checker_; }
+  /// What the judge, and nobody else, needs of the map; none without one.
+  [[nodiscard]] const judge::CellTree* judges_cells() const noexcept { return judges_cells_.get(); }
 
  private:
   Vehicle vehicle_;
   Surroundings surroundings_;
   Point origin_;
   CollisionChecker checker_;
+  std::shared_ptr<const judge::CellTree> judges_cells_;
 };
 
 /// One start and one goal in a world, in its local frame; headings in [-pi, pi).

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is the vehicle from a polygon, in the eyes of the judge?
+// How far does the vehicle stay from a polygon, in the eyes of the judge?
+//
+// Method and proof: docs/algorithms/path_check.md.
+
+#include <array>
+#include <span>
 
 #include "judge/track.h"
 #include "vandplan/geometry.h"
@@ -13,12 +18,31 @@ struct Rectangle {
   double x_min, x_max, y_min, y_max;
 };
 
-/// Between the closed body and the closed polygon [m]: 0 if they touch or one holds the other.
-[[nodiscard]] double clearance(const Position& position, const Rectangle& body,
-                               const Polygon& polygon);
+[[nodiscard]] std::array<Point, 4> corners_of(const Rectangle& body);
 
-/// The same for one point and for one side, from a to b, seen from the vehicle.
-[[nodiscard]] double distance_to_rectangle(const Point& p, const Rectangle& body);
-[[nodiscard]] double distance_of_side(const Point& a, const Point& b, const Rectangle& body);
+/// All positions on the way through one position with one curvature, up to `half` metres behind and
+/// ahead of it.
+struct Passage {
+  Position middle;
+  double curvature = 0.0;  ///< [1/m]
+  double half = 0.0;       ///< [m]; 0: `middle` alone
+};
+
+/// Between the closed body and the closed polygon [m]. At one position it is the distance, 0 if
+/// they touch or one holds the other; on a passage it is no more than that at any of its positions.
+/// It is never more than `most`.
+[[nodiscard]] double clearance(const Passage& passage, const Rectangle& body,
+                               const Polygon& polygon, double most);
+
+/// The same for a polygon as it is seen from the vehicle in the middle.
+[[nodiscard]] double clearance_of_seen(const Passage& passage, const Rectangle& body,
+                                       std::span<const Point> polygon, double most);
+
+/// A lower bound of it, below 0 at times, for all that lies in a disc seen from there.
+[[nodiscard]] double clearance_of_disc(const Passage& passage, const Rectangle& body,
+                                       const Point& centre, double radius);
+
+/// How much nearer a point, seen from the vehicle in the middle, may come along a direction.
+[[nodiscard]] double approach(const Passage& passage, const Point& p, const Point& direction);
 
 }  // namespace vandplan::judge

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How far is the vehicle from the blocked cells of a map, in the eyes of the judge?
+//
+// A tree of squares of cells, each of which knows no more than whether a blocked cell is in it:
+// whoever looks for the nearest cell leaves out squares that are empty or too far away.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "judge/clearance.h"
+#include "vandplan/occupancy_grid.h"
+
+namespace vandplan::judge {
+
+class CellTree {
+ public:
+  explicit CellTree(const OccupancyGrid& grid);
+
+  /// Between the closed body and the closed squares of the blocked cells: like that of a polygon;
+  /// infinity if there are none.
+  [[nodiscard]] double clearance(const Passage& passage, const Rectangle& body, double most) const;
+
+ private:
+  /// Squares of one size, row by row.
+  struct Level {
+    std::int32_t columns = 0;
+    std::int32_t rows = 0;
+    std::vector<bool> has_blocked;
+  };
+  class Search;
+
+  /// Whether a blocked cell is in a square with sides of 2^level cells; false outside of the grid.
+  [[nodiscard]] bool has_blocked(std::size_t level, std::int32_t column, std::int32_t row) const;
+
+  OccupancyGrid grid_;
+  std::vector<Level> levels_;  ///< of level 1 and above; the last is a single square
+};
+
+}  // namespace vandplan::judge

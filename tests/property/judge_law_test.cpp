@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// The judge leaves out what it knows to be no nearer. Whatever it says must be what looking
+// everywhere says: on maps that are turned, crowded, empty or closed, with obstacles that are
+// grazed or tens of metres away.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "judge/cell_tree.h"
+#include "judge/clearance.h"
+#include "support/cases.h"
+#include "support/map_cases.h"
+#include "support/slow_judge.h"
+#include "vandplan/path_check.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Bounds wide{-1e4, 1e4, -1e4, 1e4};
+
+/// Around the origin, with blocked cells wherever one looks, and walls around it at times.
+OccupancyGrid crowded_grid(Rng& rng) {
+  const auto side = [&] { return static_cast<std::int32_t>(uniform(5, 30, rng)); };
+  OccupancyGrid grid = random_grid(side(), side(), any_size(1e-3, 0.1, rng), rng);
+  grid.unknown_is_free = chance(0.3, rng);
+  grid.resolution = uniform(1, 3, rng);
+  const Pose turned{uniform(-5, 5, rng), uniform(-5, 5, rng), uniform(-pi, pi, rng)};
+  grid.origin =
+      compose(turned, {-grid.columns * grid.resolution / 2, -grid.rows * grid.resolution / 2, 0});
+  return grid;
+}
+
+// ---- One passage ----
+
+judge::Position position_of(const Pose& pose) { return {pose.x, pose.y, pose.heading}; }
+
+judge::Rectangle rectangle_of(const Footprint& body) {
+  return {-body.rear, body.front, -body.half_width, body.half_width};
+}
+
+struct Counts {
+  int proven = 0;  // what is said of a passage is not 0, ...
+  int close = 0;   // and nearly what is true
+  int touched = 0;
+  int cut_off = 0;  // at the most that was asked for
+};
+
+/// What the judge says of one passage, of cells or of polygons.
+template <typename Clearance>
+void expect_passage(const Clearance& clearance, const Footprint& body,
+                    const std::vector<Polygon>& squares, Rng& rng, Counts& counts) {
+  const Pose pose = uniform_pose({-8, 8, -8, 8}, rng);
+  const double curvature = chance(0.3, rng) ? 0 : any_sign(any_size(1e-6, 5, rng), rng);
+  const double half = any_size(1e-4, 20, rng);
+  const double most = chance(0.5, rng) ? infinity : any_size(1e-3, 10, rng);
+  const double exact = gap_at(body, squares, pose).distance;
+  const double here = clearance(judge::Passage{position_of(pose)}, most);
+  if (exact < most) {
+    EXPECT_NEAR(here, exact, 1e-9);
+  } else {
+    EXPECT_EQ(here, most);
+    ++counts.cut_off;
+  }
+  counts.touched += exact == 0;
+  const double bound = clearance(judge::Passage{position_of(pose), curvature, half}, most);
+  EXPECT_LE(bound, most);
+  double least = exact;
+  for (int i = 0; i < 40; ++i) {
+    const double s = i < 2 ? any_sign(half, rng) : uniform(-half, half, rng);
+    least = std::min(least, gap_at(body, squares, advance(pose, {curvature, s})).distance);
+  }
+  EXPECT_LE(bound, least + 1e-9) << as_code(pose) << " curvature " << as_code(curvature) << " half "
+                                 << as_code(half) << ": " << as_code(squares);
+  counts.proven += bound > 0 && bound < most;
+  counts.close += bound > 0.8 * std::min(least, most) && least < infinity;
+}
+
+TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
+  constexpr int count = 20000;
+  Counts cells;
+  Counts polygons;
+  for_each_case(1, count, [&](Rng& rng) {
+    const Footprint body = footprint(any_vehicle(rng));
+    const OccupancyGrid grid = chance(0.8, rng) ? any_grid(rng) : crowded_grid(rng);
+    const std::vector<Polygon> squares = squares_of(grid);
+    const judge::CellTree tree(grid);
+    expect_passage([&](const judge::Passage& passage,
+                       double most) { return tree.clearance(passage, rectangle_of(body), most); },
+                   body, squares, rng, cells);
+    if (squares.empty()) return;
+    const Polygon& square = squares.front();
+    expect_passage(
+        [&](const judge::Passage& passage, double most) {
+          return judge::clearance(passage, rectangle_of(body), square, most);
+        },
+        body, {square}, rng, polygons);
+  });
+  for (const Counts& counts : {cells, polygons}) {
+    EXPECT_GT(counts.proven, cases(count) / 8);
+    EXPECT_GT(counts.close, cases(count) / 8);
+    EXPECT_GT(counts.touched, cases(count) / 128);
+    EXPECT_GT(counts.cut_off, cases(count) / 8);
+  }
+}
+
+// ---- Whole paths ----
+
+constexpr double step = 1e-3;   // driven between two looks of the judge, at most [m]
+constexpr double moved = 0.05;  // between two looks at the whole of a path [m]
+
+/// What a body may dip into an obstacle between two looks of the judge.
+double deepest_dip(const Footprint& body, const Path& path) {
+  double fastest = 1;
+  for (const Segment& segment : path.segments) {
+    fastest = std::max(fastest, top_speed(body, segment));
+  }
+  return step * fastest;
+}
+
+Footprint shrunk(const Footprint& body, double by) {
+  return {body.rear - by, body.front - by, body.half_width - by};
+}
+
+void expect_valid(double clearance, const Footprint& body, const std::vector<Polygon>& squares,
+                  const Path& path) {
+  const double everywhere = least_of(look_everywhere(body, squares, path, moved));
+  EXPECT_GT(clearance, 0);
+  EXPECT_LE(clearance, everywhere + 1e-3);
+  if (std::isinf(everywhere)) return;
+  EXPECT_GE(clearance, everywhere - moved / 2);
+  const double exact = least_gap(body, squares, path, 1e-4).distance;
+  EXPECT_LE(clearance, exact + 1e-3);
+  EXPECT_GE(clearance, exact - 1e-4);
+  EXPECT_FALSE(comes_within(0, shrunk(body, deepest_dip(body, path)), squares, path));
+}
+
+void expect_first_touch(const PathPoint& at, const Footprint& body,
+                        const std::vector<Polygon>& squares, const Path& path) {
+  EXPECT_LE(gap_at(body, squares, at.pose).distance, 1e-9);
+  const Footprint inner = shrunk(body, deepest_dip(body, path));
+  for (const SlowLook& look : look_everywhere(inner, squares, path, moved)) {
+    if (look.s >= at.s - step) break;
+    EXPECT_GT(look.distance, 0) << look.s << " before " << at.s;
+  }
+}
+
+struct Verdicts {
+  int valid = 0;
+  int grazing = 0;  // valid by less than 5 mm
+  int far = 0;      // valid by more than 10 m
+  int alone = 0;    // without obstacles
+  int invalid = 0;
+};
+
+void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& path,
+                    Verdicts& verdicts) {
+  const std::vector<Polygon> squares = squares_of(grid);
+  SCOPED_TRACE(as_code(path) + " on cells of " + as_code(grid.resolution) + " m at " +
+               as_code(grid.origin) + ": " + as_code(squares));
+  for (const Surroundings& surroundings :
+       {Surroundings{.bounds = wide, .map = grid}, {.bounds = wide, .obstacles = squares}}) {
+    const auto world = std::make_shared<World>(vehicle, surroundings, Point{});
+    const PathCheck check = check_path({world, path.start, end_pose(path)}, path, {});
+    ASSERT_TRUE(check.clearance);
+    const Footprint body = footprint(vehicle);
+    if (check.valid) {
+      expect_valid(*check.clearance, body, squares, path);
+    } else {
+      ASSERT_TRUE(check.at) << check.reason;
+      EXPECT_EQ(*check.clearance, 0);
+      expect_first_touch(*check.at, body, squares, path);
+    }
+    ++(check.valid ? verdicts.valid : verdicts.invalid);
+    verdicts.grazing += check.valid && check.clearance < 5e-3;
+    verdicts.far += check.valid && check.clearance > 10 && check.clearance < infinity;
+    verdicts.alone += check.clearance == infinity;
+  }
+}
+
+TEST(JudgeLaw, VerdictAndClearanceAreThoseOfLookingEverywhere) {
+  constexpr int count = 1000;
+  Verdicts verdicts;
+  for_each_case(2, count, [&](Rng& rng) {
+    const Vehicle vehicle = any_vehicle(rng);
+    const Path path = any_edge(rng);
+    if (chance(0.2, rng)) return expect_verdict(vehicle, crowded_grid(rng), path, verdicts);
+    OccupancyGrid grid = any_grid(rng);
+    if (chance(0.1, rng)) grid.origin = compose({uniform(10, 60, rng), 0, 0}, grid.origin);
+    if (chance(0.6, rng)) graze(grid, footprint(vehicle), path, rng);
+    expect_verdict(vehicle, grid, path, verdicts);
+  });
+  EXPECT_GT(verdicts.valid, cases(count) / 2);
+  EXPECT_GT(verdicts.grazing, cases(count) / 8);
+  EXPECT_GT(verdicts.far, cases(count) / 32);
+  EXPECT_GT(verdicts.alone, cases(count) / 64);
+  EXPECT_GT(verdicts.invalid, cases(count) / 8);
+}
+
+}  // namespace
+}  // namespace vandplan
