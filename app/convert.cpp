@@ -31,6 +31,9 @@ void write_map(Scenario& scenario, const std::string& output) {
   const auto beside = [&](const std::string& name) {
     return (place.parent_path() / name).string();
   };
+  for (const std::string& file : {beside(stem + ".pgm"), beside(scenario.map_file), output}) {
+    expect_writable(file);  // all of them before any is touched
+  }
   write_file(beside(stem + ".pgm"), map_to_pgm(*scenario.map));
   write_file(beside(scenario.map_file), map_to_yaml(*scenario.map, stem + ".pgm"));
 }

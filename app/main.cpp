@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include "commands.h"
 #include "vandplan/input_error.h"
@@ -60,6 +61,10 @@ int main(int argc, char** argv) {
                     exit_status::bad_input);
   } catch (const InputError& error) {
     return complain(error.what(), exit_status::bad_input);
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) == 0) return complain(error.what(), exit_status::failed);
+    return complain("standard output: cannot write: " + error.code().message(),
+                    exit_status::bad_input);
   } catch (const std::exception& error) {
     return complain(error.what(), exit_status::failed);
   }

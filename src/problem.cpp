@@ -55,7 +55,12 @@ Vehicle checked(const Vehicle& vehicle) {
   not_negative(vehicle.rear_overhang, "rear_overhang");
   positive(vehicle.width, "width");
   positive(vehicle.min_turning_radius, "min_turning_radius");
-  if (vehicle.track_width) positive(*vehicle.track_width, "track_width");
+  if (vehicle.track_width) {
+    positive(*vehicle.track_width, "track_width");
+    require(*vehicle.track_width <= vehicle.width, "vehicle.track_width",
+            "is " + shortest_text(*vehicle.track_width) + ", expected at most the width, " +
+                shortest_text(vehicle.width));
+  }
   return vehicle;
 }
 
@@ -250,6 +255,8 @@ void check_scenario(const Scenario& scenario) {
   check_shared(scenario);
   for (std::size_t i = 0; i < scenario.goals.size(); ++i) check_goal(scenario, i);
 }
+
+void check_map(const OccupancyGrid& map) { check(map, largest_coordinate); }
 
 Problem make_problem(const Scenario& scenario, std::size_t goal) {
   check_shared(scenario);

@@ -61,7 +61,7 @@ struct StatedFurthest {
 struct MovingAiProblem {
   std::string map;                    ///< file (.map)
   std::string problems;               ///< file (.scen)
-  std::size_t number = 1;             ///< of the problem in its file; >= 1
+  int number = 1;                     ///< of the problem in its file; >= 1
   double resolution = 1.0;            ///< side of a cell [m]; > 0
   std::string vehicle = "tpcap-car";  ///< of the catalogue
 };

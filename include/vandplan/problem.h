@@ -92,6 +92,9 @@ struct Problem {
 /// Checks a scenario without building a world: the same errors as `make_problem`.
 void check_scenario(const Scenario& scenario);
 
+/// Checks a map alone; errors name "map.resolution", "map.origin" or "map".
+void check_map(const OccupancyGrid& map);
+
 /// The problem of one goal. A start or goal in collision or outside the bounds is no error: the
 /// planner names it. Throws InputError naming the key that is wrong. `goal` < goals.size().
 [[nodiscard]] Problem make_problem(const Scenario& scenario, std::size_t goal);

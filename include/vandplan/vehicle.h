@@ -12,12 +12,13 @@ namespace vandplan {
 
 /// A rigid vehicle steered at the front; the field names are keys of a scenario file. [m]
 struct Vehicle {
-  double wheelbase = 4.5;                  ///< rear axle to front axle; > 0
-  double front_overhang = 1.4;             ///< front axle to front bumper; >= 0
-  double rear_overhang = 1.6;              ///< rear axle to rear bumper; >= 0
-  double width = 2.55;                     ///< > 0
-  double min_turning_radius = 7.0;         ///< of the rear-axle midpoint at full steering; > 0
-  std::optional<double> track_width = {};  ///< over the wheels of an axle; none: the width; > 0
+  double wheelbase = 4.5;           ///< rear axle to front axle; > 0
+  double front_overhang = 1.4;      ///< front axle to front bumper; >= 0
+  double rear_overhang = 1.6;       ///< rear axle to rear bumper; >= 0
+  double width = 2.55;              ///< > 0
+  double min_turning_radius = 7.0;  ///< of the rear-axle midpoint at full steering; > 0
+  /// Over the wheels of an axle; none: the width; > 0, at most the width.
+  std::optional<double> track_width = {};
   bool operator==(const Vehicle&) const = default;
 };
 

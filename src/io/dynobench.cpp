@@ -41,6 +41,10 @@ Polygon box_from(const Document& file, const Node& node) {
   }
   const std::vector<double> center = numbers_from(file, file.at(node, "center"), 2, "[x, y]");
   const std::vector<double> size = numbers_from(file, file.at(node, "size"), 2, "[width, height]");
+  for (const double side : size) {
+    if (side > 0) continue;
+    file.fail(file.at(node, "size"), fmt::format("has a side of {}, expected more than 0 m", side));
+  }
   const double x = size[0] / 2;
   const double y = size[1] / 2;
   return {{center[0] - x, center[1] - y},
@@ -64,6 +68,13 @@ const Node& robot_in(const Document& file) {
                         "\", expected a car: other robots are not covered");
   }
   return list[0];
+}
+
+/// Where something of the scenario stands in the problem.
+std::string path_of(std::string_view key) {
+  if (key.starts_with("obstacles")) return "environment." + std::string(key);
+  if (key.starts_with("bounds")) return "environment.max";
+  return "robots[0]." + std::string(key.substr(0, key.find('.')));
 }
 
 }  // namespace
@@ -91,7 +102,7 @@ Scenario read_dynobench(const std::string& name, const std::string& vehicle) {
   try {
     check_scenario(scenario);
   } catch (const InputError& error) {
-    file.fail(root, error.what());
+    file.fail(path_of(error.where()), error.problem());
   }
   return scenario;
 }

@@ -16,6 +16,7 @@
 #include "io/image.h"
 #include "vandplan/input_error.h"
 #include "vandplan/io.h"
+#include "vandplan/problem.h"
 
 namespace vandplan {
 namespace {
@@ -161,9 +162,6 @@ OccupancyGrid read_map(const std::string& name) {
   }
   OccupancyGrid grid;  // keys that are not ours are passed over, as map_server does
   grid.resolution = file.number(file.at(root, "resolution"));
-  if (!(grid.resolution > 0)) {
-    file.fail("resolution", fmt::format("is {}, expected more than 0 m", grid.resolution));
-  }
   const Node& origin = file.at(root, "origin");
   const std::vector<Node>& place = file.list(origin, "[x, y, yaw]");
   if (place.size() != 3) {
@@ -175,6 +173,11 @@ OccupancyGrid read_map(const std::string& name) {
   grid.columns = image.columns;
   grid.rows = image.rows;
   grid.cells = std::make_shared<const std::vector<Cell>>(cells_of(image, rule));
+  try {
+    check_map(grid);
+  } catch (const InputError& error) {  // its keys begin with "map."
+    file.fail(std::string_view(error.where()).substr(4), error.problem());
+  }
   return grid;
 }
 

@@ -96,13 +96,15 @@ OccupancyGrid read_movingai_map(const std::string& file, double resolution) {
 }
 
 /// Start x, y and goal x, y of a problem, in cells from the upper left corner.
-std::vector<std::int32_t> cells_of_problem(const std::string& file, std::size_t number,
+std::vector<std::int32_t> cells_of_problem(const MovingAiProblem& problem,
                                            const OccupancyGrid& grid) {
+  const std::string& file = problem.problems;
+  const auto number = static_cast<std::size_t>(problem.number);
   const std::vector<std::string> lines = lines_of(file);
   if (lines.empty() || words_of(lines[0]).empty() || words_of(lines[0])[0] != "version") {
     fail(file, 1, "is no list of problems, expected \"version 1\"");
   }
-  if (number + 1 > lines.size() || words_of(lines[number]).empty()) {
+  if (number >= lines.size() || words_of(lines[number]).empty()) {
     throw InputError(
         file, fmt::format("has {} problems, expected at least {}", lines.size() - 1, number));
   }
@@ -112,6 +114,10 @@ std::vector<std::int32_t> cells_of_problem(const std::string& file, std::size_t 
          fmt::format("has {} columns, expected bucket, map, width, height, start x, y, goal x, y, "
                      "length",
                      words.size()));
+  }
+  const std::string map = std::filesystem::path(problem.map).filename().string();
+  if (std::filesystem::path(words[1]).filename() != map) {
+    fail(file, number + 1, fmt::format("is on the map {}, expected {}", words[1], map));
   }
   if (whole_number(words[2], 1, 100000) != grid.columns ||
       whole_number(words[3], 1, 100000) != grid.rows) {
@@ -137,11 +143,13 @@ Scenario read_movingai(const MovingAiProblem& problem) {
     throw InputError("resolution",
                      fmt::format("is {}, expected more than 0 m", problem.resolution));
   }
-  if (problem.number < 1) throw InputError("number", "is 0, expected 1 or more");
+  if (problem.number < 1) {
+    throw InputError("number", fmt::format("is {}, expected 1 or more", problem.number));
+  }
   Scenario scenario;
   scenario.map = read_movingai_map(problem.map, problem.resolution);
   const OccupancyGrid& grid = *scenario.map;
-  const auto places = cells_of_problem(problem.problems, problem.number, grid);
+  const auto places = cells_of_problem(problem, grid);
   const auto middle = [&](std::int32_t column, std::int32_t row) {
     return Point{(column + 0.5) * grid.resolution, (grid.rows - row - 0.5) * grid.resolution};
   };

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -11,12 +12,14 @@
 #include "io/document.h"
 #include "vandplan/input_error.h"
 #include "vandplan/io.h"
+#include "vandplan/problem.h"
 
 namespace vandplan {
 namespace {
 
-constexpr std::array<const char*, 6> columns = {"start x", "start y", "start heading",
-                                                "goal x",  "goal y",  "goal heading"};
+constexpr std::array<std::string_view, 6> columns = {"start_x", "start_y", "start_heading",
+                                                     "goal_x",  "goal_y",  "goal_heading"};
+constexpr const char* all_columns = "start_x,start_y,start_heading,goal_x,goal_y,goal_heading";
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -24,28 +27,61 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// Between commas, without blanks and quotation marks.
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   while (true) {
     const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
+    std::string_view cell = trimmed(line.substr(0, comma));
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') {
+      cell = trimmed(cell.substr(1, cell.size() - 2));
+    }
+    cells.push_back(cell);
     if (comma == std::string_view::npos) return cells;
     line.remove_prefix(comma + 1);
   }
 }
 
 bool read_number(std::string_view text, double& value) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
   return error == std::errc() && end == last && std::isfinite(value);
 }
 
-PosePair pair_from(std::string_view line, const std::string& where) {
-  const std::vector<std::string_view> cells = cells_of(line);
+/// Whether a line names the columns: as many words, and no number. Ours have to stand in our order.
+bool is_header(const std::vector<std::string_view>& cells, const std::string& where) {
+  double value = 0.0;
+  if (cells.size() != columns.size()) return false;
+  for (const std::string_view cell : cells) {
+    if (read_number(cell, value)) return false;
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto* const ours = std::find(columns.begin(), columns.end(), cells[i]);
+    if (ours == columns.end() || ours == columns.begin() + i) continue;
+    throw InputError(where,
+                     fmt::format("has {} in column {}, expected {}", cells[i], i + 1, all_columns));
+  }
+  return true;
+}
+
+/// Throws what is wrong with the poses themselves, as scenarios have them.
+void check(const PosePair& pair, const std::string& where) {
+  Scenario open_ground;
+  open_ground.bounds = {0, 1, 0, 1};
+  open_ground.start = pair.start;
+  open_ground.goals = {{.distance = {}, .pose = pair.goal, .obstacles = {}}};
+  try {
+    check_scenario(open_ground);
+  } catch (const InputError& error) {
+    throw InputError(where, error.what());
+  }
+}
+
+PosePair pair_from(const std::vector<std::string_view>& cells, const std::string& where) {
   if (cells.size() != columns.size()) {
-    throw InputError(where, fmt::format("has {} values, expected x, y, heading of the start and of "
-                                        "the goal",
-                                        cells.size()));
+    throw InputError(where, fmt::format("has {} value{}, expected {}", cells.size(),
+                                        cells.size() == 1 ? "" : "s", all_columns));
   }
   std::array<double, 6> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -53,7 +89,9 @@ PosePair pair_from(std::string_view line, const std::string& where) {
     throw InputError(where, fmt::format("{}: is \"{}\", expected a finite number", columns[i],
                                         cells[i].substr(0, 40)));
   }
-  return {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
+  const PosePair pair{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
+  check(pair, where);
+  return pair;
 }
 
 }  // namespace
@@ -64,17 +102,18 @@ std::vector<PosePair> read_pose_pairs(const std::string& file) {
   std::vector<PosePair> pairs;
   int number = 0;
   bool may_be_header = true;
-  for (std::string_view rest = text; !rest.empty();) {
+  std::string_view rest = text;
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark
+  while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
     const std::string_view line = trimmed(rest.substr(0, end));
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     ++number;
     if (line.empty() || line.front() == '#') continue;
-    double first = 0.0;
-    const bool is_header = may_be_header && !read_number(cells_of(line).front(), first) &&
-                           cells_of(line).size() == columns.size();
+    const std::string where = fmt::format("{}:{}", name, number);
+    const std::vector<std::string_view> cells = cells_of(line);
+    if (!may_be_header || !is_header(cells, where)) pairs.push_back(pair_from(cells, where));
     may_be_header = false;
-    if (!is_header) pairs.push_back(pair_from(line, fmt::format("{}:{}", name, number)));
   }
   if (pairs.empty()) throw InputError(name, "has no poses, expected a start and a goal on a line");
   return pairs;

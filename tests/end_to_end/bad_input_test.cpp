@@ -169,8 +169,13 @@ TEST_F(BadInput, FullDiskLeavesTheOldResult) {
 }
 
 TEST_F(BadInput, FullStandardOutput) {
+  const std::string problem = "standard output: cannot write: No space left on device";
   EXPECT_EQ(complaint({"plan", scenario_, "--max-iterations", "50"}, {.output = "/dev/full"}),
-            "standard output: cannot write: No space left on device");
+            problem);
+  // More than is kept back until the end.
+  EXPECT_EQ(
+      complaint({"plan", scenario_, "--max-iterations", "50", "--json"}, {.output = "/dev/full"}),
+      problem);
 }
 
 // ---- the command line ----

@@ -45,13 +45,13 @@ const std::string problems =
 
 class MovingAi : public ForeignFiles {
  protected:
-  Scenario read(const std::string& map, const std::string& scen, std::size_t number) {
+  Scenario read(const std::string& map, const std::string& scen, int number) {
     return read_movingai({.map = folder_.put("a.map", map),
                           .problems = folder_.put("a.scen", scen),
                           .number = number,
                           .resolution = 2.0});
   }
-  std::string message(const std::string& map, const std::string& scen, std::size_t number = 1) {
+  std::string message(const std::string& map, const std::string& scen, int number = 1) {
     return message_of([&] { return read(map, scen, number); });
   }
 };
@@ -107,6 +107,10 @@ TEST_F(MovingAi, WhatIsNotCoveredHasOneLineEach) {
             "a.scen:2: is for a map of 5 x 3 cells, expected 4 x 3");
   EXPECT_EQ(message(movingai_map, exchanged(problems, "0\t2\t2.0", "0\t3\t2.0")),
             "a.scen:2: names the cell 3, expected 0 to 2");
+  EXPECT_EQ(message(movingai_map, exchanged(problems, "0\ta.map", "0\tmaps/b.map")),
+            "a.scen:2: is on the map maps/b.map, expected a.map");
+  EXPECT_EQ(message(movingai_map, exchanged(problems, "0\ta.map", "0\tmaps/a.map")), "no error");
+  EXPECT_EQ(message(movingai_map, problems, -1), "number: is -1, expected 1 or more");
 }
 
 const std::string dynobench =
@@ -158,7 +162,11 @@ TEST_F(Dynobench, WhatIsNotCoveredHasOneLineEach) {
   EXPECT_EQ(message("min: [0, 0]", "min: [0, 0, 0]"),
             "d.yaml:3: environment.min: has 3 elements, expected [x, y]");
   EXPECT_EQ(message("max: [6, 5]", "max: [-6, 5]"),
-            "d.yaml:1: bounds.x: is [0, -6], expected the smaller number first");
+            "d.yaml:4: environment.max: is [0, -6], expected the smaller number first");
+  EXPECT_EQ(message("size: [1, 0.5]", "size: [1, -0.5]"),
+            "d.yaml:6: environment.obstacles[0].size: has a side of -0.5, expected more than 0 m");
+  EXPECT_EQ(message("start: [0.7,", "start: [7e20,"),
+            "d.yaml:9: robots[0].start: is 7e+20, expected a number between -1e+12 and 1e+12");
 }
 
 }  // namespace

@@ -240,7 +240,15 @@ TEST_F(MapFile, BadMapsHaveOneLineEach) {
   EXPECT_EQ(spoilt("image: m.pgm", "image: gone.pgm"),
             "m.yaml:1: image: gone.pgm: cannot open: No such file or directory");
   EXPECT_EQ(spoilt("resolution: 0.05", "resolution: 0"),
-            "m.yaml:2: resolution: is 0, expected more than 0 m");
+            "m.yaml:2: resolution: is 0, expected 1e-06 m to 1e+06 m");
+  EXPECT_EQ(spoilt("resolution: 0.05", "resolution: -0.05"),
+            "m.yaml:2: resolution: is -0.05, expected 1e-06 m to 1e+06 m");
+  EXPECT_EQ(spoilt("resolution: 0.05", "resolution: 1e7"),
+            "m.yaml:2: resolution: is 1e+07, expected 1e-06 m to 1e+06 m");
+  EXPECT_EQ(spoilt("[1.5,", "[1e13,"),
+            "m.yaml:3: origin: is 1e+13, expected a number between -1e+12 and 1e+12");
+  EXPECT_EQ(spoilt("0.25]", "1e7]"),
+            "m.yaml:3: origin: is 1e+07, expected a number between -1e+06 and 1e+06");
   EXPECT_EQ(spoilt("resolution: 0.05", "resolution: .nan"),
             "m.yaml:2: resolution: is \".nan\", expected a finite number");
   EXPECT_EQ(spoilt("[1.5, -2, 0.25]", "[1.5, -2]"),

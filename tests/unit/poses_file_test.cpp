@@ -40,13 +40,44 @@ TEST(PosesFile, MistakesNameTheLine) {
   EXPECT_EQ(message_for("# nothing\n"),
             "p.csv: has no poses, expected a start and a goal on a line");
   EXPECT_EQ(message_for("1,2,3,4,5,6\n1,2,3\n"),
-            "p.csv:2: has 3 values, expected x, y, heading of the start and of the goal");
+            "p.csv:2: has 3 values, expected "
+            "start_x,start_y,start_heading,goal_x,goal_y,goal_heading");
+  EXPECT_EQ(message_for("1;2;3;4;5;6\n"),
+            "p.csv:1: has 1 value, expected "
+            "start_x,start_y,start_heading,goal_x,goal_y,goal_heading");
   EXPECT_EQ(message_for("1,2,3,4,5,6\n1,2,3,4,five,6\n"),
-            "p.csv:2: goal y: is \"five\", expected a finite number");
+            "p.csv:2: goal_y: is \"five\", expected a finite number");
   EXPECT_EQ(message_for("1,2,3,4,5,inf\n"),
-            "p.csv:1: goal heading: is \"inf\", expected a finite number");
+            "p.csv:1: goal_heading: is \"inf\", expected a finite number");
   EXPECT_EQ(message_for("a,b,c,d,e,f\na,b,c,d,e,f\n"),
-            "p.csv:2: start x: is \"a\", expected a finite number");
+            "p.csv:2: start_x: is \"a\", expected a finite number");
+  EXPECT_EQ(message_for("1,2,3,4,5,6\n\n1e300,2,3,4,5,6\n"),
+            "p.csv:3: start.x: is 1e+300, expected a number between -1e+12 and 1e+12");
+  EXPECT_EQ(message_for("0,0,0,4e5,3e5,0\n"),
+            "p.csv:1: goal: is 500000 m from the start, expected at most 100000 m");
+}
+
+// A first line with a number in it is no header, and so no pair is lost.
+TEST(PosesFile, AFirstLineWithAMistakeIsNoHeader) {
+  EXPECT_EQ(message_for("1O,2,3,4,5,6\n1,2,3,4,5,6\n"),
+            "p.csv:1: start_x: is \"1O\", expected a finite number");
+  EXPECT_EQ(message_for("start_x,start_y,start_heading,goal_y,goal_x,goal_heading\n1,2,3,4,5,6\n"),
+            "p.csv:1: has goal_y in column 4, expected "
+            "start_x,start_y,start_heading,goal_x,goal_y,goal_heading");
+}
+
+TEST(PosesFile, WhatSpreadsheetsWriteIsRead) {
+  for (const char* const text :
+       {"\xEF\xBB\xBF"
+        "1,2,3,4,5,6\r\n",
+        "\"1\",\"2\",\"3\",\"4\",\"5\",\"6\"", "+1,2,3,4,5,6",
+        "\"start_x\",start_y,start_heading,goal_x,goal_y,goal_heading\n1,2,3,4,5,6"}) {
+    SCOPED_TRACE(text);
+    const auto pairs = read(text);
+    ASSERT_EQ(pairs.size(), 1U);
+    EXPECT_EQ(pairs[0].start, (Pose{1, 2, 3}));
+    EXPECT_EQ(pairs[0].goal, (Pose{4, 5, 6}));
+  }
 }
 
 }  // namespace

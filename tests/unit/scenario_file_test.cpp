@@ -160,11 +160,6 @@ TEST_F(ScenarioWithMap, MistakesHaveOneLineEach) {
   EXPECT_EQ(message("bounds: {x: [0, 3], y: [1, 4]}\nunknown: free\nobstacles: []\n"),
             "s.yaml:6: unknown: is given without a map, expected map beside it");
   EXPECT_EQ(message("obstacles: []\n"), "s.yaml:1: key \"bounds\" is missing, expected it");
-  folder_.put("map.yaml",
-              "image: m.pgm\nresolution: 1e7\norigin: [0, 0, 0]\nnegate: 0\n"
-              "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
-  EXPECT_EQ(message("map: map.yaml\n"),
-            "s.yaml:5: map.resolution: is 1e+07, expected 1e-06 m to 1e+06 m");
 }
 
 TEST(ScenarioFile, KerbsAreReadAndWritten) {
@@ -219,6 +214,8 @@ TEST(ScenarioFile, SteeringAndTrackMayBeGiven) {
             "max_steering_angle");
   EXPECT_EQ(message_for(with_vehicle(lengths + ", min_turning_radius: 7, track_width: 0}")),
             "s.yaml:3: vehicle.track_width: is 0, expected more than 0 m");
+  EXPECT_EQ(message_for(with_vehicle(lengths + ", min_turning_radius: 7, track_width: 2}")),
+            "s.yaml:3: vehicle.track_width: is 2, expected at most the width, 1.942");
 }
 
 TEST(ScenarioFile, ARowOfGoalsIsRead) {
