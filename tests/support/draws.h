@@ -3,9 +3,12 @@
 #pragma once
 // What do random cases draw, beyond what the library does?
 
+#include <algorithm>
 #include <cmath>
 
 #include "random.h"
+#include "vandplan/path.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 
@@ -17,5 +20,39 @@ inline double any_size(double low, double high, Rng& rng) {
 }
 
 inline double any_sign(double value, Rng& rng) { return chance(0.5, rng) ? value : -value; }
+
+/// Often the default one; may turn as sharply as a case wants.
+inline Vehicle any_vehicle(Rng& rng) {
+  Vehicle vehicle;
+  if (chance(0.7, rng)) {
+    vehicle = {.wheelbase = any_size(0.3, 8, rng),
+               .front_overhang = chance(0.2, rng) ? 0 : any_size(0.1, 3, rng),
+               .rear_overhang = chance(0.2, rng) ? 0 : any_size(0.1, 5, rng),
+               .width = any_size(0.2, 4, rng)};
+  }
+  vehicle.min_turning_radius = 1e-3;
+  return vehicle;
+}
+
+/// Straight, nearly straight or up to 1.4 turns; of any length up to 30 m, or of none.
+inline Segment any_segment(Rng& rng) {
+  const double kind = uniform01(rng);
+  Segment segment;
+  if (kind < 0.6) segment.curvature = any_sign(1 / uniform(2, 12, rng), rng);
+  if (kind < 0.1) segment.curvature = any_sign(1 / any_size(0.02, 2, rng), rng);
+  if (kind > 0.8) segment.curvature = any_sign(any_size(1e-12, 0.1, rng), rng);
+  const double most = std::min(30.0, 9 / std::abs(segment.curvature));
+  const double length = chance(0.05, rng) ? 0 : any_size(chance(0.1, rng) ? 1e-6 : 0.02, most, rng);
+  segment.length = any_sign(length, rng);
+  return segment;
+}
+
+/// One or three segments from a pose in the box.
+inline Path any_edge(const Bounds& box, Rng& rng) {
+  Path path{uniform_pose(box, rng), {}};
+  const int count = chance(0.7, rng) ? 1 : 3;
+  for (int i = 0; i < count; ++i) path.segments.push_back(any_segment(rng));
+  return path;
+}
 
 }  // namespace vandplan

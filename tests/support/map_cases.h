@@ -15,36 +15,7 @@
 
 namespace vandplan {
 
-inline Vehicle any_vehicle(Rng& rng) {
-  Vehicle vehicle;
-  if (chance(0.7, rng)) {
-    vehicle = {.wheelbase = any_size(0.3, 8, rng),
-               .front_overhang = chance(0.2, rng) ? 0 : any_size(0.1, 3, rng),
-               .rear_overhang = chance(0.2, rng) ? 0 : any_size(0.1, 5, rng),
-               .width = any_size(0.2, 4, rng)};
-  }
-  vehicle.min_turning_radius = 1e-3;
-  return vehicle;
-}
-
-inline Segment any_segment(Rng& rng) {
-  const double kind = uniform01(rng);
-  Segment segment;
-  if (kind < 0.6) segment.curvature = any_sign(1 / uniform(2, 12, rng), rng);
-  if (kind < 0.1) segment.curvature = any_sign(1 / any_size(0.02, 2, rng), rng);
-  if (kind > 0.8) segment.curvature = any_sign(any_size(1e-12, 0.1, rng), rng);
-  const double most = std::min(30.0, 9 / std::abs(segment.curvature));
-  const double length = chance(0.05, rng) ? 0 : any_size(chance(0.1, rng) ? 1e-6 : 0.02, most, rng);
-  segment.length = any_sign(length, rng);
-  return segment;
-}
-
-inline Path any_edge(Rng& rng) {
-  Path path{uniform_pose({-10, 10, -10, 10}, rng), {}};
-  const int count = chance(0.7, rng) ? 1 : 3;
-  for (int i = 0; i < count; ++i) path.segments.push_back(any_segment(rng));
-  return path;
-}
+inline Path any_edge(Rng& rng) { return any_edge({-10, 10, -10, 10}, rng); }
 
 /// Turned, around the origin, with few blocked cells.
 inline OccupancyGrid any_grid(Rng& rng) {
