@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "distance_field.h"
 
+#include <limits>
 #include <span>
 
 namespace vandplan {
@@ -10,14 +11,14 @@ namespace {
 constexpr std::uint8_t far = 255;  // this far up and down, or further
 
 /// [1] How far up or down the nearest corner of a blocked cell is, for every corner.
-std::vector<std::uint8_t> column_distances(const BlockedCells& cells, std::size_t columns,
+std::vector<std::uint8_t> column_distances(const BitGrid& blocked, std::size_t columns,
                                            std::size_t rows) {
   std::vector<std::uint8_t> distances(columns * rows, far);
   for (std::size_t y = 0; y < rows; ++y) {
     std::uint8_t* const row = distances.data() + y * columns;
     const auto mark = [&](std::int32_t cell_row) {
-      const CellBox box{0, cells.columns() - 1, cell_row, cell_row};
-      (void)cells.blocked().any_run(box, [&](std::int32_t, std::int32_t begin, std::int32_t end) {
+      const CellBox box{0, blocked.columns() - 1, cell_row, cell_row};
+      (void)blocked.any_run(box, [&](std::int32_t, std::int32_t begin, std::int32_t end) {
         std::fill(row + begin, row + end + 1, std::uint8_t{0});
         return false;
       });
@@ -84,29 +85,82 @@ void fill_row(std::span<const std::uint8_t> distances, Envelope& envelope,
   }
 }
 
-}  // namespace
-
-DistanceField::DistanceField(const BlockedCells& cells, int coarseness) {
-  const std::size_t columns = static_cast<std::size_t>(cells.columns()) + 1;
-  const std::size_t rows = static_cast<std::size_t>(cells.rows()) + 1;
-  fine_ = {1.0, static_cast<double>(columns - 1), static_cast<double>(rows - 1), columns,
-           std::vector<std::uint16_t>(columns * rows)};
-  const std::vector<std::uint8_t> distances = column_distances(cells, columns, rows);
+/// The squared distances of all corners from the nearest blocked cell, row by row.
+std::vector<std::uint16_t> corner_squares(const BitGrid& blocked) {
+  const std::size_t columns = static_cast<std::size_t>(blocked.columns()) + 1;
+  const std::size_t rows = static_cast<std::size_t>(blocked.rows()) + 1;
+  std::vector<std::uint16_t> squares(columns * rows);
+  const std::vector<std::uint8_t> distances = column_distances(blocked, columns, rows);
   Envelope envelope;
   for (std::size_t y = 0; y < rows; ++y) {
     fill_row(std::span(distances).subspan(y * columns, columns), envelope,
-             std::span(fine_.squares).subspan(y * columns, columns));
+             std::span(squares).subspan(y * columns, columns));
   }
-  // The last coarse corner may lie beyond the frame: it takes the distance of the last fine one,
-  // from which it is less than a step away; so points near it look no nearer than they are.
-  const std::size_t step = std::size_t{1} << coarseness;
-  coarse_ = {static_cast<double>(step), fine_.last_x, fine_.last_y, (columns - 1) / step + 2, {}};
-  for (std::size_t y = 0; y < rows + step; y += step) {
-    for (std::size_t i = 0; i < coarse_.columns; ++i) {
-      const std::size_t at = std::min(y, rows - 1) * columns + std::min(i * step, columns - 1);
-      coarse_.squares.push_back(fine_.squares[at]);
+  return squares;
+}
+
+/// The least of the corners of every block of 2^shift times 2^shift cells, those on its sides, too.
+std::vector<std::uint16_t> least_in_blocks(const std::vector<std::uint16_t>& corners,
+                                           std::size_t columns, int shift) {
+  const std::size_t rows = corners.size() / columns;
+  const std::size_t side = std::size_t{1} << shift;
+  std::vector<std::uint16_t> result;
+  std::vector<std::uint16_t> row(columns);
+  for (std::size_t y = 0; y + 1 < rows; y += side) {
+    std::fill(row.begin(), row.end(), std::numeric_limits<std::uint16_t>::max());
+    for (std::size_t i = y; i < std::min(y + side + 1, rows); ++i) {
+      const std::uint16_t* const other = corners.data() + i * columns;
+      for (std::size_t x = 0; x < columns; ++x) row[x] = std::min(row[x], other[x]);
+    }
+    for (std::size_t x = 0; x + 1 < columns; x += side) {
+      const auto begin = row.begin() + static_cast<std::ptrdiff_t>(x);
+      const std::size_t count = std::min(side + 1, columns - x);
+      result.push_back(*std::min_element(begin, begin + static_cast<std::ptrdiff_t>(count)));
     }
   }
+  return result;
+}
+
+}  // namespace
+
+DistanceField::DistanceField(const BlockedCells& cells, int coarseness)
+    : last_x_(cells.columns() - 0.5),
+      last_y_(cells.rows() - 0.5),
+      columns_(static_cast<std::size_t>(cells.columns()) + 1),
+      squares_(corner_squares(cells.blocked())) {
+  build_blocks(cells, coarseness);
+}
+
+// [3] The nearest point of a block is a corner of a cell. Beyond what the field knows it is as far
+// as the nearest block with a blocked cell.
+void DistanceField::build_blocks(const BlockedCells& cells, int coarseness) {
+  const BitGrid grid = blocks_of(cells.blocked(), coarseness);
+  block_columns_ = static_cast<std::size_t>(grid.columns());
+  const double side = std::ldexp(1.0, coarseness);
+  per_block_ = 1 / side;
+  across_block_ = side * std::sqrt(2.0) + 1 / parts;
+  const auto near = least_in_blocks(squares_, columns_, coarseness);
+  const auto far_away = least_in_blocks(corner_squares(grid), block_columns_ + 1, 0);
+  blocks_.reserve(near.size());
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    double distance = std::sqrt(static_cast<double>(near[i]));
+    if (distance >= furthest) {
+      distance = std::max(distance, side * std::sqrt(static_cast<double>(far_away[i])));
+    }
+    blocks_.push_back(static_cast<std::uint16_t>(std::min(distance * parts, 65535.0)));
+  }
+}
+
+DistanceField::Range DistanceField::around(const Point& point) const noexcept {
+  const double x = std::clamp(point.x, 0.0, last_x_ + 0.5);
+  const double y = std::clamp(point.y, 0.0, last_y_ + 0.5);
+  const double i = std::floor(x + 0.5);
+  const double j = std::floor(y + 0.5);
+  const double distance =
+      std::sqrt(square_at(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)));
+  const double aside = std::sqrt((x - i) * (x - i) + (y - j) * (y - j));
+  const double outside = std::abs(point.x - x) + std::abs(point.y - y);
+  return {distance - aside, distance < furthest ? distance + aside + outside : endless};
 }
 
 }  // namespace vandplan

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "blocked_cells.h"
@@ -19,11 +20,11 @@ namespace vandplan {
 /// Lengths and positions in cells, from the lower left corner of the frame. Immutable.
 class DistanceField {
  public:
-  /// Distances above it are not told apart [cells].
+  /// Distances above it are not told apart, but by the coarse copy [cells].
   static constexpr double furthest = 255.0;
 
-  /// Beside the field itself it keeps a coarse copy, of every 2^coarseness-th corner: small enough
-  /// to stay in the cache.
+  /// Beside the field itself it keeps a coarse copy, of blocks of 2^coarseness times 2^coarseness
+  /// cells: small enough to stay in the cache.
   DistanceField(const BlockedCells& cells, int coarseness);
 
   /// Between which two numbers a distance lies.
@@ -31,44 +32,43 @@ class DistanceField {
     double least, most;
   };
 
-  /// The distance of a point from the nearest blocked cell; above `furthest` at least `least`.
-  [[nodiscard]] Range around(const Point& point) const noexcept { return look_up(fine_, point); }
+  /// The distance of a point from the nearest blocked cell.
+  [[nodiscard]] Range around(const Point& point) const noexcept;
 
-  /// The same from the coarse copy.
+  /// The same from the coarse copy: less exact, but up to `furthest` blocks.
   [[nodiscard]] Range roughly_around(const Point& point) const noexcept {
-    return look_up(coarse_, point);
+    const Point p = in_frame(point);
+    const auto i = static_cast<std::size_t>(p.x * per_block_);
+    const auto j = static_cast<std::size_t>(p.y * per_block_);
+    const double least = blocks_[j * block_columns_ + i] * (1 / parts);
+    const double outside = std::abs(point.x - p.x) + std::abs(point.y - p.y);
+    return {least, least < furthest ? least + across_block_ + outside : endless};
   }
 
   /// The square of the distance at a corner of cells, at most that of `furthest`.
   [[nodiscard]] std::uint32_t square_at(std::int32_t x, std::int32_t y) const noexcept {
-    return fine_.squares[static_cast<std::size_t>(y) * fine_.columns + static_cast<std::size_t>(x)];
+    return squares_[static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x)];
   }
 
  private:
-  /// Squared distances at corners that are `side` cells apart.
-  struct Corners {
-    double side;
-    double last_x, last_y;  // of a corner [cells]
-    std::size_t columns;
-    std::vector<std::uint16_t> squares;
-  };
+  static constexpr double endless = std::numeric_limits<double>::infinity();
+  static constexpr double parts = 16.0;  // of a cell, that the coarse copy counts
 
-  [[nodiscard]] static Range look_up(const Corners& corners, const Point& point) noexcept {
-    // Outside of the frame: nothing that lies in it is nearer than to the frame's nearest point.
-    const double x = std::clamp(point.x, 0.0, corners.last_x);
-    const double y = std::clamp(point.y, 0.0, corners.last_y);
-    const auto i = static_cast<std::size_t>(x / corners.side + 0.5);
-    const auto j = static_cast<std::size_t>(y / corners.side + 0.5);
-    const double dx = x - static_cast<double>(i) * corners.side;
-    const double dy = y - static_cast<double>(j) * corners.side;
-    const double square = corners.squares[j * corners.columns + i];
-    const double aside = std::sqrt(dx * dx + dy * dy);
-    const double outside = std::abs(point.x - x) + std::abs(point.y - y);
-    return {std::sqrt(square) - aside, std::sqrt(square) + aside + outside};
+  void build_blocks(const BlockedCells& cells, int coarseness);
+
+  /// The nearest point of the frame, but for its last half cell: nothing that lies in the frame is
+  /// nearer to the point itself than to the block of this one.
+  [[nodiscard]] Point in_frame(const Point& point) const noexcept {
+    return {std::clamp(point.x, 0.0, last_x_), std::clamp(point.y, 0.0, last_y_)};
   }
 
-  Corners fine_;
-  Corners coarse_;
+  double last_x_, last_y_;
+  std::size_t columns_;                 // of corners
+  std::vector<std::uint16_t> squares_;  // of their distances
+  double per_block_;                    // inverse of the cells along a side
+  double across_block_;                 // its diagonal, and a part
+  std::size_t block_columns_;
+  std::vector<std::uint16_t> blocks_;  // distances of their nearest points, in parts, rounded down
 };
 
 }  // namespace vandplan

@@ -10,9 +10,9 @@
 namespace vandplan {
 namespace {
 
-constexpr double small_block = 0.4;    // side, about [m]
-constexpr int large_shift = 3;         // a large block is 2^3 small ones wide
-constexpr double longest_part = 12.0;  // of a segment whose cells are looked for at once [m]
+constexpr double block = 0.4;          // side of blocks of edge cells, about [m]
+constexpr double field_block = 0.8;    // side of the blocks of the coarse field, about [m]
+constexpr double longest_piece = 1.5;  // of a segment whose cells are looked for at once [m]
 
 /// How often cells of that side are doubled to come near to a length; at least once.
 int doublings(double side, double wanted) {
@@ -21,24 +21,23 @@ int doublings(double side, double wanted) {
   return times;
 }
 
-/// A run of squares with sides of that length.
-Sides sides_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, double side) {
-  const double left = x_begin * side;
-  const double right = x_end * side;
-  const double low = y * side;
-  const double high = (y + 1) * side;
-  return {{left, right, right, left, left}, {low, low, high, high, low}};
+Sides sides_of(const Bounds& b) {
+  return {{b.x_min, b.x_max, b.x_max, b.x_min, b.x_min},
+          {b.y_min, b.y_min, b.y_max, b.y_max, b.y_min}};
 }
 
 CellBox blocks_in(const CellBox& cells, int shift) {
   return {cells.x_min >> shift, cells.x_max >> shift, cells.y_min >> shift, cells.y_max >> shift};
 }
 
-/// The cells of a run of blocks that are in a box, too.
-CellBox cells_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, int shift,
-                 const CellBox& box) {
-  return {std::max(x_begin << shift, box.x_min), std::min((x_end << shift) - 1, box.x_max),
-          std::max(y << shift, box.y_min), std::min(((y + 1) << shift) - 1, box.y_max)};
+/// The cells of a run of blocks.
+CellBox cells_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, int shift) {
+  return {x_begin << shift, (x_end << shift) - 1, y << shift, ((y + 1) << shift) - 1};
+}
+
+CellBox shared(const CellBox& a, const CellBox& b) {
+  return {std::max(a.x_min, b.x_min), std::min(a.x_max, b.x_max), std::max(a.y_min, b.y_min),
+          std::min(a.y_max, b.y_max)};
 }
 
 }  // namespace
@@ -47,94 +46,99 @@ CellBox cells_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, int s
 class GridObstacles::Search {
  public:
   Search(const GridObstacles& grid, const PlacedSegment& placed)
-      : grid_(grid), placed_(placed), sweep_(grid.body_, placed) {
-    const Point& start = placed.from.position;
-    const CellBox cell = grid.cells_in({start.x, start.x, start.y, start.y});
-    start_x_ = cell.x_min;
-    start_y_ = cell.y_min;
-  }
+      : grid_(grid), placed_(placed), sweep_(grid.body_, placed) {}
 
-  /// [2] Part by part, so that the boxes around them hold little that is not near.
-  [[nodiscard]] bool finds_any() const {
-    const Bounds whole = sweep_.box();
-    if (placed_.length <= longest_part) return finds_in(grid_.cells_in(whole));
-    const double parts = std::ceil(placed_.length / longest_part);
-    for (double i = 0; i < parts; ++i) {
-      const Point from = at(placed_.length * i / parts);
-      const Point to = at(placed_.length * (i + 1) / parts);
-      const double bulge = placed_.curvature * longest_part * longest_part / 8;
-      const double margin = std::min(bulge, longest_part / 2) + grid_.reach_ + 2 * end_margin;
-      const Bounds box{std::max(whole.x_min, std::min(from.x, to.x) - margin),
-                       std::min(whole.x_max, std::max(from.x, to.x) + margin),
-                       std::max(whole.y_min, std::min(from.y, to.y) - margin),
-                       std::min(whole.y_max, std::max(from.y, to.y) + margin)};
-      if (finds_in(grid_.cells_in(box))) return true;
+  /// [2] Piece by piece, so that the rectangles around them hold little that is not near.
+  [[nodiscard]] bool finds_any(const Part& part) const {
+    const double count = std::max(1.0, std::ceil((part.end - part.begin) / longest_piece));
+    const double length = (part.end - part.begin) / count;
+    for (double i = 0; i < count; ++i) {
+      if (finds_in(around(part.begin + (i + 0.5) * length, length / 2))) return true;
     }
     return false;
   }
 
  private:
-  /// Where the rear axle is after that length.
-  [[nodiscard]] Point at(double length) const {
-    const Point& from = placed_.from.position;
-    const double turn = length * placed_.curvature;
-    double x = length;
-    double y = 0.0;
-    if (turn > 1e-15) {
-      const SinCos half = sin_cos(turn / 2);
-      x = 2 * half.sin * half.cos / placed_.curvature;
-      y = 2 * half.sin * half.sin / placed_.curvature;
+  /// A rectangle that lies as the footprint does.
+  struct Rectangle {
+    Point middle;
+    Point forward;  // unit vector
+    double half_length, half_width;
+
+    [[nodiscard]] Bounds box() const {
+      const double x = half_length * std::abs(forward.x) + half_width * std::abs(forward.y);
+      const double y = half_length * std::abs(forward.y) + half_width * std::abs(forward.x);
+      return {middle.x - x, middle.x + x, middle.y - y, middle.y + y};
     }
-    return {from.x + x * placed_.forward.x + y * placed_.left.x,
-            from.y + x * placed_.forward.y + y * placed_.left.y};
+
+    /// Whether they overlap, if the box overlaps the one around.
+    [[nodiscard]] bool meets(const Bounds& b) const {
+      const double dx = (b.x_min + b.x_max) / 2 - middle.x;
+      const double dy = (b.y_min + b.y_max) / 2 - middle.y;
+      const double half_x = (b.x_max - b.x_min) / 2;
+      const double half_y = (b.y_max - b.y_min) / 2;
+      const double u = std::abs(forward.x);
+      const double v = std::abs(forward.y);
+      return (std::abs(dx * forward.x + dy * forward.y) <= half_length + half_x * u + half_y * v) &
+             (std::abs(dy * forward.x - dx * forward.y) <= half_width + half_x * v + half_y * u);
+    }
+  };
+
+  /// Around the footprint wherever it is up to `reach` before or behind a place of the segment [m].
+  [[nodiscard]] Rectangle around(double place, double reach) const {
+    const Placement axle = placed_.at(place);
+    const Footprint& body = grid_.body_;
+    // A point (x, y) of it moves (1 - ky, kx) per metre in its frame, which turns by k per metre.
+    const double x = std::max(body.front, body.rear);
+    const double turn = placed_.curvature * reach;
+    const double across = 1 + placed_.curvature * body.half_width;
+    const double along = reach * across + turn * turn * x / 2;
+    const double aside = turn * (x + reach * across / 2);
+    const double middle = (body.front - body.rear) / 2;
+    return {{axle.position.x + middle * axle.heading.x, axle.position.y + middle * axle.heading.y},
+            axle.heading,
+            (body.front + body.rear) / 2 + along + 2 * end_margin,
+            body.half_width + aside + 2 * end_margin};
   }
 
-  /// [3] Among the cells of a box, through large blocks and small ones.
-  [[nodiscard]] bool finds_in(const CellBox& box) const {
-    const int small = grid_.small_shift_;
-    return finds(grid_.large_blocks_, small + large_shift, box, [&](const CellBox& large) {
-      return finds(grid_.small_blocks_, small, large, [&](const CellBox& cells) {
-        return grid_.cells_.edges().any_run(
-            cells, [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
-              return sweep_.touches(sides_of(y, x_begin, x_end, grid_.side_));
-            });
-      });
+  /// [3] Through blocks of cells.
+  [[nodiscard]] bool finds_in(const Rectangle& near) const {
+    const CellBox box = grid_.cells_in(near.box());
+    return finds(grid_.blocks_, grid_.block_shift_, box, near, [&](const CellBox& cells) {
+      return finds(grid_.cells_.edges(), 0, cells, near,
+                   [&](const CellBox& run) { return sweep_.touches(sides_of(square(run))); });
     });
   }
 
-  /// Calls `look` for the cells of blocks that are touched, until it returns true. A block that the
-  /// vehicle starts in may hold all of its way.
+  /// Calls `look` for the cells in the box of blocks near the rectangle, until it returns true.
   template <typename Look>
-  [[nodiscard]] bool finds(const BitGrid& blocks, int shift, const CellBox& box, Look look) const {
-    const double side = grid_.side_ * (1 << shift);
-    return blocks.any_run(
-        blocks_in(box, shift), [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
-          const CellBox cells = cells_of(y, x_begin, x_end, shift, box);
-          const bool starts_in =
-              y == start_y_ >> shift && x_begin <= start_x_ >> shift && start_x_ >> shift < x_end;
-          const bool is_touched = starts_in || sweep_.touches(sides_of(y, x_begin, x_end, side));
-          return is_touched && look(cells);
-        });
+  [[nodiscard]] bool finds(const BitGrid& blocks, int shift, const CellBox& box,
+                           const Rectangle& near, Look look) const {
+    return blocks.any_run(blocks_in(box, shift),
+                          [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
+                            const CellBox run = cells_of(y, x_begin, x_end, shift);
+                            return near.meets(square(run)) && look(shared(run, box));
+                          });
+  }
+
+  [[nodiscard]] Bounds square(const CellBox& run) const {
+    const double side = grid_.side_;
+    return {run.x_min * side, (run.x_max + 1) * side, run.y_min * side, (run.y_max + 1) * side};
   }
 
   const GridObstacles& grid_;
   const PlacedSegment& placed_;
   Sweep sweep_;
-  std::int32_t start_x_;  // cell of the rear axle at the start
-  std::int32_t start_y_;
 };
 
 GridObstacles::GridObstacles(const OccupancyGrid& grid, const Footprint& body)
     : side_(grid.resolution),
       body_(body),
-      middle_((body.front - body.rear) / 2),
-      radius_(std::hypot((body.front + body.rear) / 2, body.half_width)),
-      reach_(std::hypot(std::max(body.front, body.rear), body.half_width)),
+      discs_(body),
       cells_(grid),
-      field_(cells_, doublings(grid.resolution, small_block)),
-      small_shift_(doublings(grid.resolution, small_block)),
-      small_blocks_(blocks_of(cells_.edges(), small_shift_)),
-      large_blocks_(blocks_of(cells_.edges(), small_shift_ + large_shift)) {
+      field_(cells_, doublings(grid.resolution, field_block)),
+      block_shift_(doublings(grid.resolution, block)),
+      blocks_(blocks_of(cells_.edges(), block_shift_)) {
   const auto [sin, cos] = sin_cos(grid.origin.heading);
   along_ = {cos, sin};
   // The frame is a cell wide.
@@ -170,28 +174,23 @@ CellBox GridObstacles::cells_in(const Bounds& box) const noexcept {
 
 bool GridObstacles::contain(const Point& point) const noexcept {
   const Point p = in_frame(point);
+  if (field_.roughly_around({p.x / side_, p.y / side_}).least > 0) return false;
   // Outside of the frame is as its border.
   const double x = std::clamp(p.x / side_, 0.0, cells_.columns() - 0.5);
   const double y = std::clamp(p.y / side_, 0.0, cells_.rows() - 0.5);
   return cells_.is_blocked(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
 }
 
-/// [1] Whether the field alone tells that nothing is touched: no point of the footprint gets
-/// further from its middle at the start than that and what is driven, times its greatest speed.
-bool GridObstacles::is_far(const PlacedSegment& placed) const noexcept {
-  const double across = 1 + placed.curvature * body_.half_width;
-  const double along = placed.curvature * std::max(body_.front, body_.rear);
-  const double moved = placed.length * std::sqrt(across * across + along * along);
-  const double needed = radius_ + moved + end_margin;
-  if (needed > DistanceField::furthest * side_) return false;
-  const auto& [position, heading] = placed.from;
-  const Point middle =
-      in_frame({position.x + middle_ * heading.x, position.y + middle_ * heading.y});
-  return field_.roughly_around({middle.x / side_, middle.y / side_}).least * side_ > needed;
-}
-
-bool GridObstacles::is_clear(const PlacedSegment& placed) const noexcept {
-  return is_far(placed) || !Search(*this, in_frame(placed)).finds_any();
+bool GridObstacles::is_clear(const PlacedSegment& segment) const noexcept {
+  const PlacedSegment placed = in_frame(segment);
+  const DiscTrace trace = trace_discs(field_, side_, discs_, placed);
+  if (trace.is_hit) return false;
+  if (trace.in_doubt().empty()) return true;
+  const Search search(*this, placed);
+  for (const Part& part : trace.in_doubt()) {
+    if (search.finds_any(part)) return false;
+  }
+  return true;
 }
 
 bool GridObstacles::is_within(const Point& point, double distance) const noexcept {

@@ -7,6 +7,7 @@
 // closed form, blocks of them at once. Theory and proof: docs/algorithms/occupancy_grid.md.
 
 #include "blocked_cells.h"
+#include "disc_trace.h"
 #include "distance_field.h"
 #include "sweep.h"
 #include "vandplan/occupancy_grid.h"
@@ -35,22 +36,17 @@ class GridObstacles {
   /// Into the frame of the cells, in metres.
   [[nodiscard]] Point in_frame(const Point& point) const noexcept;
   [[nodiscard]] PlacedSegment in_frame(const PlacedSegment& placed) const noexcept;
-  [[nodiscard]] bool is_far(const PlacedSegment& placed) const noexcept;
   [[nodiscard]] CellBox cells_in(const Bounds& box) const noexcept;
 
   Point origin_;  // of the frame of the cells
   Point along_;   // unit vector of its x axis
   double side_;   // of a cell [m]
   Footprint body_;
-  double middle_;  // of the footprint, ahead of the rear axle [m]
-  double radius_;  // of the disc around the middle that holds the footprint [m]
-  double reach_;   // from the rear axle to the furthest corner [m]
+  DiscRows discs_;
   BlockedCells cells_;
   DistanceField field_;
-  int small_shift_;  // a small block has 2^small_shift_ cells to a side, a large one 8 times as
-                     // many
-  BitGrid small_blocks_;  // with an edge cell
-  BitGrid large_blocks_;
+  int block_shift_;  // a block has 2^block_shift_ cells to a side
+  BitGrid blocks_;   // with an edge cell
 };
 
 }  // namespace vandplan

@@ -26,6 +26,23 @@ double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 /// 1 + u without cancellation, for a unit vector (u, v).
 double one_plus(double u, double v) { return u < 0 ? v * v / (1 - u) : 1 + u; }
 
+struct Turned {
+  double sin, cos;
+  Point end;
+};
+
+/// How far an arc turns, and where it ends in its frame.
+Turned turned(double length, double curvature) noexcept {
+  const double turn = length * curvature;
+  // Half the turn gives 1 - cos(turn) without cancellation.
+  const SinCos half = sin_cos(turn / 2);
+  const double sin = 2 * half.sin * half.cos;
+  const double cos = 1 - 2 * half.sin * half.sin;
+  // As small a turn moves nothing aside that double could tell.
+  if (turn < 1e-15) return {sin, cos, {length, 0}};
+  return {sin, cos, {sin / curvature, 2 * half.sin * half.sin / curvature}};
+}
+
 }  // namespace
 
 Placement placement_of(const Pose& pose) noexcept {
@@ -43,16 +60,26 @@ PlacedSegment::PlacedSegment(const Placement& start, const Segment& segment) noe
   length = std::abs(segment.length);
   curvature = std::abs(segment.curvature);
   turn = length * curvature;
-  // Half the turn gives 1 - cos(turn) without cancellation.
-  const SinCos half = sin_cos(turn / 2);
-  sin = 2 * half.sin * half.cos;
-  cos = 1 - 2 * half.sin * half.sin;
-  // As small a turn moves nothing aside that double could tell.
-  end =
-      turn < 1e-15 ? Point{length, 0} : Point{sin / curvature, 2 * half.sin * half.sin / curvature};
-  to.position = {from.position.x + end.x * forward.x + end.y * left.x,
-                 from.position.y + end.x * forward.y + end.y * left.y};
-  to.heading = {gear * (cos * forward.x + sin * left.x), gear * (cos * forward.y + sin * left.y)};
+  const Turned whole = turned(length, curvature);
+  sin = whole.sin;
+  cos = whole.cos;
+  end = whole.end;
+  to = placed(whole.sin, whole.cos, whole.end);
+}
+
+Placement PlacedSegment::at(double driven) const noexcept {
+  if (curvature == 0) return placed(0, 1, {driven, 0});
+  const Turned part = turned(driven, curvature);
+  return placed(part.sin, part.cos, part.end);
+}
+
+Placement PlacedSegment::placed(double sin_of_turn, double cos_of_turn,
+                                const Point& place) const noexcept {
+  const double gear = dot(forward, from.heading) < 0 ? -1 : 1;
+  return {{from.position.x + place.x * forward.x + place.y * left.x,
+           from.position.y + place.x * forward.y + place.y * left.y},
+          {gear * (cos_of_turn * forward.x + sin_of_turn * left.x),
+           gear * (cos_of_turn * forward.y + sin_of_turn * left.y)}};
 }
 
 Bounds PlacedSegment::axle_box() const noexcept {

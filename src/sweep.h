@@ -50,6 +50,13 @@ struct PlacedSegment {
 
   /// The smallest box around all positions of the rear axle.
   [[nodiscard]] Bounds axle_box() const noexcept;
+
+  /// Where the vehicle is after that length, from 0 to all of it [m].
+  [[nodiscard]] Placement at(double driven) const noexcept;
+
+ private:
+  [[nodiscard]] Placement placed(double sin_of_turn, double cos_of_turn,
+                                 const Point& place) const noexcept;
 };
 
 /// The area swept by an inflated footprint.
