@@ -60,7 +60,8 @@ void add_output(CLI::App& format, const std::shared_ptr<ConvertArguments>& argum
 }
 
 void add_vehicle(CLI::App& format, std::string& vehicle) {
-  format.add_option("--vehicle", vehicle, "One of the vehicles that scenarios may name")
+  const std::string names = fmt::format("{}", fmt::join(vehicle_names(), ", "));
+  format.add_option("--vehicle", vehicle, "Who drives: " + names)
       ->type_name("NAME")
       ->capture_default_str();
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/process.h"
@@ -40,6 +41,8 @@ TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
                                                           {"study", "symmetry"},
                                                           {"study", "steering"},
                                                           {"convert", "tpcap"},
+                                                          {"convert", "movingai"},
+                                                          {"convert", "dynobench"},
                                                           {"planners"}};
   for (std::vector<std::string> command : commands) {
     command.push_back("--help");
@@ -129,6 +132,19 @@ TEST(ConvertCommand, TpcapCaseBecomesAScenarioThatPlans) {
   const Outcome converted = run_vandplan({"convert", "tpcap", folder / "case.csv", "-o", scenario});
   ASSERT_EQ(converted.status, 0) << converted.err;
   EXPECT_EQ(run_vandplan({"plan", scenario, "--max-iterations", "100"}).status, 0);
+}
+
+TEST(ConvertCommand, WhatCannotBeWrittenLeavesNoMapBehind) {
+  const TemporaryFolder folder;
+  write_content(folder / "a.map", "type octile\nheight 1\nwidth 2\nmap\n..\n");
+  write_content(folder / "a.scen", "version 1\n0\ta.map\t2\t1\t0\t0\t1\t0\t1\n");
+  std::filesystem::create_directory(folder / "yard.yaml");
+  const Outcome outcome = run_vandplan(
+      {"convert", "movingai", folder / "a.map", folder / "a.scen", "-o", folder / "yard.yaml"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "vandplan: " + (folder / "yard.yaml") + ": cannot write: Is a directory\n");
+  EXPECT_EQ(folder.names().size(), 3U);
 }
 
 }  // namespace
