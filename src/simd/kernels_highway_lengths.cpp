@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
 #include <span>
 
 #include "simd/length_kernels.h"
@@ -16,19 +15,13 @@
 #define HWY_TARGET_INCLUDE "simd/kernels_highway_lengths.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
+#include "simd/kernels_highway-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vandplan::kernels::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using F = hn::ScalableTag<float>;
-using Floats = hn::Vec<F>;
 using Which = hn::Mask<F>;
-
-constexpr float pi = std::numbers::pi_v<float>;
-
-Floats set(float value) { return hn::Set(F(), value); }
 
 Floats at_least_zero(Floats value) { return hn::Max(value, hn::Zero(F())); }
 
@@ -42,13 +35,6 @@ Floats sum_of_products(Floats a, Floats b, Floats c, Floats d) {
 /// a * b - c * d, each rounded.
 Floats difference_of_products(Floats a, Floats b, Floats c, Floats d) {
   return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
-}
-
-template <std::size_t n>
-Floats horner(const float (&series)[n], Floats x) {
-  Floats sum = set(series[0]);
-  for (std::size_t i = 1; i < n; ++i) sum = hn::Add(set(series[i]), hn::Mul(x, sum));
-  return sum;
 }
 
 struct Direction {

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <numbers>
 #include <string_view>
 
 #include "simd/bound_kernels.h"
@@ -19,21 +18,12 @@
 #define HWY_TARGET_INCLUDE "simd/kernels_highway_tables.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
+#include "simd/kernels_highway-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vandplan::kernels::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using F = hn::ScalableTag<float>;
-using I = hn::ScalableTag<std::int32_t>;
-using Floats = hn::Vec<F>;
-using Ints = hn::Vec<I>;
-
-constexpr float pi = std::numbers::pi_v<float>;
-
-Floats set(float value) { return hn::Set(F(), value); }
-Ints set(std::int32_t value) { return hn::Set(I(), value); }
 Ints whole(Floats value) { return hn::ConvertTo(I(), value); }
 Floats real(Ints value) { return hn::ConvertTo(F(), value); }
 
@@ -89,13 +79,6 @@ void many_table_distances(const TableView& table, const float* x, const float* y
     hn::StoreU(table_distance(table, dx, dy, hn::LoadU(d, heading + i), set(sample.heading)), d,
                out + i);
   });
-}
-
-template <std::size_t n>
-Floats horner(const float (&series)[n], Floats x) {
-  Floats sum = set(series[0]);
-  for (std::size_t i = 1; i < n; ++i) sum = hn::Add(set(series[i]), hn::Mul(x, sum));
-  return sum;
 }
 
 struct Direction {
