@@ -107,7 +107,8 @@ int run(const PlanArguments& arguments) {
   if (arguments.picture) expect_picture(*arguments.picture);
 
   const std::vector<ResultRecord> records = plan_goals(scenario, planner, options);
-  const std::string json = results_to_json(scenario, records);
+  const bool wants_json = arguments.output || arguments.json;
+  const std::string json = wants_json ? results_to_json(scenario, records) : "";
   if (arguments.output) write_file(*arguments.output, json);
   if (arguments.picture) write_picture(*arguments.picture, scenario, records);
   if (arguments.json) {

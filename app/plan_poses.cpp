@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "commands.h"
 #include "progress_bar.h"
@@ -52,11 +52,17 @@ void for_all(std::size_t count, int jobs, Work work, Tell tell) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// The result as one line of JSON, in the scenario's frame.
-std::string line_of(std::size_t pair, const Scenario& scenario, const ResultRecord& record) {
-  nlohmann::ordered_json line = {{"pair", pair}};
-  line.update(nlohmann::ordered_json::parse(results_to_json(scenario, {record})));
-  return line.dump() + "\n";
+std::vector<Problem> problems_of(const std::shared_ptr<const World>& world,
+                                 const std::string& file) {
+  std::vector<Problem> problems;
+  for (const PosePair& pair : read_pose_pairs(file)) {
+    try {
+      problems.push_back(make_problem(world, pair.start, pair.goal));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: pair {}", file, problems.size() + 1), error.what());
+    }
+  }
+  return problems;
 }
 
 std::string summary_of(std::size_t pair, const PlanResult& result) {
@@ -69,30 +75,65 @@ std::string summary_of(std::size_t pair, const PlanResult& result) {
                      length(segments), gear_changes(segments), result.time_total);
 }
 
+/// The result as one line of JSON, in the scenario's frame.
+std::string line_of(std::size_t pair, const Scenario& scenario, const World& world,
+                    ResultRecord record) {
+  record.result.tree.reset();
+  if (record.result.path) {
+    Pose& start = record.result.path->start;
+    start = to_scenario(world, start);
+  }
+  return result_to_json_line(pair, scenario, record);
+}
+
+/// What is said of one pair.
+struct Answer {
+  bool is_solved = false;
+  std::string summary;
+  std::string json;  ///< empty unless somebody wants it
+};
+
+void print(const Scenario& scenario, const PlannerInfo& planner, const std::vector<Answer>& answers,
+           double elapsed) {
+  std::size_t solved = 0;
+  for (const Answer& answer : answers) {
+    solved += answer.is_solved ? 1U : 0U;
+    fmt::print("{}", answer.summary);
+  }
+  fmt::print("{}, {}: {} of {} solved in {:.3f} s, {:.1f} plans per second\n", scenario.name,
+             planner.name, solved, answers.size(), elapsed,
+             static_cast<double>(answers.size()) / elapsed);
+}
+
 }  // namespace
 
 int plan_poses(const Scenario& scenario, const PlannerInfo& planner, const PlanOptions& options,
                const PosesJob& job) {
-  const std::vector<PosePair> pairs = read_pose_pairs(job.poses);
-  if (job.output) expect_writable(*job.output);
   const std::shared_ptr<const World> world = make_problem(scenario, 0).world;
-  std::vector<Problem> problems;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    try {
-      problems.push_back(make_problem(world, pairs[i].start, pairs[i].goal));
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: pair {}", job.poses, i + 1), error.what());
-    }
-  }
-  std::vector<PlanResult> results(pairs.size());
+  const std::vector<Problem> problems = problems_of(world, job.poses);
+  if (job.output) expect_writable(*job.output);
+  const auto answer_of = [&](std::size_t i) {
+    PlanResult result = plan(problems[i], planner, options);
+    Answer answer{result.path.has_value(), summary_of(i + 1, result), ""};
+    if (!job.output && !job.json) return answer;
+    answer.json = line_of(i + 1, scenario, *world,
+                          {.scenario = scenario.name,
+                           .planner = std::string(planner.name),
+                           .options = options,
+                           .distance = {},
+                           .result = std::move(result),
+                           .claims = {},
+                           .furthest = {}});
+    return answer;
+  };
+  std::vector<Answer> answers(problems.size());
   const auto begin = std::chrono::steady_clock::now();
   {
     ProgressBar bar;
     Progress progress;
-    progress.total = static_cast<int>(pairs.size());
+    progress.total = static_cast<int>(problems.size());
     for_all(
-        pairs.size(), job.jobs,
-        [&](std::size_t i) { results[i] = plan(problems[i], planner, options); },
+        problems.size(), job.jobs, [&](std::size_t i) { answers[i] = answer_of(i); },
         [&](std::size_t done) {
           progress.done = static_cast<int>(done);
           progress.elapsed = seconds_since(begin);
@@ -101,32 +142,18 @@ int plan_poses(const Scenario& scenario, const PlannerInfo& planner, const PlanO
   }
   const double elapsed = seconds_since(begin);
   std::string lines;
-  std::size_t solved = 0;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    PlanResult& result = results[i];
-    solved += result.path ? 1U : 0U;
-    if (result.path) result.path->start = to_scenario(*world, result.path->start);
-    if (!job.json) fmt::print("{}", summary_of(i + 1, result));
-    if (!job.json && !job.output) continue;
-    result.tree.reset();
-    lines += line_of(i + 1, scenario,
-                     {.scenario = scenario.name,
-                      .planner = std::string(planner.name),
-                      .options = options,
-                      .distance = {},
-                      .result = std::move(result),
-                      .claims = {},
-                      .furthest = {}});
+  bool all_solved = true;
+  for (Answer& answer : answers) {
+    lines += std::exchange(answer.json, {});
+    all_solved = all_solved && answer.is_solved;
   }
   if (job.output) write_file(*job.output, lines);
   if (job.json) {
     fmt::print("{}", lines);
   } else {
-    fmt::print("{}, {}: {} of {} solved in {:.3f} s, {:.1f} plans per second\n", scenario.name,
-               planner.name, solved, results.size(), elapsed,
-               static_cast<double>(results.size()) / elapsed);
+    print(scenario, planner, answers, elapsed);
   }
-  return solved == results.size() ? exit_status::done : exit_status::failed;
+  return all_solved ? exit_status::done : exit_status::failed;
 }
 
 }  // namespace vandplan

@@ -95,6 +95,10 @@ struct ResultRecord {
 [[nodiscard]] std::string results_to_json(const Scenario& scenario,
                                           const std::vector<ResultRecord>& records);
 
+/// One of many results, for the pair of poses with that number, as one line of JSON.
+[[nodiscard]] std::string result_to_json_line(std::size_t pair, const Scenario& scenario,
+                                              const ResultRecord& record);
+
 /// Reads a result file written by us or by others. As many records as the scenario has goals.
 [[nodiscard]] std::vector<ResultRecord> read_results(const std::string& file,
                                                      const Scenario& scenario);

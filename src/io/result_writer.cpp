@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "vandplan/io.h"
 #include "vandplan/version.h"
@@ -33,8 +34,11 @@ Json json_of(const Segment& segment, double radius) {
 }
 
 Json json_of(const PathPoint& point) {
-  Json json = {{"s", point.s}};
-  json.update(json_of(point.pose));
+  Json json;
+  json["s"] = point.s;
+  json["x"] = point.pose.x;
+  json["y"] = point.pose.y;
+  json["heading"] = point.pose.heading;
   json["curvature"] = point.curvature;
   json["direction"] = point.direction;
   return json;
@@ -65,7 +69,9 @@ Pose written_start(const Pose& start, const Pose& wanted) {
 Json json_of(const Path& path, double radius) {
   Json segments = Json::array();
   for (const Segment& segment : path.segments) segments.push_back(json_of(segment, radius));
-  return {{"start", json_of(path.start)}, {"segments", segments}, {"poses", poses_of(path)}};
+  Json json = {{"start", json_of(path.start)}, {"segments", segments}};
+  json["poses"] = poses_of(path);  // by far the most of a file: not to be copied
+  return json;
 }
 
 Json json_of(const TreeSnapshot& tree) {
@@ -191,6 +197,14 @@ std::string results_to_json(const Scenario& scenario, const std::vector<ResultRe
   std::string text;
   write(json, "", text);
   return text + '\n';
+}
+
+std::string result_to_json_line(std::size_t pair, const Scenario& scenario,
+                                const ResultRecord& record) {
+  Json json = {{"pair", pair}};
+  Json result = json_of(scenario, record);
+  for (auto& [key, value] : result.get_ref<Json::object_t&>()) json[key] = std::move(value);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace vandplan

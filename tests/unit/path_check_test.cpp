@@ -300,6 +300,15 @@ TEST(PathCheck, TouchingSideBySideIsACollision) {
   EXPECT_FALSE(check_ahead({box(2, 1.275, 3, 2)}).valid);
 }
 
+TEST(PathCheck, ACollisionIsSeenBesideANearMiss) {
+  // Half a millimetre beside the truck all the way; the stone lies under it only half-way.
+  const Polygon miss = box(5, 1.2755, 6, 2);
+  const Polygon stone = box(6.5, -0.1, 7.5, 0.1);
+  EXPECT_NEAR(*check_ahead({miss}).clearance, 5e-4, 1e-3);
+  EXPECT_EQ(check_ahead({miss, stone}).reason, "the footprint hits obstacles[1]");
+  EXPECT_EQ(check_ahead({stone, miss}).reason, "the footprint hits obstacles[0]");
+}
+
 TEST(PathCheck, TheFirstCollisionOnTheWayIsReported) {
   const PathCheck check = check_ahead({box(14, -1, 15, 1), box(9, -1, 10, 1), box(12, 0, 13, 9)});
   EXPECT_EQ(check.reason, "the footprint hits obstacles[1]");
