@@ -3,57 +3,38 @@
 // Exact lengths to many nodes, and the nearest of them: ours against OMPL's Reeds-Shepp space and
 // its tree of neighbours (GNAT). Both in turns on the same nodes and samples, R = 7 m; figures are
 // medians over the rounds.
-#include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/datastructures/NearestNeighborsGNAT.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
 #include "random.h"
+#include "support/ompl_poses.h"
+#include "support/rounds.h"
 #include "vandplan/nearest.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {
 
-namespace ob = ompl::base;
-
 constexpr double radius = 7;
 constexpr std::size_t rounds = 9;
 
 /// Poses, and the same for OMPL.
 struct Poses {
-  ob::StateSpacePtr space = std::make_shared<ob::ReedsSheppStateSpace>(radius);
   std::vector<Pose> ours;
-  std::vector<ob::ScopedState<ob::ReedsSheppStateSpace>> theirs;
+  OmplPoses<ompl::base::ReedsSheppStateSpace> theirs{radius};
 
   Poses(std::size_t count, double reach, Rng& rng) {
     for (std::size_t i = 0; i < count; ++i) {
       ours.push_back(uniform_pose({-reach, reach, -reach, reach}, rng));
-      auto& state = theirs.emplace_back(space);
-      state->setXY(ours.back().x, ours.back().y);
-      state->setYaw(ours.back().heading);
+      theirs.add(ours.back());
     }
   }
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-/// Nanoseconds per call of `work`, which does `count` of them.
-template <typename Work>
-double nanoseconds(std::size_t count, Work work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - begin;
-  return time.count() / static_cast<double>(count);
-}
 
 void compare_lengths(double reach) {
   Rng rng(1);
@@ -69,9 +50,11 @@ void compare_lengths(double reach) {
   double worst = 0;
   std::vector<double> theirs, ours, ratios;
   for (std::size_t round = 0; round < rounds; ++round) {
-    const auto& sample = samples.theirs[round];
+    const auto* const sample = samples.theirs[round];
     theirs.push_back(nanoseconds(nodes.ours.size(), [&] {
-      for (const auto& node : nodes.theirs) sum += nodes.space->distance(node.get(), sample.get());
+      for (std::size_t i = 0; i < nodes.ours.size(); ++i) {
+        sum += nodes.theirs.distance(nodes.theirs[i], sample);
+      }
     }));
     ours.push_back(nanoseconds(nodes.ours.size() * samples.ours.size(), [&] {
       for (const Pose& pose : samples.ours) reeds_shepp_lengths({x, y, heading}, pose, radius, out);
@@ -79,7 +62,7 @@ void compare_lengths(double reach) {
     ratios.push_back(theirs.back() / ours.back());
     reeds_shepp_lengths({x, y, heading}, samples.ours[round], radius, out);
     for (std::size_t i = 0; i < out.size(); ++i) {
-      const double length = nodes.space->distance(nodes.theirs[i].get(), sample.get());
+      const double length = nodes.theirs.distance(nodes.theirs[i], sample);
       worst = std::max(worst, std::abs(static_cast<double>(out[i]) - length) / (length + radius));
     }
   }
@@ -99,12 +82,12 @@ void compare_nearest(std::size_t count, double reach) {
     return i < count ? nodes.ours[i] : samples.ours[i - count];
   };
   const auto state = [&](std::size_t i) {
-    return i < count ? nodes.theirs[i].get() : samples.theirs[i - count].get();
+    return i < count ? nodes.theirs[i] : samples.theirs[i - count];
   };
   tree.setDistanceFunction([&](const std::size_t& a, const std::size_t& b) {
     ++lengths;
     return building ? reeds_shepp_length(at(a), at(b), radius)
-                    : nodes.space->distance(state(a), state(b));
+                    : nodes.theirs.distance(state(a), state(b));
   });
   NearestNodes index(radius);
   for (std::size_t i = 0; i < count; ++i) {

@@ -2,17 +2,17 @@
 // Copyright (c) 2026, the Vändplan authors
 // How much faster are our lengths than OMPL's? Both in turns, on the same pairs of poses; the ratio
 // is the median over the rounds, for absolute times drift with the machine.
-#include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "support/ompl_poses.h"
 #include "support/pose_pairs.h"
+#include "support/rounds.h"
 #include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -22,59 +22,30 @@ namespace {
 constexpr double radius = 7;
 constexpr int rounds = 15;
 
-/// Pairs as OMPL wants them.
-template <typename Space>
-class Peer {
- public:
-  explicit Peer(const std::vector<PosePair>& pairs) {
-    for (const auto& [from, to] : pairs) {
-      for (const Pose& pose : {from, to}) {
-        auto& state = states_.emplace_back(space_);
-        state->setXY(pose.x, pose.y);
-        state->setYaw(pose.heading);
-      }
-    }
-  }
-  double distance(std::size_t pair) const {
-    return space_->distance(states_[2 * pair].get(), states_[2 * pair + 1].get());
-  }
-
- private:
-  ompl::base::StateSpacePtr space_ = std::make_shared<Space>(radius);
-  std::vector<ompl::base::ScopedState<Space>> states_;
-};
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + rounds / 2, values.end());
-  return values[rounds / 2];
-}
-
-/// Nanoseconds per call of `work`, which does `count` of them.
-template <typename Work>
-double nanoseconds(std::size_t count, Work work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - begin;
-  return time.count() / static_cast<double>(count);
-}
-
 template <typename Space, typename Length>
 void compare(const char* name, double reach, Length length) {
   Rng rng(1);
   std::vector<PosePair> pairs(4096);
   for (PosePair& pair : pairs) pair = near_pair(reach, rng);
-  const Peer<Space> peer(pairs);
+  OmplPoses<Space> peer(radius);
+  for (const auto& [from, to] : pairs) {
+    peer.add(from);
+    peer.add(to);
+  }
+  const auto their_length = [&](std::size_t pair) {
+    return peer.distance(peer[2 * pair], peer[2 * pair + 1]);
+  };
 
   double worst = 0;
   double sum = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const double theirs = peer.distance(i);
+    const double theirs = their_length(i);
     worst = std::max(worst, std::abs(length(pairs[i].from, pairs[i].to, radius) - theirs) / theirs);
   }
   std::vector<double> ours_ns(rounds), theirs_ns(rounds), ratios(rounds);
   for (int round = 0; round < rounds; ++round) {
     theirs_ns[round] = nanoseconds(pairs.size(), [&] {
-      for (std::size_t i = 0; i < pairs.size(); ++i) sum += peer.distance(i);
+      for (std::size_t i = 0; i < pairs.size(); ++i) sum += their_length(i);
     });
     constexpr int repeats = 20;
     ours_ns[round] = nanoseconds(pairs.size() * repeats, [&] {
