@@ -27,7 +27,8 @@ vandplan_core_target(vandplan_tables)
 target_include_directories(vandplan_tables PRIVATE ${PROJECT_SOURCE_DIR}/include)
 
 # What the library looks up, but never computes itself.
-add_library(vandplan_bound_builder OBJECT bound_builder.cpp excess.cpp)
+add_library(vandplan_bound_builder OBJECT bound_builder.cpp excess.cpp
+                                          words_in_box.cpp)
 vandplan_core_target(vandplan_bound_builder)
 target_include_directories(vandplan_bound_builder PRIVATE ${PROJECT_SOURCE_DIR}/include)
 

@@ -9,15 +9,9 @@
 #include <bitset>
 
 #include "interval.h"
+#include "words_in_box.h"
 
 namespace vandplan {
-
-/// Pairs of poses by the coordinates of simd/bound_grid.h, each in [0, 1].
-struct PairBox {
-  Interval radial;
-  Interval side;
-  Interval turn;
-};
 
 /// Some of the 48 words.
 using WordSet = std::bitset<48>;
@@ -29,10 +23,6 @@ struct Excess {
   WordSet words{};                   ///< those that can be shortest somewhere in the box
   bool bounded = true;               ///< else nothing is known of the slopes
 };
-
-/// From the coordinates of the grid to those of the mean frame.
-[[nodiscard]] double distance_at(double radial);
-[[nodiscard]] double bearing_at(double side);
 
 /// `among`: no other word is shortest anywhere in the box.
 [[nodiscard]] Excess excess_over(const PairBox& box, const WordSet& among);

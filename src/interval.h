@@ -23,6 +23,9 @@ struct Interval {
   [[nodiscard]] double width() const { return high - low; }
 };
 
+/// One number.
+inline Interval point(double value) { return {value, value}; }
+
 inline Interval operator+(Interval a, Interval b) { return {a.low + b.low, a.high + b.high}; }
 inline Interval operator-(Interval a, Interval b) { return {a.low - b.high, a.high - b.low}; }
 inline Interval operator-(Interval a) { return {-a.high, -a.low}; }
