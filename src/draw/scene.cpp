@@ -121,7 +121,7 @@ Bounds framed(const Scene& scene) {
   }
   const Bounds core = bounding_box(points);
   // Obstacles further away than a third of the picture add nothing to the story.
-  const Bounds reach = widened(core, 5.0 + 0.3 * extent(core));
+  const Bounds reach = widened(core, 0.7 * (body.rear + body.front) + 0.3 * extent(core));
   Bounds seen = core;
   std::vector<Polygon> things = scene.obstacles;
   things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());

@@ -488,9 +488,9 @@
   }
 
   // The box around the path and what stands near it: what is further away than a third adds nothing.
-  function framed(points, things) {
+  function framed(points, things, [rear, front]) {
     const [x0, x1, y0, y1] = boxOf(points);
-    const margin = 5 + 0.3 * Math.max(x1 - x0, y1 - y0);
+    const margin = 0.7 * (rear + front) + 0.3 * Math.max(x1 - x0, y1 - y0);
     const reach = [x0 - margin, x1 + margin, y0 - margin, y1 + margin];
     const seen = [x0, x1, y0, y1];
     for (const [a0, a1, b0, b1] of things.map(boxOf)) {
@@ -513,7 +513,7 @@
     const ends = [scenario.start, goal.pose].map((p) => outline(p, scenario.footprint));
     const map = scenario.map === null ? null : data.maps[scenario.map];
     const [x0, x1, y0, y1] = framed(bodies.concat(ends).flat(),
-      obstacles.concat(scenario.kerbs, map ? [mapOutline(map)] : []));
+      obstacles.concat(scenario.kerbs, map ? [mapOutline(map)] : []), scenario.footprint);
     const side = 1.06 * Math.max(x1 - x0, y1 - y0);
     const [cx, cy] = [(x0 + x1) / 2, (y0 + y1) / 2];
     const svg = d3.select(document.createElementNS('http://www.w3.org/2000/svg', 'svg'))
