@@ -27,8 +27,15 @@ using Current = std::map<std::string, std::size_t>;
 struct Choice {
   std::size_t environment = 0;
   PlanOptions options;
-  Current current;
+  Current known = {};  // of other files the last run had what they hold
 };
+
+Current current_of(const Report& report, const Choice& choice) {
+  Current current;
+  for (const RunRecord& run : report.runs) current[report.files[run.scenario].file] = run.scenario;
+  for (const auto& [file, scenario] : choice.known) current[file] = scenario;
+  return current;
+}
 
 Report make_report(Store& store, std::vector<RunRecord> runs, const Choice& choice) {
   Report report;
@@ -39,24 +46,21 @@ Report make_report(Store& store, std::vector<RunRecord> runs, const Choice& choi
   report.sessions = store.sessions();
   std::erase_if(report.sessions,
                 [&](const Session& session) { return session.environment != choice.environment; });
-  const std::string shared = shared_options(choice.options);
-  report.left_out = static_cast<int>(std::erase_if(runs, [&](const RunRecord& run) {
-    return run.environment != choice.environment || shared_options(run.options) != shared ||
-           choice.current.at(report.files[run.scenario].file) != run.scenario;
-  }));
-  if (runs.empty()) throw InputError("report", "there is no run to tell of");
   report.runs = std::move(runs);
+  const std::size_t all = report.runs.size();
+  const std::string shared = shared_options(choice.options);
+  std::erase_if(report.runs, [&](const RunRecord& run) {
+    return run.environment != choice.environment || shared_options(run.options) != shared;
+  });
+  const Current current = current_of(report, choice);
+  std::erase_if(report.runs, [&](const RunRecord& run) {
+    return current.at(report.files[run.scenario].file) != run.scenario;
+  });
+  report.left_out = static_cast<int>(all - report.runs.size());
+  if (report.runs.empty()) throw InputError("report", "there is no run to tell of");
   report.summary = summarize(report.scenarios, report.runs);
   report.findings = findings(report.summary, report.scenarios);
   return report;
-}
-
-// As far as the runs tell: the last one of each file had what it holds.
-Current current_of(Store& store, const std::vector<RunRecord>& runs) {
-  const std::vector<StoredScenario> files = store.scenarios();
-  Current current;
-  for (const RunRecord& run : runs) current[files.at(run.scenario).file] = run.scenario;
-  return current;
 }
 
 // How an option is set on the command line, up to its value.
@@ -73,16 +77,15 @@ std::string flag_of(std::string_view option) {
 Report make_report(Store& store) {
   std::vector<RunRecord> runs = store.runs();
   if (runs.empty()) throw InputError("report", "there is no run to tell of");
-  const Choice choice{runs.back().environment, runs.back().options, current_of(store, runs)};
+  const Choice choice{runs.back().environment, runs.back().options};
   return make_report(store, std::move(runs), choice);
 }
 
 Report make_report(Store& store, const Campaign& campaign) {
-  std::vector<RunRecord> runs = store.runs();
-  Choice choice{store.index_of(this_environment()), campaign.options, current_of(store, runs)};
+  Choice choice{store.index_of(this_environment()), campaign.options};
   for (const auto& [scenario, file] : campaign.scenarios)
-    choice.current[file] = store.index_of(stored(scenario, file));
-  return make_report(store, std::move(runs), choice);
+    choice.known[file] = store.index_of(stored(scenario, file));
+  return make_report(store, store.runs(), choice);
 }
 
 // A run that was cut by the clock made a number of iterations: with that as its limit it is the

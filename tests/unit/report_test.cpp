@@ -92,14 +92,29 @@ TEST(Report, TellsOfWhatAFileHoldsNow) {
   run_campaign(after, store, {});
   for (const Campaign& campaign : {before, after}) {
     const Report report = make_report(store, campaign);
-    EXPECT_EQ(report.left_out,
-              16);  // of "one": 2 planners, 2 regions, 3 repeats and a profiled run
+    EXPECT_EQ(report.left_out, 16);  // 2 planners, 2 regions, 3 repeats and a profiled run
     for (const RunRecord& run : report.runs) {
       if (report.files[run.scenario].file != "one.yaml") continue;
       EXPECT_EQ(report.scenarios[run.scenario].obstacles, campaign.scenarios[0].scenario.obstacles);
     }
   }
   EXPECT_EQ(make_report(store).left_out, 16);
+}
+
+TEST(Report, TellsOfAFileByTheRunsThatItCompares) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign before = small_campaign();
+  before.options.max_iterations = 30;
+  Campaign after = before;
+  after.scenarios[0].scenario.obstacles = {{{0, 0}, {1, 0}, {0, 1}}};
+  after.options.max_iterations = 20;
+  run_campaign(before, store, {});
+  const std::size_t runs = store.runs().size();
+  run_campaign(after, store, {});
+  before.scenarios.erase(before.scenarios.begin());
+  const Report report = make_report(store, before);  // as the first file was with these options
+  EXPECT_EQ(report.runs.size(), runs);
 }
 
 TEST(Report, IsOnePageWithEverythingInIt) {
