@@ -141,7 +141,10 @@ int plan_poses(const Scenario& scenario, const PlannerInfo& planner, const PlanO
         });
   }
   const double elapsed = seconds_since(begin);
+  std::size_t size = 0;
+  for (const Answer& answer : answers) size += answer.json.size();
   std::string lines;
+  lines.reserve(size);
   bool all_solved = true;
   for (Answer& answer : answers) {
     lines += std::exchange(answer.json, {});

@@ -1,29 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// How many plans a second in one world? Random pairs of free poses in a yard of 200 m, 4000 x 4000
-// cells; every path is judged before it counts.
-// usage: many_plans_bench PAIRS SECONDS THREADS
+// How many plans a second in one world, and how good are they? Random pairs of free poses in a yard
+// of 200 m, 4000 x 4000 cells; every path is judged before it counts.
+// usage: many_plans_bench PAIRS FOLDER
+//        many_plans_bench PAIRS THREADS BEST LIMIT...
+// FOLDER: gets the same pairs as files, for `vandplan plan FOLDER/yard.yaml --poses
+// FOLDER/poses.csv`. LIMIT: below 1 a time limit in seconds, else a number of iterations; costs are
+// compared with those of plans that took BEST seconds.
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "large_yard.h"
+#include "vandplan/io.h"
+#include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/problem.h"
+#include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {
 
-int run(int argc, char** argv) {
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: many_plans_bench PAIRS SECONDS THREADS\n");
-    return 2;
-  }
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::vector<Problem> random_problems(int count) {
   const auto world = std::make_shared<const World>(
       Vehicle{}, Surroundings{.bounds = yard, .map = drawn(ten_obstacles())}, Point{});
   Rng rng(1);
@@ -33,28 +44,136 @@ int run(int argc, char** argv) {
     return pose;
   };
   std::vector<Problem> problems;
-  for (int i = 0; i < std::atoi(argv[1]); ++i) {
+  for (int i = 0; i < count; ++i) {
     const Pose start = free_pose();
     problems.push_back(make_problem(world, start, free_pose()));
   }
-  PlanOptions options;
-  options.time_limit = std::atof(argv[2]);
+  return problems;
+}
+
+struct Outcome {
+  std::vector<std::optional<Path>> paths;
+  std::vector<double> costs;  // infinite without a path [m]
+  double time = 0.0;          // of all of them [s]
+};
+
+Outcome plan_all(const std::vector<Problem>& problems, const PlanOptions& options, int threads) {
+  Outcome outcome;
+  outcome.paths.resize(problems.size());
+  outcome.costs.resize(problems.size(), std::numeric_limits<double>::infinity());
   std::atomic<std::size_t> next = 0;
-  std::atomic<int> solved = 0;
   const auto begin = std::chrono::steady_clock::now();
   {
-    std::vector<std::jthread> threads;
-    for (int i = 0; i < std::atoi(argv[3]); ++i) {
-      threads.emplace_back([&] {
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < threads; ++i) {
+      workers.emplace_back([&] {
         for (std::size_t k = next++; k < problems.size(); k = next++) {
-          solved += plan(problems[k], default_planner(), options).path ? 1 : 0;
+          PlanResult result = plan(problems[k], default_planner(), options);
+          if (result.path) outcome.costs[k] = result.cost;
+          outcome.paths[k] = std::move(result.path);
         }
       });
     }
   }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  std::printf("%d of %zu solved, %.1f plans per second\n", solved.load(), problems.size(),
-              static_cast<double>(problems.size()) / time.count());
+  outcome.time = seconds_since(begin);
+  return outcome;
+}
+
+/// By how much costs exceed the best ones, sorted, of the pairs that the shortest path on open
+/// ground does not join.
+std::vector<double> excess_of(const std::vector<Problem>& problems, const Outcome& outcome,
+                              const Outcome& best) {
+  std::vector<double> excess;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const Problem& problem = problems[i];
+    const double radius = problem.world->vehicle().min_turning_radius;
+    const double open = reeds_shepp_length(problem.start, problem.goal, radius);
+    if (best.costs[i] > open + 1e-6) excess.push_back(outcome.costs[i] / best.costs[i] - 1);
+  }
+  std::sort(excess.begin(), excess.end());
+  return excess;
+}
+
+/// A path, on one thread [s].
+double judging_time(const std::vector<Problem>& problems, const Outcome& outcome) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    if (outcome.paths[i]) (void)check_path(problems[i], *outcome.paths[i], {});
+  }
+  return seconds_since(begin) / static_cast<double>(problems.size());
+}
+
+void print_row(const char* limit, const std::vector<Problem>& problems, const Outcome& outcome,
+               const Outcome& best) {
+  const auto count = static_cast<double>(problems.size());
+  const auto solved = std::count_if(outcome.paths.begin(), outcome.paths.end(),
+                                    [](const auto& path) { return path.has_value(); });
+  const std::vector<double> excess = excess_of(problems, outcome, best);
+  const auto percent = [&](double part) {
+    if (excess.empty()) return 0.0;
+    return 100 * excess[static_cast<std::size_t>(part * static_cast<double>(excess.size() - 1))];
+  };
+  std::printf("%8s %9.1f %10.0f %12.2f %8.2f %8.2f %10.0f\n", limit,
+              100 * static_cast<double>(solved) / count, count / outcome.time, percent(0.5),
+              percent(0.9), percent(0.95), 1e6 * judging_time(problems, outcome));
+  std::fflush(stdout);
+}
+
+std::string text_of(const Pose& pose, const char* format) {
+  std::array<char, 120> text;
+  std::snprintf(text.data(), text.size(), format, pose.x, pose.y, pose.heading);
+  return text.data();
+}
+
+void write_files(const std::vector<Problem>& problems, const std::string& folder) {
+  constexpr auto row = "%.17g,%.17g,%.17g";
+  constexpr auto map = "{x: %.17g, y: %.17g, heading: %.17g}\n";
+  std::string poses;
+  for (const Problem& problem : problems) {
+    poses += text_of(problem.start, row) + "," + text_of(problem.goal, row) + "\n";
+  }
+  const OccupancyGrid& grid = *problems.front().world->map();
+  write_file(folder + "/poses.csv", poses);
+  write_file(folder + "/map.pgm", map_to_pgm(grid));
+  write_file(folder + "/map.yaml", map_to_yaml(grid, "map.pgm"));
+  write_file(folder + "/yard.yaml",
+             "name: yard\n"
+             "vehicle: {wheelbase: 4.5, front_overhang: 1.4, rear_overhang: 1.6, width: 2.55, "
+             "min_turning_radius: 7.0}\n"
+             "map: map.yaml\n"
+             "start: " +
+                 text_of(problems.front().start, map) +
+                 "goal: " + text_of(problems.front().goal, map));
+}
+
+int run(int argc, char** argv) {
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: many_plans_bench PAIRS (FOLDER | THREADS BEST LIMIT...)\n");
+    return 2;
+  }
+  const std::vector<Problem> problems = random_problems(std::atoi(argv[1]));
+  if (argc == 3) {
+    write_files(problems, argv[2]);
+    return 0;
+  }
+  const int threads = std::atoi(argv[2]);
+  PlanOptions options;
+  options.time_limit = std::atof(argv[3]);
+  const Outcome best = plan_all(problems, options, threads);
+  std::printf(
+      "%zu pairs, %zu of them need more than the shortest path on open ground: above the "
+      "best, median, 90 %%, 95 %% [%%]\n",
+      problems.size(), excess_of(problems, best, best).size());
+  std::printf("%8s %9s %10s %12s %8s %8s %10s\n", "limit", "solved %", "a second", "median", "90 %",
+              "95 %", "judge [us]");
+  print_row(argv[3], problems, best, best);
+  for (int i = 4; i < argc; ++i) {
+    const double limit = std::atof(argv[i]);
+    options.time_limit = limit < 1 ? std::optional(limit) : std::nullopt;
+    options.max_iterations.reset();
+    if (limit >= 1) options.max_iterations = std::atoll(argv[i]);
+    print_row(argv[i], problems, plan_all(problems, options, threads), best);
+  }
   return 0;
 }
 
