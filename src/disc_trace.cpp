@@ -67,18 +67,16 @@ class Tracer {
 
   /// How far the discs may move in any direction and touch nothing [m].
   double room(const DiscRow& row, const Placement& axle) {
-    double least = std::numeric_limits<double>::infinity();
-    double most = least;
-    for (int i = 0; i < row.count; ++i) {
+    double room = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < row.count && !is_hit_; ++i) {
       const double ahead = row.first + i * row.step;
-      const DistanceField::Range distance =
-          field_.roughly_around({(axle.position.x + ahead * axle.heading.x) * per_metre_,
-                                 (axle.position.y + ahead * axle.heading.y) * per_metre_});
-      least = std::min(least, distance.least);
-      most = std::min(most, distance.most);
+      const Point centre{(axle.position.x + ahead * axle.heading.x) * per_metre_,
+                         (axle.position.y + ahead * axle.heading.y) * per_metre_};
+      const double least = field_.at_least(centre) * side_;
+      room = std::min(room, least - row.outer);
+      is_hit_ = least < row.inner && field_.around(centre).most * side_ < row.inner;
     }
-    is_hit_ = is_hit_ || most * side_ < row.inner;
-    return least * side_ - row.outer;
+    return room;
   }
 
   void leave(const Part& part, DiscTrace& trace) {

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "distance_field.h"
 
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -138,7 +139,6 @@ void DistanceField::build_blocks(const BlockedCells& cells, int coarseness) {
   block_columns_ = static_cast<std::size_t>(grid.columns());
   const double side = std::ldexp(1.0, coarseness);
   per_block_ = 1 / side;
-  across_block_ = side * std::sqrt(2.0) + 1 / parts;
   const auto near = least_in_blocks(squares_, columns_, coarseness);
   const auto far_away = least_in_blocks(corner_squares(grid), block_columns_ + 1, 0);
   blocks_.reserve(near.size());
@@ -160,7 +160,9 @@ DistanceField::Range DistanceField::around(const Point& point) const noexcept {
       std::sqrt(square_at(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)));
   const double aside = std::sqrt((x - i) * (x - i) + (y - j) * (y - j));
   const double outside = std::abs(point.x - x) + std::abs(point.y - y);
-  return {distance - aside, distance < furthest ? distance + aside + outside : endless};
+  const double most =
+      distance < furthest ? distance + aside + outside : std::numeric_limits<double>::infinity();
+  return {distance - aside, most};
 }
 
 }  // namespace vandplan

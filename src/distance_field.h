@@ -8,9 +8,7 @@
 // Hesselink, "A general algorithm for computing distance transforms in linear time" (2000).
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "blocked_cells.h"
@@ -35,14 +33,13 @@ class DistanceField {
   /// The distance of a point from the nearest blocked cell.
   [[nodiscard]] Range around(const Point& point) const noexcept;
 
-  /// The same from the coarse copy: less exact, but up to `furthest` blocks.
-  [[nodiscard]] Range roughly_around(const Point& point) const noexcept {
-    const Point p = in_frame(point);
-    const auto i = static_cast<std::size_t>(p.x * per_block_);
-    const auto j = static_cast<std::size_t>(p.y * per_block_);
-    const double least = blocks_[j * block_columns_ + i] * (1 / parts);
-    const double outside = std::abs(point.x - p.x) + std::abs(point.y - p.y);
-    return {least, least < furthest ? least + across_block_ + outside : endless};
+  /// No blocked cell is nearer to a point; from the coarse copy, up to `furthest` blocks.
+  [[nodiscard]] double at_least(const Point& point) const noexcept {
+    // The nearest point of the frame, but for its last half cell: nothing that lies in the frame is
+    // nearer to the point itself than to the block of this one.
+    const auto i = static_cast<std::size_t>(std::clamp(point.x, 0.0, last_x_) * per_block_);
+    const auto j = static_cast<std::size_t>(std::clamp(point.y, 0.0, last_y_) * per_block_);
+    return blocks_[j * block_columns_ + i] * (1 / parts);
   }
 
   /// The square of the distance at a corner of cells, at most that of `furthest`.
@@ -51,22 +48,14 @@ class DistanceField {
   }
 
  private:
-  static constexpr double endless = std::numeric_limits<double>::infinity();
   static constexpr double parts = 16.0;  // of a cell, that the coarse copy counts
 
   void build_blocks(const BlockedCells& cells, int coarseness);
 
-  /// The nearest point of the frame, but for its last half cell: nothing that lies in the frame is
-  /// nearer to the point itself than to the block of this one.
-  [[nodiscard]] Point in_frame(const Point& point) const noexcept {
-    return {std::clamp(point.x, 0.0, last_x_), std::clamp(point.y, 0.0, last_y_)};
-  }
-
-  double last_x_, last_y_;
+  double last_x_, last_y_;              // middle of the last cell
   std::size_t columns_;                 // of corners
   std::vector<std::uint16_t> squares_;  // of their distances
   double per_block_;                    // inverse of the cells along a side
-  double across_block_;                 // its diagonal, and a part
   std::size_t block_columns_;
   std::vector<std::uint16_t> blocks_;  // distances of their nearest points, in parts, rounded down
 };

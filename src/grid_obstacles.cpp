@@ -174,7 +174,7 @@ CellBox GridObstacles::cells_in(const Bounds& box) const noexcept {
 
 bool GridObstacles::contain(const Point& point) const noexcept {
   const Point p = in_frame(point);
-  if (field_.roughly_around({p.x / side_, p.y / side_}).least > 0) return false;
+  if (field_.at_least({p.x / side_, p.y / side_}) > 0) return false;
   // Outside of the frame is as its border.
   const double x = std::clamp(p.x / side_, 0.0, cells_.columns() - 0.5);
   const double y = std::clamp(p.y / side_, 0.0, cells_.rows() - 0.5);

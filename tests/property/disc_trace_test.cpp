@@ -99,11 +99,12 @@ TEST(DiscTrace, OpenGroundIsClearFurtherThanTheFieldKnowsCells) {
   grid.unknown_is_free = true;
   const DistanceField distances(BlockedCells(grid), 3);
   const DiscRows discs(footprint({}));
-  const auto is_in_doubt = [&](const Placement& from) {
-    return !trace_discs(distances, 0.1, discs, {from, {0, 45}}).in_doubt().empty();
+  const auto is_clear = [&](const Placement& from) {
+    const DiscTrace trace = trace_discs(distances, 0.1, discs, {from, {0, 45}});
+    return !trace.is_hit && trace.in_doubt().empty();
   };
-  EXPECT_FALSE(is_in_doubt({{10, 10}, {1, 0}}));
-  EXPECT_TRUE(is_in_doubt({{46, 1}, {-1, 0}}));
+  EXPECT_TRUE(is_clear({{10, 10}, {1, 0}}));
+  EXPECT_FALSE(is_clear({{46, 1}, {-1, 0}}));
 }
 
 }  // namespace
