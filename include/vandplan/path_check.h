@@ -53,7 +53,8 @@ struct PathCheck {
   double reverse_length = 0.0;  ///< of it in reverse [m]
   int gear_changes = 0;
   /// Least distance between footprint and obstacles, at most 1 mm too large [m]: 0 if they touch,
-  /// infinity without obstacles. None if the path was found wrong before collisions were looked for.
+  /// infinity without obstacles. None if the path was found wrong before collisions were looked
+  /// for.
   std::optional<double> clearance;
 };
 
