@@ -2,9 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <gtest/gtest.h>
 
-#include "support/cases.h"
 #include "support/leads.h"
-#include "support/pose_pairs.h"
+#include "support/pair_cases.h"
 #include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -42,28 +41,21 @@ class Peer {
   State to_{space_};
 };
 
-TEST(Ompl, ReedsSheppLengthsAreTheSameForStartsAnywhere) {
-  Peer<ompl::base::ReedsSheppStateSpace> peer;
-  for_each_case(1, million / 100, [&](Rng& rng) {
-    for (int i = 0; i < 100; ++i) {
-      const PosePair pair = near_pair(i % 2 == 0 ? 10 : 200, rng);
-      const double expected = peer.distance(pair);
-      EXPECT_NEAR(reeds_shepp_length(pair.from, pair.to, radius), expected, 1e-9 * expected)
-          << as_code(pair);
-    }
+template <typename Space, typename Length>
+void expect_same_lengths(std::uint64_t seed, Length length) {
+  Peer<Space> peer;
+  for_each_pair(seed, million, near_or_far_pair, [&](const PosePair& pair, Rng&) {
+    const double expected = peer.distance(pair);
+    EXPECT_NEAR(length(pair.from, pair.to, radius), expected, 1e-9 * expected) << as_code(pair);
   });
 }
 
+TEST(Ompl, ReedsSheppLengthsAreTheSameForStartsAnywhere) {
+  expect_same_lengths<ompl::base::ReedsSheppStateSpace>(1, reeds_shepp_length);
+}
+
 TEST(Ompl, DubinsLengthsAreTheSameForStartsAnywhere) {
-  Peer<ompl::base::DubinsStateSpace> peer;
-  for_each_case(2, million / 100, [&](Rng& rng) {
-    for (int i = 0; i < 100; ++i) {
-      const PosePair pair = near_pair(i % 2 == 0 ? 10 : 200, rng);
-      const double expected = peer.distance(pair);
-      EXPECT_NEAR(dubins_length(pair.from, pair.to, radius), expected, 1e-9 * expected)
-          << as_code(pair);
-    }
-  });
+  expect_same_lengths<ompl::base::DubinsStateSpace>(2, dubins_length);
 }
 
 }  // namespace
