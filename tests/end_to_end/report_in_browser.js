@@ -84,9 +84,14 @@ window.addEventListener('load', () => {
     for (const table of all('table')) expect(table.rows.length > 1, 'a table is empty');
     expect(document.documentElement.scrollWidth <= window.innerWidth, 'the page is wider than its window');
   }
+  // The longer list goes down.
+  const scenariosDown = data.scenarios.length > data.planners.length;
   for (const measure of ['Solved', 'First solution', 'Whole run']) {
     press('measures', measure);
-    checkSorting('matrix', measure === 'Solved' ? '4' : '9');
+    checkSorting('matrix', scenariosDown ? data.planners[measure === 'Solved' ? 1 : 0].name : measure === 'Solved' ? '4' : '9');
+    expect(all('#matrix tbody tr').length === (scenariosDown ? data.scenarios : data.planners).length,
+      'the matrix has not a line for each');
+    expect(all('#matrix .best').length >= 3, 'the best of a scenario is not marked');
   }
 
   document.querySelector('#runs tbody tr').click();
