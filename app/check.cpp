@@ -25,9 +25,8 @@ struct CheckArguments {
 /// The verdict on one goal; none without a path. The place is in the scenario's frame.
 using Verdict = std::optional<PathCheck>;
 
-Verdict judge(const Scenario& scenario, std::size_t goal, const ResultRecord& record) {
+Verdict judge(const Problem& problem, const ResultRecord& record) {
   if (!record.result.path) return std::nullopt;
-  const Problem problem = make_problem(scenario, goal);
   Path path = *record.result.path;
   path.start = to_local(*problem.world, path.start);
   PathClaims claims = record.claims;
@@ -109,11 +108,12 @@ int run(const CheckArguments& arguments) {
   validate(arguments.style);
   const Scenario scenario = read_scenario(arguments.scenario);
   const std::vector<ResultRecord> records = read_results(arguments.result, scenario);
+  const std::vector<Problem> problems = make_problems(scenario);
   nlohmann::ordered_json goals = nlohmann::ordered_json::array();
   int valid = 0;
   int invalid = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const Verdict verdict = judge(scenario, i, records[i]);
+    const Verdict verdict = judge(problems[i], records[i]);
     if (verdict) ++(verdict->valid ? valid : invalid);
     goals.push_back(json_of(records[i], verdict));
     std::string text = text_of(records[i], verdict);

@@ -55,9 +55,10 @@ ResultRecord in_scenario(const World& world, ResultRecord record) {
 
 std::vector<ResultRecord> plan_goals(const Scenario& scenario, const PlannerInfo& planner,
                                      const PlanOptions& options) {
+  const std::vector<Problem> problems = make_problems(scenario);
   std::vector<ResultRecord> records;
-  for (std::size_t i = 0; i < scenario.goals.size(); ++i) {
-    const Problem problem = make_problem(scenario, i);
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const Problem& problem = problems[i];
     ResultRecord record;
     record.scenario = scenario.name;
     record.planner = planner.name;
