@@ -81,7 +81,9 @@ double clearance_of_side(const Passage& passage, const Rectangle& body, const Po
   // Two lines through the ends of the gap, square to it: neither body nor side reach beyond its
   // own. The one at the body stays with the body, and the ends of the side approach it.
   const std::array<Point, 2> ends = {a, b};
-  const double at_body = least_ahead(passage, here, to_side, ends);
+  const double at_body = std::max({least_ahead(passage, here, to_side, ends),
+                                   least_ahead(passage, {0, body.y_max}, {0, 1}, ends),
+                                   least_ahead(passage, {0, body.y_min}, {0, -1}, ends)});
   if (std::hypot(b.x - a.x, b.y - a.y) <= body.x_max - body.x_min) return std::max(0.0, at_body);
   // The one at the side stays there, and the corners of the body approach it. Of long sides, whose
   // ends turn by far more than the body does, it tells more.
@@ -113,7 +115,9 @@ double clearance_of_disc(const Passage& passage, const Rectangle& body, const Po
   if (gap.distance == 0) return -radius;
   const Point direction{(centre.x - gap.on_body.x) / gap.distance,
                         (centre.y - gap.on_body.y) / gap.distance};
-  return gap.distance - approach(passage, centre, direction) - radius;
+  const double ahead = gap.distance - approach(passage, centre, direction);
+  const double aside = std::max(centre.y - body.y_max, body.y_min - centre.y);
+  return std::max(ahead, aside - approach(passage, centre, {0, 1})) - radius;
 }
 
 double clearance_of_seen(const Passage& passage, const Rectangle& body,
