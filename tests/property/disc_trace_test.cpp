@@ -88,8 +88,8 @@ TEST(DiscTrace, WhatIsNotInDoubtIsSo) {
     if (clear_from < length) expect(false, clear_from, length);
     partly += !trace.in_doubt().empty() && clear_from < length;
   });
-  EXPECT_GT(hits, cases(cases_count) / 50);
-  EXPECT_GT(partly, cases(cases_count) / 20);
+  EXPECT_GT(hits, cases(cases_count) / 100);
+  EXPECT_GT(partly, cases(cases_count) / 50);
 }
 
 TEST(DiscTrace, OpenGroundIsClearFurtherThanTheFieldKnowsCells) {
