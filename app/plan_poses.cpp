@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <deque>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -23,25 +25,23 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Calls `work(i)` for all i below `count`, `jobs` at a time, and `tell(done)` in between.
-template <typename Work, typename Tell>
-void for_all(std::size_t count, int jobs, Work work, Tell tell) {
+/// Calls `work(i)` for all i below `count`, `jobs` at a time, and `take_in(i, result)` one by one.
+template <typename Work, typename TakeIn>
+void for_all(std::size_t count, int jobs, Work work, TakeIn take_in) {
   std::atomic<std::size_t> next = 0;
-  std::size_t done = 0;
   std::exception_ptr failure;
   std::mutex mutex;
   const auto take = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
-      std::exception_ptr thrown;
       try {
-        work(i);
+        auto result = work(i);
+        const std::lock_guard lock(mutex);
+        take_in(i, std::move(result));
       } catch (...) {
-        thrown = std::current_exception();
+        const std::lock_guard lock(mutex);
+        failure = std::current_exception();
         next = count;
       }
-      const std::lock_guard lock(mutex);
-      if (thrown) failure = thrown;
-      tell(++done);
     }
   };
   {
@@ -88,9 +88,35 @@ std::string line_of(std::size_t pair, const Scenario& scenario, const World& wor
 
 /// What is said of one pair.
 struct Answer {
+  bool is_planned = false;
   bool is_solved = false;
   std::string summary;
   std::string json;  ///< empty unless somebody wants it
+};
+
+/// Where JSON goes: a pair's line as soon as all before it are there.
+class Lines {
+ public:
+  Lines(const PosesJob& job, std::vector<Answer>& answers) : answers_(answers) {
+    if (job.output) outputs_.emplace_back(*job.output);
+    if (job.json) outputs_.emplace_back("-");
+  }
+
+  [[nodiscard]] bool are_wanted() const { return !outputs_.empty(); }
+  void write() {
+    for (; next_ < answers_.size() && answers_[next_].is_planned; ++next_) {
+      const std::string line = std::exchange(answers_[next_].json, {});
+      for (FileWriter& output : outputs_) output.write(line);
+    }
+  }
+  void commit() {
+    for (FileWriter& output : outputs_) output.commit();
+  }
+
+ private:
+  std::vector<Answer>& answers_;
+  std::deque<FileWriter> outputs_;
+  std::size_t next_ = 0;
 };
 
 void print(const Scenario& scenario, const PlannerInfo& planner, const std::vector<Answer>& answers,
@@ -111,11 +137,12 @@ int plan_poses(const Scenario& scenario, const PlannerInfo& planner, const PlanO
                const PosesJob& job) {
   const std::shared_ptr<const World> world = make_problem(scenario, 0).world;
   const std::vector<Problem> problems = problems_of(world, job.poses);
-  if (job.output) expect_writable(*job.output);
+  std::vector<Answer> answers(problems.size());
+  Lines lines(job, answers);
   const auto answer_of = [&](std::size_t i) {
     PlanResult result = plan(problems[i], planner, options);
-    Answer answer{result.path.has_value(), summary_of(i + 1, result), ""};
-    if (!job.output && !job.json) return answer;
+    Answer answer{true, result.path.has_value(), summary_of(i + 1, result), ""};
+    if (!lines.are_wanted()) return answer;
     answer.json = line_of(i + 1, scenario, *world,
                           {.scenario = scenario.name,
                            .planner = std::string(planner.name),
@@ -126,36 +153,23 @@ int plan_poses(const Scenario& scenario, const PlannerInfo& planner, const PlanO
                            .furthest = {}});
     return answer;
   };
-  std::vector<Answer> answers(problems.size());
   const auto begin = std::chrono::steady_clock::now();
   {
     ProgressBar bar;
     Progress progress;
     progress.total = static_cast<int>(problems.size());
-    for_all(
-        problems.size(), job.jobs, [&](std::size_t i) { answers[i] = answer_of(i); },
-        [&](std::size_t done) {
-          progress.done = static_cast<int>(done);
-          progress.elapsed = seconds_since(begin);
-          bar.show(progress);
-        });
+    for_all(problems.size(), job.jobs, answer_of, [&](std::size_t i, Answer answer) {
+      answers[i] = std::move(answer);
+      lines.write();
+      ++progress.done;
+      progress.elapsed = seconds_since(begin);
+      bar.show(progress);
+    });
   }
-  const double elapsed = seconds_since(begin);
-  std::size_t size = 0;
-  for (const Answer& answer : answers) size += answer.json.size();
-  std::string lines;
-  lines.reserve(size);
-  bool all_solved = true;
-  for (Answer& answer : answers) {
-    lines += std::exchange(answer.json, {});
-    all_solved = all_solved && answer.is_solved;
-  }
-  if (job.output) write_file(*job.output, lines);
-  if (job.json) {
-    fmt::print("{}", lines);
-  } else {
-    print(scenario, planner, answers, elapsed);
-  }
+  lines.commit();
+  if (!job.json) print(scenario, planner, answers, seconds_since(begin));
+  const bool all_solved = std::all_of(answers.begin(), answers.end(),
+                                      [](const Answer& answer) { return answer.is_solved; });
   return all_solved ? exit_status::done : exit_status::failed;
 }
 

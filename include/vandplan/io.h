@@ -8,6 +8,7 @@
 // untouched: it is written beside its place and renamed.
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -113,6 +114,24 @@ struct ResultRecord {
 
 /// Throws InputError if `write_file` cannot write this file, as far as can be told beforehand.
 void expect_writable(const std::string& file);
+
+/// A file that is written piece by piece, and is whole or not at all: what was there stays until
+/// `commit`, and for ever without it. "-" is standard output; that, and pipes, get every piece at
+/// once. All throw InputError if the file cannot be written.
+class FileWriter {
+ public:
+  explicit FileWriter(const std::string& file);
+  ~FileWriter();
+  FileWriter(const FileWriter&) = delete;
+  FileWriter& operator=(const FileWriter&) = delete;
+
+  void write(std::string_view content);
+  void commit();
+
+ private:
+  struct Target;
+  std::unique_ptr<Target> target_;
+};
 
 /// Writes all of `content`, "-" is standard output, or, if that fails, leaves what was there and
 /// throws InputError.

@@ -77,31 +77,6 @@ std::string create_beside(const std::string& file, mode_t mode, int& descriptor)
   return name;
 }
 
-/// Writes `content` beside `file` and puts it in its place. Zero, or the error.
-int replace(const std::string& file, const struct stat* old, std::string_view content) {
-  int number = -1;
-  const std::string temporary = create_beside(file, 0666, number);
-  const Descriptor descriptor(number);
-  if (!descriptor.is_open()) return errno;
-  int error = write_all(number, content);
-  if (error == 0 && old != nullptr && ::fchmod(number, old->st_mode & 07777) != 0) error = errno;
-  if (error == 0 && ::fsync(number) != 0) error = errno;
-  if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(temporary.c_str());
-    return error;
-  }
-  const Descriptor folder(::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.is_open()) (void)::fsync(folder.number());  // so that the new name survives a crash
-  return 0;
-}
-
-/// For pipes, terminals and the like, which cannot be replaced.
-int write_through(const std::string& file, std::string_view content) {
-  const Descriptor descriptor(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
-  return descriptor.is_open() ? write_all(descriptor.number(), content) : errno;
-}
-
 }  // namespace
 
 std::string read_file(const std::string& file, std::size_t largest) {
@@ -140,21 +115,63 @@ void expect_writable(const std::string& file) {
   if (::access(folder.c_str(), W_OK) != 0) cannot(file, "write");
 }
 
-void write_file(const std::string& file, std::string_view content) {
+struct FileWriter::Target {
+  std::string file;            ///< as the caller calls it
+  std::string place = {};      ///< where the content will be
+  std::string temporary = {};  ///< where it is until then; empty if it is written to its place
+  int descriptor = -1;
+
+  ~Target() {
+    if (descriptor > STDERR_FILENO) ::close(descriptor);
+    if (descriptor >= 0 && !temporary.empty()) ::unlink(temporary.c_str());
+  }
+};
+
+FileWriter::FileWriter(const std::string& file) : target_(std::make_unique<Target>()) {
+  Target& target = *target_;
   if (file == "-") {
-    if (const int error = write_all(STDOUT_FILENO, content)) {
-      fail("standard output", "write", error);
-    }
+    target.file = "standard output";
+    target.descriptor = STDOUT_FILENO;
     return;
   }
   expect_writable(file);
-  const std::string target = target_of(file);
+  target.file = file;
+  target.place = target_of(file);
   struct stat old {};
-  const bool exists = ::stat(target.c_str(), &old) == 0;
-  const int error = exists && !S_ISREG(old.st_mode)
-                        ? write_through(target, content)
-                        : replace(target, exists ? &old : nullptr, content);
-  if (error != 0) fail(file, "write", error);
+  const bool exists = ::stat(target.place.c_str(), &old) == 0;
+  if (exists && !S_ISREG(old.st_mode)) {  // pipes, terminals and the like cannot be replaced
+    target.descriptor = ::open(target.place.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    target.temporary = create_beside(target.place, 0666, target.descriptor);
+  }
+  if (target.descriptor < 0) cannot(file, "write");
+  const bool replaces = exists && !target.temporary.empty();
+  if (replaces && ::fchmod(target.descriptor, old.st_mode & 07777) != 0) cannot(file, "write");
+}
+
+FileWriter::~FileWriter() = default;
+
+void FileWriter::write(std::string_view content) {
+  const int error = write_all(target_->descriptor, content);
+  if (error != 0) fail(target_->file, "write", error);
+}
+
+void FileWriter::commit() {
+  if (target_->temporary.empty()) return;
+  if (::fsync(target_->descriptor) != 0 ||
+      ::rename(target_->temporary.c_str(), target_->place.c_str()) != 0) {
+    cannot(target_->file, "write");
+  }
+  target_->temporary.clear();
+  const Descriptor folder(
+      ::open(folder_of(target_->place).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) (void)::fsync(folder.number());  // so that the new name survives a crash
+}
+
+void write_file(const std::string& file, std::string_view content) {
+  FileWriter writer(file);
+  writer.write(content);
+  writer.commit();
 }
 
 }  // namespace vandplan

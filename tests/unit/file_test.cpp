@@ -83,6 +83,32 @@ TEST(File, ADiskThatFillsUpLeavesTheOldFileAndNoOther) {
   EXPECT_EQ(folder.names(), Names{"f"});
 }
 
+TEST(File, APieceByPieceFileAppearsWhenItIsWhole) {
+  const TemporaryFolder folder;
+  write_file(folder.file("f"), "old");
+  {
+    FileWriter writer(folder.file("f"));
+    writer.write("a");
+    writer.write("bc");
+    EXPECT_EQ(read_file(folder.file("f"), plenty), "old");
+    writer.commit();
+    EXPECT_EQ(read_file(folder.file("f"), plenty), "abc");
+  }
+  EXPECT_EQ(read_file(folder.file("f"), plenty), "abc");
+  EXPECT_EQ(folder.names(), Names{"f"});
+}
+
+TEST(File, APieceByPieceFileThatIsGivenUpLeavesNothing) {
+  const TemporaryFolder folder;
+  write_file(folder.file("f"), "old");
+  {
+    FileWriter writer(folder.file("f"));
+    writer.write("new");
+  }
+  EXPECT_EQ(read_file(folder.file("f"), plenty), "old");
+  EXPECT_EQ(folder.names(), Names{"f"});
+}
+
 TEST(File, WritingSaysWhyItCannot) {
   const TemporaryFolder folder;
   write_file(folder.file("f"), "old");
