@@ -166,7 +166,8 @@ std::string help_on_keys() {
          fmt::format(
              "Without a limit of time or iterations a run takes {} s. In a row of goals each\n"
              "goal has the whole budget. Ctrl-C ends the run with the best path so far.\n"
-             "Exit status: 0 solved (in a row: a goal at least), 1 no path, 2 bad input or usage.",
+             "Exit status: 0 solved (in a row: a goal at least, with --poses all), 1 no path, 2 bad input\n"
+             "or usage.",
              default_time);
 }
 
