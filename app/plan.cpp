@@ -73,8 +73,11 @@ std::vector<ResultRecord> plan_goals(const Scenario& scenario, const PlannerInfo
 std::string outcome_of(const PlanResult& result) {
   if (!result.path) return fmt::format("no path: {}", name_of(result.status));
   const std::vector<Segment>& segments = result.path->segments;
-  return fmt::format("solved: length {:.3f} m, gear changes {}, first path after {:.4f} s",
-                     length(segments), gear_changes(segments), result.anytime.front().time);
+  const double bound = result.lower_bound;  // 0 if the planner proves none
+  const std::string gap =
+      bound > 0 ? fmt::format(", gap {:.1f} %", 100 * (result.cost / bound - 1)) : "";
+  return fmt::format("solved: length {:.3f} m, gear changes {}{}, first path after {:.4f} s",
+                     length(segments), gear_changes(segments), gap, result.anytime.front().time);
 }
 
 void print_summary(const Scenario& scenario, const std::vector<ResultRecord>& records) {
@@ -166,8 +169,8 @@ std::string help_on_keys() {
          fmt::format(
              "Without a limit of time or iterations a run takes {} s. In a row of goals each\n"
              "goal has the whole budget. Ctrl-C ends the run with the best path so far.\n"
-             "Exit status: 0 solved (in a row: a goal at least, with --poses all), 1 no path, 2 bad input\n"
-             "or usage.",
+             "Exit status: 0 solved (in a row: a goal at least; with --poses: all), 1 no path,\n"
+             "2 bad input or usage.",
              default_time);
 }
 

@@ -95,10 +95,11 @@ double share_within(double extent, double side) {
 
 }  // namespace
 
-double table_coverage(const Scenario& scenario, Region region, int number) {
+double table_coverage(const Problem& problem, Region region, int number) {
   const HeuristicTableOptions table = thesis_table_options(number);
-  const double extent = table.extent * scenario.vehicle.min_turning_radius / table.turning_radius;
-  const Bounds box = sampling_region(make_problem(scenario, 0), region);
+  const double radius = problem.world->vehicle().min_turning_radius;
+  const double extent = table.extent * radius / table.turning_radius;
+  const Bounds box = sampling_region(problem, region);
   return share_within(extent, box.x_max - box.x_min) * share_within(extent, box.y_max - box.y_min);
 }
 
@@ -107,9 +108,10 @@ std::string reason_for_paths(const Summary& summary, const std::vector<Scenario>
   std::vector<double> least, most;
   for (const ScenarioSummary& scenario : summary.scenarios) {
     if (scenario.region != region) continue;
+    const Problem problem = make_problem(scenarios[scenario.scenario], 0);
     std::vector<double> shares;
     for (int number = 1; number <= tables; ++number)
-      shares.push_back(table_coverage(scenarios[scenario.scenario], region, number));
+      shares.push_back(table_coverage(problem, region, number));
     least.push_back(std::ranges::min(shares));
     most.push_back(std::ranges::max(shares));
   }

@@ -23,6 +23,6 @@ namespace vandplan {
 
 /// The share of pairs of uniform samples for which a table of the thesis (`number` in 1..4) has an
 /// entry: those that are nearer than its extent in x and in y.
-[[nodiscard]] double table_coverage(const Scenario& scenario, Region region, int number);
+[[nodiscard]] double table_coverage(const Problem& problem, Region region, int number);
 
 }  // namespace vandplan

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -42,6 +44,16 @@ TEST_F(PlanCommand, SummaryNamesPlannerAndOutcome) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out.substr(0, 39), "yard, rrt-opt-rs, seed 1\nsolved: length");
+  EXPECT_EQ(outcome.out.find("gap"), std::string::npos) << "proven by nobody: " << outcome.out;
+}
+
+TEST_F(PlanCommand, SummarySaysHowFarFromTheShortestAPathMayBe) {
+  const Outcome outcome = plan({"--max-iterations", "300"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json result = Json::parse(plan({"--max-iterations", "300", "--json"}).out);
+  std::array<char, 40> gap;
+  std::snprintf(gap.data(), gap.size(), ", gap %.1f %%,", 100 * result.at("gap").get<double>());
+  EXPECT_NE(outcome.out.find(gap.data()), std::string::npos) << outcome.out;
 }
 
 TEST_F(PlanCommand, ManyPairsArePlannedInOneWorld) {

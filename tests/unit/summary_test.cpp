@@ -178,12 +178,15 @@ TEST(Findings, SayWhy) {
 
 TEST(Findings, TablesCoverWhatLiesWithinTheirExtent) {
   Scenario scenario = open_ground("s");  // 400 m by 400 m
-  EXPECT_NEAR(table_coverage(scenario, Region::bounds, 1), 0.049375 * 0.049375, 1e-12);
-  EXPECT_NEAR(table_coverage(scenario, Region::bounds, 4), 0.144375 * 0.144375, 1e-12);
+  const auto coverage = [&](int number) {
+    return table_coverage(make_problem(scenario, 0), Region::bounds, number);
+  };
+  EXPECT_NEAR(coverage(1), 0.049375 * 0.049375, 1e-12);
+  EXPECT_NEAR(coverage(4), 0.144375 * 0.144375, 1e-12);
   scenario.vehicle.min_turning_radius *= 2.0;  // a table scales with the vehicle
-  EXPECT_NEAR(table_coverage(scenario, Region::bounds, 1), 0.0975 * 0.0975, 1e-12);
+  EXPECT_NEAR(coverage(1), 0.0975 * 0.0975, 1e-12);
   scenario.bounds = {0.0, 50.0, 0.0, 50.0};
-  EXPECT_EQ(table_coverage(scenario, Region::bounds, 4), 1.0);
+  EXPECT_EQ(coverage(4), 1.0);
 }
 
 // In one scenario the table is better with every seed below `better`, else worse.
