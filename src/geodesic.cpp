@@ -69,8 +69,7 @@ Bounds box_of_ways(const Point& p, const Point& q, double length) {
 
 Geodesic::Geodesic(const World& world, const Pose& from, const Pose& to, double longest)
     : world_(world), from_{from.x, from.y}, to_{to.x, to.y}, longest_(longest) {
-  const Footprint body = footprint(world.vehicle());
-  disc_ = std::min({body.half_width, body.rear, body.front});
+  disc_ = inner_radius(footprint(world.vehicle()));
   const Bounds& bounds = world.bounds();
   const Bounds ways = box_of_ways(from_, to_, longest + disc_);
   box_ = {std::max(bounds.x_min, ways.x_min), std::min(bounds.x_max, ways.x_max),
@@ -216,6 +215,23 @@ void Geodesic::spread(const Point& root, double cost, const RunId& in, const Run
   }
 }
 
+// Across the run that a node enters, to what lies on the far line between two places.
+void Geodesic::cross(const Node& node, const Point& root, double cost, double left, double right) {
+  const std::int32_t far = node.into.row == node.line ? node.line + 1 : node.line - 1;
+  for_neighbours(node.into, far, [&](Interval shared, const RunId& into) {
+    if (shared.left > right || shared.right < left) return;
+    if (shared.left < left) {
+      shared.left = left;
+      shared.turns_left = false;
+    }
+    if (shared.right > right) {
+      shared.right = right;
+      shared.turns_right = false;
+    }
+    push({root, cost, 0.0, shared, far, node.into, into});
+  });
+}
+
 // Ways that turn at the left or right end of the node's interval, and are not seen from its root:
 // beyond `limit` on the far line, or on the near line.
 void Geodesic::turn(const Node& node, double limit, bool to_left) {
@@ -223,23 +239,10 @@ void Geodesic::turn(const Node& node, double limit, bool to_left) {
                    static_cast<double>(node.line)};
   const double cost = node.cost + distance(node.root, root);
   if (!reaches(root, cost)) return;
-  const RunId& in = node.into;
-  const std::int32_t far = in.row == node.line ? node.line + 1 : node.line - 1;
-  for_neighbours(in, far, [&](Interval shared, const RunId& into) {
-    if (to_left ? shared.left > limit : shared.right < limit) return;
-    if (to_left && shared.right > limit) {
-      shared.right = limit;
-      shared.turns_right = false;
-    }
-    if (!to_left && shared.left < limit) {
-      shared.left = limit;
-      shared.turns_left = false;
-    }
-    push({root, cost, 0.0, shared, far, in, into});
-  });
-  for_neighbours(in, node.line, [&](const Interval& shared, const RunId& into) {
+  cross(node, root, cost, to_left ? -infinity : limit, to_left ? limit : infinity);
+  for_neighbours(node.into, node.line, [&](const Interval& shared, const RunId& into) {
     const bool is_beyond = to_left ? into.index < node.from.index : into.index > node.from.index;
-    if (is_beyond) push({root, cost, 0.0, shared, node.line, in, into});
+    if (is_beyond) push({root, cost, 0.0, shared, node.line, node.into, into});
   });
 }
 
@@ -256,19 +259,7 @@ void Geodesic::expand(const Node& node) {
   };
   const double left = seen(node.interval.left, -1.0);
   const double right = seen(node.interval.right, 1.0);
-  const std::int32_t far = node.into.row == node.line ? node.line + 1 : node.line - 1;
-  for_neighbours(node.into, far, [&](Interval shared, const RunId& into) {
-    if (shared.left > right || shared.right < left) return;
-    if (shared.left < left) {
-      shared.left = left;
-      shared.turns_left = false;
-    }
-    if (shared.right > right) {
-      shared.right = right;
-      shared.turns_right = false;
-    }
-    push({node.root, node.cost, 0.0, shared, far, node.into, into});
-  });
+  cross(node, node.root, node.cost, left, right);
   if (node.interval.turns_left) turn(node, left, true);
   if (node.interval.turns_right) turn(node, right, false);
 }

@@ -68,6 +68,7 @@ class Geodesic {
   [[nodiscard]] RunId run_at(const Point& point);
   [[nodiscard]] double rank(const Node& node) const;
   void push(Node node);
+  void cross(const Node& node, const Point& root, double cost, double left, double right);
   void turn(const Node& node, double limit, bool to_left);
   bool reaches(const Point& corner, double cost);
 

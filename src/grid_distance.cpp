@@ -44,8 +44,7 @@ GridDistance::GridDistance(const World& world, const Bounds& box, double side, c
   rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
   mark_border();
-  const Footprint body = footprint(world.vehicle());
-  const double disc = std::min({body.half_width, body.rear, body.front});
+  const double disc = inner_radius(footprint(world.vehicle()));
   near_ = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
   mark(world.obstacles(), near_);
   mark(world.kerbs(), side_ / 2);  // the rear axle reaches as far

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/vehicle.h"
 
+#include <algorithm>
+
 #include "trigonometry.h"
 
 namespace vandplan {
@@ -15,6 +17,10 @@ Footprint footprint(const Vehicle& vehicle) noexcept {
 Footprint wheel_footprint(const Vehicle& vehicle) noexcept {
   const double track = vehicle.track_width.value_or(vehicle.width);
   return {.rear = 0.0, .front = vehicle.wheelbase, .half_width = track / 2};
+}
+
+double inner_radius(const Footprint& footprint) noexcept {
+  return std::min({footprint.half_width, footprint.rear, footprint.front});
 }
 
 std::array<Point, 4> corners(const Footprint& footprint, const Pose& pose) noexcept {

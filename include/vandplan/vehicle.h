@@ -37,6 +37,10 @@ struct Footprint {
 /// The outline of the wheels: between the axles, as wide as the track. What a kerb must not enter.
 [[nodiscard]] Footprint wheel_footprint(const Vehicle& vehicle) noexcept;
 
+/// Least distance from the rear axle's midpoint to the outline [m]: it stays that far from whatever
+/// the footprint does not touch.
+[[nodiscard]] double inner_radius(const Footprint& footprint) noexcept;
+
 /// The four corners at a pose, counter-clockwise from the rear right one.
 [[nodiscard]] std::array<Point, 4> corners(const Footprint& footprint, const Pose& pose) noexcept;
 
