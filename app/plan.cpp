@@ -42,17 +42,6 @@ constexpr Flag flags[] = {
     {"--max-nodes", "max_nodes", "N"}, {"--seed", "seed", "N"},
     {"--threads", "threads", "N"},     {"--region", "region", "bounds|scene"}};
 
-ResultRecord in_scenario(const World& world, ResultRecord record) {
-  if (record.result.path) {
-    Pose& start = record.result.path->start;
-    start = to_scenario(world, start);
-  }
-  if (record.result.tree) {
-    for (Pose& pose : record.result.tree->poses) pose = to_scenario(world, pose);
-  }
-  return record;
-}
-
 std::vector<ResultRecord> plan_goals(const Scenario& scenario, const PlannerInfo& planner,
                                      const PlanOptions& options) {
   const std::vector<Problem> problems = make_problems(scenario);

@@ -15,7 +15,6 @@
 
 #include "commands.h"
 #include "progress_bar.h"
-#include "vandplan/input_error.h"
 #include "vandplan/io.h"
 
 namespace vandplan {
@@ -56,11 +55,7 @@ std::vector<Problem> problems_of(const std::shared_ptr<const World>& world,
                                  const std::string& file) {
   std::vector<Problem> problems;
   for (const PosePair& pair : read_pose_pairs(file)) {
-    try {
-      problems.push_back(make_problem(world, pair.start, pair.goal));
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: pair {}", file, problems.size() + 1), error.what());
-    }
+    problems.push_back(make_problem(world, pair.start, pair.goal));
   }
   return problems;
 }
@@ -79,11 +74,7 @@ std::string summary_of(std::size_t pair, const PlanResult& result) {
 std::string line_of(std::size_t pair, const Scenario& scenario, const World& world,
                     ResultRecord record) {
   record.result.tree.reset();
-  if (record.result.path) {
-    Pose& start = record.result.path->start;
-    start = to_scenario(world, start);
-  }
-  return result_to_json_line(pair, scenario, record);
+  return result_to_json_line(pair, scenario, in_scenario(world, std::move(record)));
 }
 
 /// What is said of one pair.

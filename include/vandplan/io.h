@@ -89,6 +89,9 @@ struct ResultRecord {
   std::optional<StatedFurthest> furthest;
 };
 
+/// A record whose result is as the planner gave it, in the frame of its world, as files have it.
+[[nodiscard]] ResultRecord in_scenario(const World& world, ResultRecord record);
+
 /// The largest distance among the goals of a row that have a path [m].
 [[nodiscard]] std::optional<double> furthest_reached(const std::vector<ResultRecord>& records);
 

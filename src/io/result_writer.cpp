@@ -174,6 +174,17 @@ void write(const Json& json, const std::string& indent, std::string& text) {
 
 }  // namespace
 
+ResultRecord in_scenario(const World& world, ResultRecord record) {
+  if (record.result.path) {
+    Pose& start = record.result.path->start;
+    start = to_scenario(world, start);
+  }
+  if (record.result.tree) {
+    for (Pose& pose : record.result.tree->poses) pose = to_scenario(world, pose);
+  }
+  return record;
+}
+
 std::optional<double> furthest_reached(const std::vector<ResultRecord>& records) {
   std::optional<double> furthest;
   for (const ResultRecord& record : records) {
