@@ -20,13 +20,6 @@
 namespace vandplan {
 namespace {
 
-// The competition's car: wheelbase 2.8 m, steering up to 0.75 rad, so that the radius is
-// 2.8 / tan(0.75), rounded to micrometres.
-constexpr Vehicle competition_car{.wheelbase = 2.8,
-                                  .front_overhang = 0.96,
-                                  .rear_overhang = 0.929,
-                                  .width = 1.942,
-                                  .min_turning_radius = 3.005593};
 constexpr double margin = 20.0;  // between what is in the file and the bounds [m]
 
 /// The values of a file, one by one.
@@ -145,7 +138,7 @@ Scenario read_tpcap(const std::string& file) {
   Scenario scenario;
   scenario.name = file == "-" ? "tpcap" : std::filesystem::path(file).stem().string();
   scenario.description = "TPCAP 2022";
-  scenario.vehicle = competition_car;
+  scenario.vehicle = vehicle_named("tpcap-car");
   scenario.start = pose_from(values, "start");
   scenario.goals = {{.distance = {}, .pose = pose_from(values, "goal"), .obstacles = {}}};
   scenario.obstacles = obstacles_from(values);
