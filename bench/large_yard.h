@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "support/collision_oracle.h"
 #include "vandplan/occupancy_grid.h"
 #include "vandplan/vehicle.h"

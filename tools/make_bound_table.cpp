@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "bound_builder.h"
+#include "tables/bound_builder.h"
 
 int main(int argc, char** argv) {
   namespace kernels = vandplan::kernels;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "simd/length_kernels.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "support/collision_oracle.h"
 #include "support/shared_files.h"
 #include "vandplan/io.h"

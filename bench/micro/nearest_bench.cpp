@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "support/pose_pairs.h"
-#include "trigonometry.h"
+#include "base/trigonometry.h"
 #include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
 

@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "support/ompl_poses.h"
 #include "support/rounds.h"
 #include "vandplan/nearest.h"

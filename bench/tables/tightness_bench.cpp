@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
 #include "vandplan/reeds_shepp.h"

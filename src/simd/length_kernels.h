@@ -32,7 +32,7 @@ void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
 }
 
 /// How far a length may be from the exact one for poses that round to these floats, as a share of
-/// length + radius: seven times the most that tests/property/reeds_shepp_batch_test.cpp finds.
+/// length + radius: seven times the most that tests/steering/reeds_shepp_batch_test.cpp finds.
 inline constexpr float length_error = 0x1p-18F;
 
 // What scalar and vector code share: polynomials in x^2, last term first.

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-#include "random.h"
+#include "base/random.h"
 #include "support/cases.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/reeds_shepp.h"

@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-#include "random.h"
+#include "base/random.h"
 #include "vandplan/path.h"
 
 namespace vandplan {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "random.h"
+#include "base/random.h"
 #include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 

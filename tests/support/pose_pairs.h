@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "random.h"
+#include "base/random.h"
 #include "vandplan/path.h"
 
 namespace vandplan {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "random.h"
+#include "base/random.h"
 #include "simd/target.h"
 #include "support/cases.h"
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/collision.h"
+
+#include <optional>
+
+#include "collision/grid_obstacles.h"
+#include "collision/obstacles.h"
+#include "collision/sweep.h"
+
+namespace vandplan {
+namespace {
+
+bool holds(const Bounds& outer, const Bounds& inner) {
+  return inner.x_min >= outer.x_min && inner.x_max <= outer.x_max && inner.y_min >= outer.y_min &&
+         inner.y_max <= outer.y_max;
+}
+
+}  // namespace
+
+struct CollisionChecker::Data {
+  /// Polygons, and what must not touch them.
+  struct Layer {
+    Footprint footprint;
+    Obstacles obstacles;
+
+    [[nodiscard]] bool is_crossed(const PlacedSegment& placed) const noexcept {
+      if (obstacles.is_empty()) return false;
+      const Sweep sweep(footprint, placed);
+      return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });
+    }
+  };
+
+  Bounds bounds;
+  Layer walls;
+  Layer kerbs;
+  std::optional<GridObstacles> map = {};
+
+  /// Whether nothing contains the place of a rear axle.
+  [[nodiscard]] bool is_outside(const Point& axle) const noexcept {
+    return !walls.obstacles.contain(axle) && !kerbs.obstacles.contain(axle) &&
+           !(map && map->contain(axle));
+  }
+
+  /// Whether no side is touched and the bounds are kept. Together with a start outside of all
+  /// that is enough: whatever is entered later is entered across a side.
+  [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed) const noexcept {
+    return holds(bounds, placed.axle_box()) && !walls.is_crossed(placed) &&
+           !kerbs.is_crossed(placed) && !(map && !map->is_clear(placed));
+  }
+};
+
+CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bounds,
+                                   std::span<const Polygon> obstacles)
+    : data_(std::make_unique<const Data>(Data{bounds, {footprint, Obstacles(obstacles)}, {}})) {}
+
+CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings) {
+  const Footprint body = footprint(vehicle);
+  const auto& [bounds, obstacles, kerbs, map] = surroundings;
+  auto data = std::make_unique<Data>(
+      Data{bounds, {body, Obstacles(obstacles)}, {wheel_footprint(vehicle), Obstacles(kerbs)}});
+  if (map) data->map.emplace(*map, body);
+  data_ = std::move(data);
+}
+
+CollisionChecker::~CollisionChecker() = default;
+
+bool CollisionChecker::is_free(const Pose& pose) const noexcept { return is_free(pose, Segment{}); }
+
+bool CollisionChecker::is_free(const Pose& from, const Segment& segment) const noexcept {
+  return is_free(from, std::span<const Segment>(&segment, 1));
+}
+
+bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segments) const noexcept {
+  if (segments.empty()) return is_free(from);
+  if (!data_->is_outside({from.x, from.y})) return false;
+  Placement placement = placement_of(from);
+  for (const Segment& segment : segments) {
+    const PlacedSegment placed(placement, segment);
+    if (!data_->crosses_nothing(placed)) return false;
+    placement = placed.to;
+  }
+  return true;
+}
+
+bool CollisionChecker::map_is_within(const Point& point, double distance) const noexcept {
+  return data_->map && data_->map->is_within(point, distance);
+}
+
+}  // namespace vandplan

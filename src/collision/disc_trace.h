@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which parts of a segment does the distance field leave in doubt?
+//
+// Discs that cover the footprint are followed along the segment: where the field is so large that
+// none of them can get to a blocked cell, all is clear as far as that reaches. The idea is sphere
+// tracing (Hart 1996), here from the middle of what is left instead of from one end.
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "geometry/distance_field.h"
+#include "collision/sweep.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan {
+
+/// Equal discs that cover a footprint, their centres in a row along its middle.
+struct DiscRow {
+  double first;     // centre ahead of the rear axle [m]
+  double step;      // from one centre to the next [m]
+  int count;        // >= 1
+  double furthest;  // centre from the rear axle [m]
+  double outer;     // radius with which they cover the footprint, and a margin [m]
+  double inner;     // radius with which the footprint covers each of them, less a margin [m]
+};
+
+/// Two covers of a footprint.
+struct DiscRows {
+  explicit DiscRows(const Footprint& body) noexcept;
+
+  DiscRow one;   // of one disc
+  DiscRow slim;  // of so many that they are hardly wider than the footprint
+};
+
+/// Of a segment, from its start [m].
+struct Part {
+  double begin, end;
+};
+
+/// What the field tells of a segment.
+struct DiscTrace {
+  static constexpr std::size_t most_looks = 64;
+
+  bool is_hit = false;  ///< the footprint certainly touches a blocked cell
+  std::size_t doubtful_count = 0;
+  std::array<Part, most_looks + 1> doubtful;  ///< a tree of looks has one leaf more than forks
+
+  /// If it is no hit, all but these is clear; in order.
+  [[nodiscard]] std::span<const Part> in_doubt() const noexcept {
+    return {doubtful.data(), doubtful_count};
+  }
+};
+
+/// Follows a segment that lies in the frame of the cells, whose side is that long [m].
+[[nodiscard]] DiscTrace trace_discs(const DistanceField& field, double side, const DiscRows& discs,
+                                    const PlacedSegment& placed) noexcept;
+
+}  // namespace vandplan

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "collision/grid_obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/trigonometry.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double block = 0.4;          // side of blocks of edge cells, about [m]
+constexpr double field_block = 0.8;    // side of the blocks of the coarse field, about [m]
+constexpr double longest_piece = 1.5;  // of a segment whose cells are looked for at once [m]
+
+/// How often cells of that side are doubled to come near to a length; at least once.
+int doublings(double side, double wanted) {
+  int times = 1;
+  while (times < 10 && side * (1 << times) < wanted / std::sqrt(2.0)) ++times;
+  return times;
+}
+
+Sides sides_of(const Bounds& b) {
+  return {{b.x_min, b.x_max, b.x_max, b.x_min, b.x_min},
+          {b.y_min, b.y_min, b.y_max, b.y_max, b.y_min}};
+}
+
+CellBox blocks_in(const CellBox& cells, int shift) {
+  return {cells.x_min >> shift, cells.x_max >> shift, cells.y_min >> shift, cells.y_max >> shift};
+}
+
+/// The cells of a run of blocks.
+CellBox cells_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, int shift) {
+  return {x_begin << shift, (x_end << shift) - 1, y << shift, ((y + 1) << shift) - 1};
+}
+
+CellBox shared(const CellBox& a, const CellBox& b) {
+  return {std::max(a.x_min, b.x_min), std::min(a.x_max, b.x_max), std::max(a.y_min, b.y_min),
+          std::min(a.y_max, b.y_max)};
+}
+
+}  // namespace
+
+/// For an edge cell in the way of one segment, in the frame of the cells.
+class GridObstacles::Search {
+ public:
+  Search(const GridObstacles& grid, const PlacedSegment& placed)
+      : grid_(grid), placed_(placed), sweep_(grid.body_, placed) {}
+
+  /// [2] Piece by piece, so that the rectangles around them hold little that is not near.
+  [[nodiscard]] bool finds_any(const Part& part) const {
+    const double count = std::max(1.0, std::ceil((part.end - part.begin) / longest_piece));
+    const double length = (part.end - part.begin) / count;
+    for (double i = 0; i < count; ++i) {
+      if (finds_in(around(part.begin + (i + 0.5) * length, length / 2))) return true;
+    }
+    return false;
+  }
+
+ private:
+  /// A rectangle that lies as the footprint does.
+  struct Rectangle {
+    Point middle;
+    Point forward;  // unit vector
+    double half_length, half_width;
+
+    [[nodiscard]] Bounds box() const {
+      const double x = half_length * std::abs(forward.x) + half_width * std::abs(forward.y);
+      const double y = half_length * std::abs(forward.y) + half_width * std::abs(forward.x);
+      return {middle.x - x, middle.x + x, middle.y - y, middle.y + y};
+    }
+
+    /// Whether they overlap, if the box overlaps the one around.
+    [[nodiscard]] bool meets(const Bounds& b) const {
+      const double dx = (b.x_min + b.x_max) / 2 - middle.x;
+      const double dy = (b.y_min + b.y_max) / 2 - middle.y;
+      const double half_x = (b.x_max - b.x_min) / 2;
+      const double half_y = (b.y_max - b.y_min) / 2;
+      const double u = std::abs(forward.x);
+      const double v = std::abs(forward.y);
+      return (std::abs(dx * forward.x + dy * forward.y) <= half_length + half_x * u + half_y * v) &
+             (std::abs(dy * forward.x - dx * forward.y) <= half_width + half_x * v + half_y * u);
+    }
+  };
+
+  /// Around the footprint wherever it is up to `reach` before or behind a place of the segment [m].
+  [[nodiscard]] Rectangle around(double place, double reach) const {
+    const Placement axle = placed_.at(place);
+    const Footprint& body = grid_.body_;
+    // A point (x, y) of it moves (1 - ky, kx) per metre in its frame, which turns by k per metre.
+    const double x = std::max(body.front, body.rear);
+    const double turn = placed_.curvature * reach;
+    const double across = 1 + placed_.curvature * body.half_width;
+    const double along = reach * across + turn * turn * x / 2;
+    const double aside = turn * (x + reach * across / 2);
+    const double middle = (body.front - body.rear) / 2;
+    return {{axle.position.x + middle * axle.heading.x, axle.position.y + middle * axle.heading.y},
+            axle.heading,
+            (body.front + body.rear) / 2 + along + 2 * end_margin,
+            body.half_width + aside + 2 * end_margin};
+  }
+
+  /// [3] Through blocks of cells.
+  [[nodiscard]] bool finds_in(const Rectangle& near) const {
+    const CellBox box = grid_.cells_in(near.box());
+    return finds(grid_.blocks_, grid_.block_shift_, box, near, [&](const CellBox& cells) {
+      return finds(grid_.cells_.edges(), 0, cells, near,
+                   [&](const CellBox& run) { return sweep_.touches(sides_of(square(run))); });
+    });
+  }
+
+  /// Calls `look` for the cells in the box of blocks near the rectangle, until it returns true.
+  template <typename Look>
+  [[nodiscard]] bool finds(const BitGrid& blocks, int shift, const CellBox& box,
+                           const Rectangle& near, Look look) const {
+    return blocks.any_run(blocks_in(box, shift),
+                          [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
+                            const CellBox run = cells_of(y, x_begin, x_end, shift);
+                            return near.meets(square(run)) && look(shared(run, box));
+                          });
+  }
+
+  [[nodiscard]] Bounds square(const CellBox& run) const {
+    const double side = grid_.side_;
+    return {run.x_min * side, (run.x_max + 1) * side, run.y_min * side, (run.y_max + 1) * side};
+  }
+
+  const GridObstacles& grid_;
+  const PlacedSegment& placed_;
+  Sweep sweep_;
+};
+
+GridObstacles::GridObstacles(const OccupancyGrid& grid, const Footprint& body)
+    : side_(grid.resolution),
+      body_(body),
+      discs_(body),
+      cells_(grid),
+      field_(cells_, doublings(grid.resolution, field_block)),
+      block_shift_(doublings(grid.resolution, block)),
+      blocks_(blocks_of(cells_.edges(), block_shift_)) {
+  const auto [sin, cos] = sin_cos(grid.origin.heading);
+  along_ = {cos, sin};
+  // The frame is a cell wide.
+  origin_ = {grid.origin.x - side_ * (cos - sin), grid.origin.y - side_ * (sin + cos)};
+}
+
+Point GridObstacles::in_frame(const Point& point) const noexcept {
+  const double dx = point.x - origin_.x;
+  const double dy = point.y - origin_.y;
+  return {dx * along_.x + dy * along_.y, dy * along_.x - dx * along_.y};
+}
+
+PlacedSegment GridObstacles::in_frame(const PlacedSegment& placed) const noexcept {
+  const auto turned = [&](const Point& v) {
+    return Point{v.x * along_.x + v.y * along_.y, v.y * along_.x - v.x * along_.y};
+  };
+  PlacedSegment result = placed;
+  result.from = {in_frame(placed.from.position), turned(placed.from.heading)};
+  result.to = {in_frame(placed.to.position), turned(placed.to.heading)};
+  result.forward = turned(placed.forward);
+  result.left = turned(placed.left);
+  return result;
+}
+
+/// The cells that meet a box, or more if it reaches beyond the frame.
+CellBox GridObstacles::cells_in(const Bounds& box) const noexcept {
+  const auto index = [&](double place, std::int32_t count) {
+    return static_cast<std::int32_t>(std::clamp(place / side_, 0.0, count - 0.5));
+  };
+  return {index(box.x_min, cells_.columns()), index(box.x_max, cells_.columns()),
+          index(box.y_min, cells_.rows()), index(box.y_max, cells_.rows())};
+}
+
+bool GridObstacles::contain(const Point& point) const noexcept {
+  const Point p = in_frame(point);
+  if (field_.at_least({p.x / side_, p.y / side_}) > 0) return false;
+  // Outside of the frame is as its border.
+  const double x = std::clamp(p.x / side_, 0.0, cells_.columns() - 0.5);
+  const double y = std::clamp(p.y / side_, 0.0, cells_.rows() - 0.5);
+  return cells_.is_blocked(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
+}
+
+bool GridObstacles::is_clear(const PlacedSegment& segment) const noexcept {
+  const PlacedSegment placed = in_frame(segment);
+  const DiscTrace trace = trace_discs(field_, side_, discs_, placed);
+  if (trace.is_hit) return false;
+  if (trace.in_doubt().empty()) return true;
+  const Search search(*this, placed);
+  for (const Part& part : trace.in_doubt()) {
+    if (search.finds_any(part)) return false;
+  }
+  return true;
+}
+
+bool GridObstacles::is_within(const Point& point, double distance) const noexcept {
+  const Point p = in_frame(point);
+  const auto [least, most] = field_.around({p.x / side_, p.y / side_});
+  if (least * side_ > distance) return false;
+  if (most * side_ <= distance || contain(point)) return true;
+  const CellBox box = cells_in({p.x - distance, p.x + distance, p.y - distance, p.y + distance});
+  return cells_.edges().any_run(box, [&](std::int32_t y, std::int32_t x_begin, std::int32_t x_end) {
+    const double dx = std::max({x_begin * side_ - p.x, p.x - x_end * side_, 0.0});
+    const double dy = std::max({y * side_ - p.y, p.y - (y + 1) * side_, 0.0});
+    return dx * dx + dy * dy <= distance * distance;
+  });
+}
+
+}  // namespace vandplan

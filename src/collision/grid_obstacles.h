@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Does the footprint touch a blocked cell while one segment is driven?
+//
+// The distance field frees what is far from everything; for the rest, cells nearby are tested in
+// closed form, blocks of them at once. Theory and proof: docs/algorithms/occupancy_grid.md.
+
+#include "geometry/blocked_cells.h"
+#include "collision/disc_trace.h"
+#include "geometry/distance_field.h"
+#include "collision/sweep.h"
+#include "vandplan/occupancy_grid.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan {
+
+/// The blocked cells of a grid as obstacles for one footprint. Immutable.
+class GridObstacles {
+ public:
+  GridObstacles(const OccupancyGrid& grid, const Footprint& body);
+
+  /// Whether the point lies in a blocked cell.
+  [[nodiscard]] bool contain(const Point& point) const noexcept;
+
+  /// Whether no edge cell is touched while the segment is driven. Together with a start whose
+  /// rear axle is in no blocked cell that is all: whatever is entered later is entered there.
+  [[nodiscard]] bool is_clear(const PlacedSegment& placed) const noexcept;
+
+  /// Whether a blocked cell is at most this far from the point [m].
+  [[nodiscard]] bool is_within(const Point& point, double distance) const noexcept;
+
+ private:
+  class Search;
+
+  /// Into the frame of the cells, in metres.
+  [[nodiscard]] Point in_frame(const Point& point) const noexcept;
+  [[nodiscard]] PlacedSegment in_frame(const PlacedSegment& placed) const noexcept;
+  [[nodiscard]] CellBox cells_in(const Bounds& box) const noexcept;
+
+  Point origin_;  // of the frame of the cells
+  Point along_;   // unit vector of its x axis
+  double side_;   // of a cell [m]
+  Footprint body_;
+  DiscRows discs_;
+  BlockedCells cells_;
+  DistanceField field_;
+  int block_shift_;  // a block has 2^block_shift_ cells to a side
+  BitGrid blocks_;   // with an edge cell
+};
+
+}  // namespace vandplan

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "geometry/blocked_cells.h"
+
+namespace vandplan {
+
+BlockedCells::BlockedCells(const OccupancyGrid& grid)
+    : blocked_(grid.columns + 2, grid.rows + 2), edges_(grid.columns + 2, grid.rows + 2) {
+  for (std::int32_t y = 0; y < grid.rows; ++y) {
+    const Cell* const row =
+        grid.cells->data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.columns);
+    for (std::int32_t x = 0; x < grid.columns; ++x) {
+      const bool blocked =
+          row[x] == Cell::occupied || (row[x] == Cell::unknown && !grid.unknown_is_free);
+      if (blocked) blocked_.set(x + 1, y + 1);
+    }
+  }
+  if (!grid.unknown_is_free) {
+    for (std::int32_t x = 0; x < columns(); ++x) {
+      blocked_.set(x, 0);
+      blocked_.set(x, rows() - 1);
+    }
+    for (std::int32_t y = 0; y < rows(); ++y) {
+      blocked_.set(0, y);
+      blocked_.set(columns() - 1, y);
+    }
+  }
+  mark_edges(!grid.unknown_is_free);
+}
+
+void BlockedCells::mark_edges(bool outside_is_blocked) {
+  const std::uint64_t outside = outside_is_blocked ? ~std::uint64_t{0} : 0;
+  const auto tail = static_cast<std::uint32_t>(columns()) % 64;  // bits of the last word; 0: all
+  const std::uint64_t beyond = tail == 0 ? 0 : ~std::uint64_t{0} << tail;
+  const std::size_t words = blocked_.words();
+  // A word of a row, what lies outside of the frame filled in; the one before the first wraps.
+  const auto word = [&](std::size_t i, std::int32_t y) {
+    if (y < 0 || y >= rows() || i >= words) return outside;
+    return i + 1 == words ? blocked_.word(i, y) | (outside & beyond) : blocked_.word(i, y);
+  };
+  for (std::int32_t y = 0; y < rows(); ++y) {
+    for (std::size_t i = 0; i < words; ++i) {
+      const std::uint64_t bits = word(i, y);
+      const std::uint64_t left = bits << 1 | word(i - 1, y) >> 63;
+      const std::uint64_t right = bits >> 1 | word(i + 1, y) << 63;
+      const std::uint64_t surrounded = left & right & word(i, y - 1) & word(i, y + 1);
+      edges_.word(i, y) = blocked_.word(i, y) & ~surrounded;
+    }
+  }
+}
+
+BitGrid blocks_of(const BitGrid& cells, int shift) {
+  const auto blocks = [&](std::int32_t count) { return ((count - 1) >> shift) + 1; };
+  BitGrid result(blocks(cells.columns()), blocks(cells.rows()));
+  const CellBox all{0, cells.columns() - 1, 0, cells.rows() - 1};
+  (void)cells.any_run(all, [&](std::int32_t y, std::int32_t begin, std::int32_t end) {
+    for (std::int32_t x = begin >> shift; x <= (end - 1) >> shift; ++x) result.set(x, y >> shift);
+    return false;
+  });
+  return result;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/anytime.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <deque>
+#include <numbers>
+#include <thread>
+
+#include "planners/anytime/island.h"
+#include "search/budget.h"
+#include "vandplan/dubins.h"
+
+namespace vandplan {
+namespace {
+
+constexpr std::size_t island_count = 5;
+constexpr int tidy_trials = 1000;
+
+// An island, and its iterations in one round: none before its first one, so that what is cheap is
+// tried first; then until there is a route, and from then on.
+struct Plan {
+  Work work;
+  std::int64_t first_round;
+  std::int64_t before;
+  std::int64_t after;
+};
+
+constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64},
+                                                   {Work::search_from_start, 2, 64, 64},
+                                                   {Work::random_trees, 0, 16, 32},
+                                                   {Work::refine, 0, 0, 256},
+                                                   {Work::bound, 0, 0, 2}}};
+
+// Rounds grow with time, so that islands on several threads seldom wait for each other.
+std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
+
+// The least that any path between the poses costs: it is driven forward, or in reverse, or changes
+// gear; one of the first two may have to change gear before it begins.
+double open_ground_bound(const Problem& problem, const CostRule& rule) {
+  const double radius = problem.world->vehicle().min_turning_radius;
+  const auto turned = [](const Pose& p) { return Pose{p.x, p.y, p.heading + std::numbers::pi}; };
+  const double shortest = reeds_shepp_length(problem.start, problem.goal, radius);
+  if (rule.is_length()) return shortest;
+  const double forward = rule.forward_weight * dubins_length(problem.start, problem.goal, radius);
+  const double reverse =
+      rule.reverse_weight * dubins_length(turned(problem.start), turned(problem.goal), radius);
+  return std::min({forward + change_cost(rule, rule.initial_gear, 1),
+                   reverse + change_cost(rule, rule.initial_gear, -1),
+                   shortest + rule.gear_change_cost});
+}
+
+// Calls `work(i)` for every island, on several threads.
+template <typename Work>
+void for_each_island(int threads, Work work) {
+  std::atomic<std::size_t> next = 0;
+  const auto take = [&] {
+    for (std::size_t i = next++; i < island_count; i = next++) work(i);
+  };
+  std::vector<std::jthread> helpers;
+  const std::size_t wanted = std::min(static_cast<std::size_t>(threads), island_count);
+  for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(take);
+  take();
+}
+
+class Run {
+ public:
+  Run(const Problem& problem, const PlanOptions& options);
+
+  void try_open_ground();
+  void round();
+  void tidy(std::uint64_t seed);
+  [[nodiscard]] bool is_optimal() const;
+  [[nodiscard]] Budget& budget() { return budget_; }
+  [[nodiscard]] PlanResult result() const;
+
+ private:
+  void merge(Slice& slice);
+
+  const Problem& problem_;
+  CostRule rule_;
+  int threads_;
+  Budget budget_;
+  std::deque<Island> islands_;
+  double open_ground_;  // no path costs less
+  std::optional<Route> best_;
+  std::vector<CostSample> trace_;
+  std::int64_t rounds_ = 0;
+};
+
+Run::Run(const Problem& problem, const PlanOptions& options)
+    : problem_(problem),
+      rule_(cost_rule(options)),
+      threads_(options.threads),
+      budget_(options),
+      open_ground_(open_ground_bound(problem, rule_)) {
+  const Bounds region = sampling_region(problem, options.region);
+  for (std::size_t i = 0; i < island_count; ++i) {
+    islands_.emplace_back(plans[i].work, problem, rule_, region, stream_seed(options.seed, i));
+  }
+}
+
+// The best word on open ground, if it is free.
+void Run::try_open_ground() {
+  Edges edges(*problem_.world, rule_);
+  const Piece piece = edges.steer(problem_.start, problem_.goal, {rule_.initial_gear, 0});
+  if (!edges.is_free(problem_.start, piece)) return;
+  best_ = Route{problem_.start, {{piece, problem_.goal}}, 0.0};
+  best_->cost = cost_of(rule_, *best_);
+  trace_.push_back({budget_.elapsed(), 0, best_->cost});
+}
+
+bool Run::is_optimal() const { return best_ && best_->cost <= open_ground_ * (1 + 1e-12); }
+
+void Run::merge(Slice& slice) {
+  for (const CostSample& sample : slice.improvements) {
+    if (!trace_.empty() && sample.cost >= trace_.back().cost) continue;
+    const double time = trace_.empty() ? sample.time : std::max(sample.time, trace_.back().time);
+    trace_.push_back({time, budget_.iterations() + sample.iteration, sample.cost});
+  }
+  budget_.spend(slice.iterations);
+  if (slice.route && (!best_ || slice.route->cost < best_->cost)) best_ = std::move(slice.route);
+}
+
+// Every island works on its own, told only the best route so far; what they bring is merged in a
+// fixed order. So the outcome does not depend on the number of threads.
+void Run::round() {
+  std::array<std::int64_t, island_count> wanted{};
+  std::int64_t granted = 0;
+  for (std::size_t i = 0; i < island_count; ++i) {
+    if (!islands_[i].has_work() && !(best_ && plans[i].work == Work::refine)) continue;
+    const bool waits = !best_ && rounds_ < plans[i].first_round;
+    const std::int64_t share = best_ ? plans[i].after * growth(rounds_) : plans[i].before;
+    wanted[i] = budget_.left(waits ? 0 : share, granted);
+    granted += wanted[i];
+  }
+  std::array<Slice, island_count> slices;
+  const Route* best = best_ ? &*best_ : nullptr;
+  for_each_island(best_ ? threads_ : 1,
+                  [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
+  for (Slice& slice : slices) merge(slice);
+  ++rounds_;
+}
+
+// Among paths of the least length one with fewer gear changes, by a price of theirs that is next to
+// nothing. Turning on the spot has many paths of the same length.
+void Run::tidy(std::uint64_t seed) {
+  if (!rule_.is_length() || best_->legs.size() < 2) return;
+  CostRule rule = rule_;
+  rule.gear_change_cost = 1e-8;
+  Edges edges(*problem_.world, rule);
+  Route route = *best_;
+  route.cost = cost_of(rule, route);
+  Shortener shortener(edges, std::move(route), seed);
+  for (int i = 0; i < tidy_trials && !budget_.is_interrupted() && budget_.next(); ++i) {
+    shortener.step();
+  }
+  Route tidied = shortener.route();
+  tidied.cost = cost_of(rule_, tidied);
+  if (tidied.cost <= open_ground_ * (1 + 1e-9)) best_ = std::move(tidied);
+}
+
+PlanResult Run::result() const {
+  PlanResult result;
+  result.iterations = budget_.iterations();
+  result.anytime = trace_;
+  result.lower_bound = open_ground_;
+  for (const Island& island : islands_) {
+    result.lower_bound = std::max(result.lower_bound, island.shortest());
+    result.exact_solves += island.solves();
+    result.edge_checks += island.checks();
+    result.nodes += static_cast<std::int64_t>(island.nodes());
+  }
+  if (best_) {
+    result.status = PlanStatus::solved;
+    result.path = path_of(*best_);
+    GearSign gear = rule_.initial_gear;
+    result.cost = drive_cost(rule_, result.path->segments, gear);
+    result.lower_bound = std::min(result.lower_bound, result.cost);  // rounding apart
+  }
+  result.time_total = budget_.elapsed();
+  return result;
+}
+
+}  // namespace
+
+PlanResult plan_anytime(const Problem& problem, const PlanOptions& options) {
+  Run run(problem, options);
+  run.try_open_ground();
+  PlanStatus reason = PlanStatus::solved;
+  while (!run.is_optimal() && reason == PlanStatus::solved) {
+    if (run.budget().allows_more()) {
+      run.round();
+    } else {
+      reason = run.budget().reason();
+    }
+  }
+  if (run.is_optimal()) run.tidy(options.seed);
+  PlanResult result = run.result();
+  if (!result.path) result.status = reason;
+  return result;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/island.h"
+
+#include <limits>
+
+namespace vandplan {
+
+Island::Island(Work work, const Problem& problem, const CostRule& rule, const Bounds& region,
+               std::uint64_t seed)
+    : problem_(problem),
+      region_(region),
+      work_(work),
+      seed_(seed),
+      edges_(*problem.world, rule),
+      best_cost_(std::numeric_limits<double>::infinity()) {}
+
+// At the first run: what another island finds before it may make it needless.
+void Island::prepare() {
+  is_prepared_ = true;
+  const CostRule& rule = edges_.rule();
+  switch (work_) {
+    case Work::refine:
+      break;
+    case Work::search_from_start:
+      ladder_.emplace(problem_, rule, Root::start);
+      break;
+    case Work::search_from_goal:
+      ladder_.emplace(problem_, rule, Root::goal);
+      break;
+    case Work::random_trees:
+      attempts_.emplace(problem_, rule, region_, stream_seed(seed_, 0));
+      break;
+    case Work::bound:
+      geodesic_.emplace(*problem_.world, problem_.start, problem_.goal, best_cost_);
+      break;
+  }
+}
+
+std::int64_t Island::solves() const {
+  return edges_.solves() + (ladder_ ? ladder_->edges().solves() : 0) +
+         (attempts_ ? attempts_->edges().solves() : 0);
+}
+
+std::int64_t Island::checks() const {
+  return edges_.checks() + (ladder_ ? ladder_->edges().checks() : 0) +
+         (attempts_ ? attempts_->edges().checks() : 0);
+}
+
+std::size_t Island::nodes() const {
+  return ladder_ ? ladder_->size() : attempts_ ? attempts_->size() : 0;
+}
+
+bool Island::has_work() const {
+  return !is_prepared_ || candidate_ || attempts_ || (geodesic_ && !bound_is_final_) ||
+         (ladder_ && !ladder_->is_finished());
+}
+
+// A route that is far above the best after many trials will not win: what shortening gains falls
+// about as one over the number of trials (docs/algorithms/anytime.md).
+bool Island::is_hopeless() const {
+  const double excess = candidate_->route().cost / best_cost_ - 1.0;
+  return candidate_->is_stalled() || excess * static_cast<double>(trials_) > 20.0;
+}
+
+std::optional<Route> Island::search() {
+  if (geodesic_) {
+    bound_is_final_ = !geodesic_->step();
+  } else if (ladder_) {
+    ladder_->set_bound(best_cost_);
+    if (ladder_->step()) return ladder_->route();
+  } else if (attempts_ && attempts_->step()) {
+    return attempts_->route();
+  }
+  return std::nullopt;
+}
+
+// True when it has a route better than all it knew of.
+bool Island::step() {
+  if (!candidate_) {
+    std::optional<Route> route = search();
+    if (!route) return false;
+    candidate_.emplace(edges_, *std::move(route), stream_seed(seed_, ++candidates_));
+    trials_ = 0;
+  } else {
+    candidate_->step();
+    ++trials_;
+  }
+  const bool won = candidate_->route().cost < best_cost_;
+  if (won) {
+    best_cost_ = candidate_->route().cost;
+    offer_ = candidate_->route();
+  }
+  if (work_ != Work::refine && (won || is_hopeless())) candidate_.reset();
+  return won;
+}
+
+// The refining island goes on with the best route, whoever found it.
+void Island::take_over(const Route& best) {
+  if (best.cost >= best_cost_) return;
+  best_cost_ = best.cost;
+  if (work_ == Work::refine) candidate_.emplace(edges_, best, stream_seed(seed_, ++candidates_));
+}
+
+Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {
+  Slice slice;
+  if (best != nullptr) take_over(*best);
+  if (!is_prepared_ && iterations > 0) prepare();
+  while (slice.iterations < iterations && has_work()) {
+    if (slice.iterations % 4 == 0 && budget.is_interrupted()) break;
+    ++slice.iterations;
+    if (step()) slice.improvements.push_back({budget.elapsed(), slice.iterations, best_cost_});
+  }
+  if (!slice.improvements.empty()) slice.route = offer_;
+  return slice;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does the anytime planner do side by side? Islands: lines of work that share nothing but the
+// best route, which they are told between rounds.
+
+#include <optional>
+#include <vector>
+
+#include "planners/anytime/shorten.h"
+#include "planners/anytime/sources.h"
+#include "search/budget.h"
+#include "search/geodesic.h"
+
+namespace vandplan {
+
+/// What an island does.
+enum class Work {
+  refine,             ///< shorten the best route
+  search_from_start,  ///< lattice searches
+  search_from_goal,
+  random_trees,
+  bound,  ///< prove how short no path can be
+};
+
+/// What an island did in one round.
+struct Slice {
+  std::int64_t iterations = 0;
+  std::vector<CostSample> improvements;  // iterations count from the beginning of the slice
+  std::optional<Route> route;            // the one of the last improvement
+};
+
+/// One line of work. What it does depends on its seed and on what it is told, on nothing else.
+class Island {
+ public:
+  Island(Work work, const Problem& problem, const CostRule& rule, const Bounds& region,
+         std::uint64_t seed);
+  Island(const Island&) = delete;
+  Island& operator=(const Island&) = delete;
+
+  /// At most `iterations` of work; less if the budget is interrupted or nothing is left to do.
+  /// `best` is the best route of all islands, null while there is none.
+  [[nodiscard]] Slice run(std::int64_t iterations, const Route* best, const Budget& budget);
+
+  /// Whether there is anything left to try.
+  [[nodiscard]] bool has_work() const;
+
+  /// What no path is shorter than, as far as it has been proven here [m].
+  [[nodiscard]] double shortest() const { return geodesic_ ? geodesic_->bound() : 0.0; }
+
+  [[nodiscard]] std::int64_t solves() const;
+  [[nodiscard]] std::int64_t checks() const;
+  /// Nodes of the search that is under way.
+  [[nodiscard]] std::size_t nodes() const;
+
+ private:
+  void prepare();
+  void take_over(const Route& best);
+  bool step();
+  std::optional<Route> search();
+  [[nodiscard]] bool is_hopeless() const;
+
+  const Problem& problem_;
+  Bounds region_;
+  Work work_;
+  std::uint64_t seed_;
+  Edges edges_;
+  double best_cost_;  // of the routes it knows of
+  std::optional<Ladder> ladder_;
+  std::optional<Attempts> attempts_;
+  std::optional<Geodesic> geodesic_;
+  bool is_prepared_ = false;
+  bool bound_is_final_ = false;
+  std::optional<Shortener> candidate_;  // a route that may win yet
+  std::optional<Route> offer_;          // a route that has won
+  std::int64_t trials_ = 0;             // spent on the candidate
+  std::uint64_t candidates_ = 0;        // so far; each has a seed
+};
+
+}  // namespace vandplan

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which way is there, systematically? A search over arcs and lines of fixed length, one continuous
+// pose per cell (Hybrid A*, Dolgov et al. 2010). Its routes are seeds for the shortener.
+
+#include <optional>
+#include <vector>
+
+#include "search/edges.h"
+#include "search/grid_distance.h"
+#include "search/route.h"
+
+namespace vandplan {
+
+/// How fine and how greedy one search is.
+struct LatticeOptions {
+  int headings = 24;        ///< cells of a full turn; an arc step turns by one of them
+  double cell = 0.25;       ///< side of a position cell [turning radii]
+  double greediness = 1.0;  ///< weight of the cost-to-go; >= 1
+};
+
+/// One search from `root` to `target`.
+class Lattice {
+ public:
+  Lattice(const Pose& root, const Pose& target, const LatticeOptions& options,
+          const GridDistance& guide, Edges& edges);
+
+  /// Expands one pose. True when a route was found that is cheaper than those before: `route`.
+  [[nodiscard]] bool step();
+
+  /// Nothing is left that could be cheaper than the bound.
+  [[nodiscard]] bool is_exhausted() const { return open_.empty(); }
+  /// Only routes cheaper than this are of interest.
+  void set_bound(double cost) { bound_ = std::min(bound_, cost); }
+  [[nodiscard]] const Route& route() const { return route_; }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+
+ private:
+  struct Node {
+    Pose pose;
+    Segment segment;  // from the parent
+    double cost_to_come;
+    std::int32_t parent;
+  };
+  // Ranked by the way around at first, and again by the larger of both when its turn comes: most
+  // never get there.
+  struct Entry {
+    double rank;
+    double around;
+    double open_ground;  // 0 until it is known
+    std::int32_t node;
+    bool operator<(const Entry& other) const {  // a heap has its greatest in front
+      return rank != other.rank ? rank > other.rank : node > other.node;
+    }
+  };
+
+  [[nodiscard]] std::uint64_t key_of(const Node& node) const;
+  void open(const Node& node);
+  void push(const Entry& entry);
+  [[nodiscard]] Entry pop();
+  [[nodiscard]] std::optional<Entry> next();
+  bool shoot(const Entry& entry);
+  void expand(std::int32_t id);
+  bool close(std::uint64_t key);
+  [[nodiscard]] bool is_closed(std::uint64_t key) const;
+  void grow_table();
+  void build_route(std::int32_t node, const Piece& last);
+
+  Edges& edges_;
+  const GridDistance& guide_;
+  LatticeOptions options_;
+  Pose target_;
+  double bound_;
+  double step_length_;
+  double cell_;
+  std::vector<Node> nodes_;
+  std::vector<Entry> open_;
+  std::vector<std::uint64_t> closed_;  // open addressing; 0 is free
+  std::size_t closed_count_ = 0;
+  Route route_;
+};
+
+}  // namespace vandplan

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/shorten.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vandplan {
+namespace {
+
+constexpr double progress = 5e-4;  // share of the cost that counts as progress
+constexpr double least_gain = 1e-9;
+
+}  // namespace
+
+Shortener::Shortener(Edges& edges, Route route, std::uint64_t seed)
+    : edges_(edges), route_(std::move(route)), rng_(seed), progress_cost_(route_.cost) {}
+
+bool Shortener::is_stalled() const {
+  return idle_ > 200 + 60 * static_cast<int>(route_.legs.size());
+}
+
+Shortener::Place Shortener::random_place() {
+  double s = uniform(0.0, route_.length(), rng_);
+  std::size_t leg = 0;
+  while (leg + 1 < route_.legs.size() && s > route_.legs[leg].piece.length) {
+    s -= route_.legs[leg++].piece.length;
+  }
+  return {leg, std::min(s, route_.legs[leg].piece.length)};
+}
+
+Pose Shortener::pose_at(const Place& place) const {
+  return end_of(route_.begin_of(place.leg), prefix(route_.legs[place.leg].piece, place.s));
+}
+
+// In the vehicle's own frame, at a random scale: what is left to gain shrinks as the route settles.
+Pose Shortener::perturbed(const Pose& pose) {
+  const double scale = std::exp2(uniform(-10.0, -0.5, rng_));
+  const double reach = scale * edges_.radius();
+  const Pose local{uniform(-reach, reach, rng_), uniform(-reach, reach, rng_),
+                   uniform(-scale, scale, rng_)};
+  return compose(pose, local);
+}
+
+// Puts the trial in the place of the legs [first, last) if that is cheaper and free. `fresh` are
+// the legs of the trial that have to be checked; the others were cut from the route.
+bool Shortener::replace(std::size_t first, std::size_t last, std::span<const Leg> fresh) {
+  const CostRule& rule = edges_.rule();
+  const Gears gears = gears_around(rule, route_, first, last);
+  const auto cost = [&](std::span<const Leg> stretch) {
+    GearSign gear = gears.before;
+    double sum = 0.0;
+    for (const Leg& leg : stretch) {
+      sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), gear);
+    }
+    return sum + change_cost(rule, gear, gears.after);
+  };
+  const double gain = cost(std::span(route_.legs).subspan(first, last - first)) - cost(trial_);
+  if (gain < least_gain) return false;
+  for (const Leg& leg : fresh) {
+    const bool is_first = &leg == trial_.data();
+    const Pose& from = is_first ? route_.begin_of(first) : (&leg - 1)->end;
+    if (!edges_.is_free(from, leg.piece)) return false;
+  }
+  const auto at = route_.legs.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto next = route_.legs.erase(at, at + static_cast<std::ptrdiff_t>(last - first));
+  route_.legs.insert(next, trial_.begin(), trial_.end());
+  route_.cost = cost_of(rule, route_);
+  return true;
+}
+
+// Exact steering between two places of the route.
+bool Shortener::shortcut() {
+  Place a = random_place();
+  Place b = random_place();
+  if (b.leg < a.leg || (b.leg == a.leg && b.s < a.s)) std::swap(a, b);
+  if (a.leg == b.leg) return false;
+  const Pose from = pose_at(a);
+  const Pose to = pose_at(b);
+  const Piece head = prefix(route_.legs[a.leg].piece, a.s);
+  const Piece tail = suffix(route_.legs[b.leg].piece, b.s);
+  trial_.clear();
+  if (head.count > 0) trial_.push_back({head, from});
+  trial_.push_back({edges_.steer(from, to, {last_gear(head), first_gear(tail)}), to});
+  if (tail.count > 0) trial_.push_back({tail, route_.legs[b.leg].end});
+  return replace(a.leg, b.leg + 1, std::span(trial_).subspan(head.count > 0 ? 1 : 0, 1));
+}
+
+// Leaves a via pose out.
+bool Shortener::drop_via() {
+  const std::size_t legs = route_.legs.size();
+  if (legs < 2) return false;
+  const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
+  const Pose& to = route_.legs[i + 1].end;
+  const Gears gears = gears_around(edges_.rule(), route_, i, i + 2);
+  trial_.assign(1, {edges_.steer(route_.begin_of(i), to, gears), to});
+  return replace(i, i + 2, trial_);
+}
+
+// Moves a via pose and steers anew from the one before and to the one after it.
+bool Shortener::move_via() {
+  const std::size_t legs = route_.legs.size();
+  if (legs < 2) return move_place();
+  const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
+  const Pose via = perturbed(route_.legs[i].end);
+  const Pose& to = route_.legs[i + 1].end;
+  const Gears gears = gears_around(edges_.rule(), route_, i, i + 2);
+  trial_.assign(1, {edges_.steer(route_.begin_of(i), via, {gears.before, 0}), via});
+  trial_.push_back({edges_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
+  return replace(i, i + 2, trial_);
+}
+
+// Makes a via pose beside a place of the route.
+bool Shortener::move_place() {
+  const Place place = random_place();
+  const Pose via = perturbed(pose_at(place));
+  const Pose& to = route_.legs[place.leg].end;
+  const Gears gears = gears_around(edges_.rule(), route_, place.leg, place.leg + 1);
+  trial_.assign(1, {edges_.steer(route_.begin_of(place.leg), via, {gears.before, 0}), via});
+  trial_.push_back({edges_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
+  return replace(place.leg, place.leg + 1, trial_);
+}
+
+bool Shortener::step() {
+  const double kind = uniform01(rng_);
+  const bool shorter = kind < 0.3   ? shortcut()
+                       : kind < 0.4 ? drop_via()
+                       : kind < 0.9 ? move_via()
+                                    : move_place();
+  ++idle_;
+  if (route_.cost < progress_cost_ * (1 - progress)) {
+    progress_cost_ = route_.cost;
+    idle_ = 0;
+  }
+  return shorter;
+}
+
+}  // namespace vandplan

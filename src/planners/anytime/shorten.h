@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does a path get cheaper without leaving its surroundings?
+
+#include <vector>
+
+#include "search/edges.h"
+#include "base/random.h"
+#include "search/route.h"
+
+namespace vandplan {
+
+/// Improves one route by random trials; a trial is kept only if it is free and cheaper.
+class Shortener {
+ public:
+  Shortener(Edges& edges, Route route, std::uint64_t seed);
+
+  /// One trial. True when the route got cheaper.
+  bool step();
+
+  [[nodiscard]] const Route& route() const { return route_; }
+  /// Whether many trials in a row brought next to nothing.
+  [[nodiscard]] bool is_stalled() const;
+
+ private:
+  // A place on the route: `s` metres into a leg.
+  struct Place {
+    std::size_t leg;
+    double s;
+  };
+
+  [[nodiscard]] Place random_place();
+  [[nodiscard]] Pose pose_at(const Place& place) const;
+  [[nodiscard]] Pose perturbed(const Pose& pose);
+  bool shortcut();
+  bool drop_via();
+  bool move_via();
+  bool move_place();
+  bool replace(std::size_t first, std::size_t last, std::span<const Leg> fresh);
+
+  Edges& edges_;
+  Route route_;
+  Rng rng_;
+  std::vector<Leg> trial_;  // buffer
+  int idle_ = 0;            // trials since the last progress worth the name
+  double progress_cost_;    // what the route cost then
+};
+
+}  // namespace vandplan

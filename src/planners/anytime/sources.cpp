@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/sources.h"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace vandplan {
+namespace {
+
+// Each search is twice as fine as the one before it but one. The first ones are greedy: they find
+// a first route; the third looks for the best; the others find ways out of ever tighter slots.
+constexpr std::array<LatticeOptions, 8> searches = {
+    LatticeOptions{12, 0.5, 2.0},    LatticeOptions{24, 0.25, 1.5},
+    LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
+    LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
+    LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
+constexpr std::size_t most_nodes = 300'000;  // of one search: some 30 MB
+constexpr double first_guide_side = 1.0;     // [vehicle widths]
+constexpr double fine_guide_side = 0.5;      // of all searches but the first
+constexpr double last_guide_side = 0.25;
+constexpr double slack = 1.05;                 // what shortening may yet take off a route
+constexpr std::array far_shares = {1.0, 0.4};  // of the attempts with trees, in turns
+constexpr std::int64_t first_patience = 256;   // samples
+
+// Driven backwards the gears change places, and the initial one is not the first.
+CostRule rule_from(const CostRule& rule, Root root) {
+  if (root == Root::start) return rule;
+  return {rule.reverse_weight, rule.forward_weight, rule.gear_change_cost, 0};
+}
+
+}  // namespace
+
+Ladder::Ladder(const Problem& problem, const CostRule& rule, Root root)
+    : world_(*problem.world),
+      scene_(sampling_region(problem, Region::scene)),
+      from_(root == Root::start ? problem.start : problem.goal),
+      to_(root == Root::start ? problem.goal : problem.start),
+      root_(root),
+      rule_(rule),
+      edges_(*problem.world, rule_from(rule, root)),
+      guide_side_(first_guide_side),
+      bound_(std::numeric_limits<double>::infinity()) {
+  next_guide();
+}
+
+void Ladder::next_guide() {
+  lattice_.reset();
+  guide_.emplace(world_, scene_, guide_side_, to_, from_);
+  guide_side_ /= 2;
+  guided_ = false;
+}
+
+void Ladder::next_search() {
+  lattice_.reset();
+  if (level_ == searches.size()) {
+    finished_ = true;
+    return;
+  }
+  lattice_.emplace(from_, to_, searches[level_], *guide_, edges_);
+  ++level_;
+}
+
+bool Ladder::step() {
+  if (!guided_) {
+    if (guide_->step()) return false;
+    // Coarse cells may close a narrow opening.
+    guided_ = guide_->is_connected() || guide_side_ < last_guide_side;
+    if (!guided_) next_guide();
+    return false;
+  }
+  if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_nodes) {
+    if (level_ == 1 && guide_side_ > fine_guide_side / 2) {
+      next_guide();
+      return false;
+    }
+    next_search();
+  }
+  if (finished_) return false;
+  lattice_->set_bound(slack * bound_);
+  return !lattice_->is_exhausted() && lattice_->step();
+}
+
+Route Ladder::route() const {
+  if (root_ == Root::start) return lattice_->route();
+  Route route = reversed(lattice_->route());
+  route.cost = cost_of(rule_, route);
+  return route;
+}
+
+Attempts::Attempts(const Problem& problem, const CostRule& rule, const Bounds& region,
+                   std::uint64_t seed)
+    : problem_(problem),
+      region_(region),
+      edges_(*problem.world, rule),
+      seed_(seed),
+      patience_(first_patience) {
+  next_attempt();
+}
+
+void Attempts::next_attempt() {
+  const double far_share = far_shares[attempt_ % far_shares.size()];
+  trees_.emplace(problem_, region_, edges_, far_share, stream_seed(seed_, attempt_));
+  ++attempt_;
+  samples_ = 0;
+  met_ = false;
+}
+
+bool Attempts::step() {
+  if (met_ || samples_ == patience_) {
+    if (!met_ && attempt_ % far_shares.size() == 0) patience_ *= 2;
+    next_attempt();
+  }
+  ++samples_;
+  met_ = trees_->step();
+  return met_;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Where do the islands of the anytime planner get routes from?
+
+#include <cstdint>
+#include <optional>
+
+#include "planners/anytime/lattice.h"
+#include "planners/anytime/trees.h"
+#include "search/edges.h"
+#include "search/grid_distance.h"
+#include "search/route.h"
+
+namespace vandplan {
+
+/// Which end a systematic search begins at.
+enum class Root { start, goal };
+
+/// Lattice searches from coarse to fine, all from the same root.
+class Ladder {
+ public:
+  Ladder(const Problem& problem, const CostRule& rule, Root root);
+
+  /// A few microseconds of work. True when a route was found: `route`.
+  [[nodiscard]] bool step();
+
+  /// Only routes cheaper than this are of interest.
+  void set_bound(double cost) { bound_ = cost; }
+  /// From the start to the goal.
+  [[nodiscard]] Route route() const;
+  /// The finest search is done: nothing will come.
+  [[nodiscard]] bool is_finished() const { return finished_; }
+  [[nodiscard]] const Edges& edges() const { return edges_; }
+  [[nodiscard]] std::size_t size() const { return lattice_ ? lattice_->size() : 0; }
+
+ private:
+  void next_search();
+  void next_guide();
+
+  const World& world_;
+  Bounds scene_;
+  Pose from_;
+  Pose to_;
+  Root root_;
+  CostRule rule_;  // of the route
+  Edges edges_;    // in the direction of the search
+  std::optional<GridDistance> guide_;
+  double guide_side_;    // of its cells [vehicle widths]
+  bool guided_ = false;  // the guide is complete
+  bool finished_ = false;
+  std::size_t level_ = 0;
+  double bound_;
+  std::optional<Lattice> lattice_;
+};
+
+/// Pairs of trees, one attempt after the other.
+class Attempts {
+ public:
+  Attempts(const Problem& problem, const CostRule& rule, const Bounds& region, std::uint64_t seed);
+
+  [[nodiscard]] bool step();
+  [[nodiscard]] Route route() const { return trees_->route(); }
+  [[nodiscard]] const Edges& edges() const { return edges_; }
+  [[nodiscard]] std::size_t size() const { return trees_->size(); }
+
+ private:
+  void next_attempt();
+
+  const Problem& problem_;
+  Bounds region_;
+  Edges edges_;
+  std::uint64_t seed_;
+  std::uint64_t attempt_ = 0;
+  std::int64_t patience_;     // samples after which an attempt is given up
+  std::int64_t samples_ = 0;  // of this attempt
+  bool met_ = false;
+  std::optional<TwoTrees> trees_;
+};
+
+}  // namespace vandplan

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How is a first path found? Two trees, one from the start and one from the goal, grow until they
+// meet (RRT-Connect, Kuffner and LaValle 2000).
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "search/edges.h"
+#include "base/random.h"
+#include "search/route.h"
+#include "search/tree.h"
+
+namespace vandplan {
+
+/// The trees of one attempt.
+class TwoTrees {
+ public:
+  /// `region` is where far samples are drawn, `far_share` how many there are, 0 to 1: they find the
+  /// way around obstacles, the others the way out of a slot.
+  TwoTrees(const Problem& problem, const Bounds& region, Edges& edges, double far_share,
+           std::uint64_t seed);
+
+  /// One sample. True when the trees have met: `route` is then the path.
+  [[nodiscard]] bool step();
+
+  [[nodiscard]] Route route() const { return route_; }
+  [[nodiscard]] std::size_t size() const { return sides_[0].tree.size() + sides_[1].tree.size(); }
+  [[nodiscard]] const Tree& tree(int side) const {
+    return sides_[static_cast<std::size_t>(side)].tree;
+  }
+
+ private:
+  struct Side {
+    Tree tree;
+    std::vector<Piece> pieces;  // from the parent, driven in the side's own direction
+  };
+  struct Edge {
+    NodeId from;
+    Piece piece;
+  };
+
+  [[nodiscard]] Pose sample_far();
+  [[nodiscard]] Pose sample_near();
+  [[nodiscard]] bool step_far();
+  [[nodiscard]] bool step_near();
+  [[nodiscard]] std::optional<Edge> reach(const Tree& tree, const Pose& target);
+  void rank(const Tree& tree, const Pose& target);
+  NodeId extend(Side& side, const Pose& target);
+  [[nodiscard]] bool connect(std::size_t from_side, NodeId node);
+  NodeId add(Side& side, NodeId parent, const Piece& piece, const Pose& end);
+  void join(NodeId from_start, NodeId from_goal, const Piece& bridge);
+
+  Edges& edges_;
+  Bounds region_;
+  double far_share_;
+  Rng rng_;
+  std::array<Side, 2> sides_;
+  std::size_t turn_ = 0;
+  std::vector<Edge> nearest_;  // buffer of `rank`, nearest first
+  Route route_;
+};
+
+}  // namespace vandplan

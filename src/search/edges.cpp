@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vandplan {
+namespace {
+
+void append(Piece& piece, const Segment& segment) {
+  piece.segments[piece.count++] = segment;
+  piece.length += std::abs(segment.length);
+}
+
+}  // namespace
+
+Piece Edges::steer(const Pose& from, const Pose& to, const Gears& gears) {
+  ++solves_;
+  Piece best = reeds_shepp(from, to, radius_);
+  if (rule_.is_length()) return best;
+  double best_cost = cost(best, gears);
+  for (const Piece& word : reeds_shepp_words(from, to, radius_)) {
+    if (word.length >= best_cost) continue;
+    const double word_cost = cost(word, gears);
+    if (word_cost >= best_cost) continue;
+    best = word;
+    best_cost = word_cost;
+  }
+  return best;
+}
+
+double Edges::least_cost(const Pose& from, const Pose& to) {
+  ++solves_;
+  return reeds_shepp_length(from, to, radius_);
+}
+
+double Edges::cost(const Piece& piece, const Gears& gears) const {
+  if (rule_.is_length()) return piece.length;
+  GearSign gear = gears.before;
+  const double sum = drive_cost(rule_, piece.view(), gear);
+  return sum + change_cost(rule_, gear, gears.after);
+}
+
+bool Edges::is_free(const Pose& from, const Piece& piece) {
+  ++checks_;
+  return checker_.is_free(from, piece.view());
+}
+
+bool Edges::is_free(const Pose& from, const Segment& segment) {
+  ++checks_;
+  return checker_.is_free(from, segment);
+}
+
+Piece Edges::free_prefix(const Pose& from, const Piece& piece) {
+  Piece result;
+  Pose pose = from;
+  for (const Segment& segment : piece.view()) {
+    if (is_free(pose, segment)) {
+      append(result, segment);
+      pose = advance(pose, segment);
+      continue;
+    }
+    Segment part{segment.curvature, segment.length / 2};
+    for (int i = 0; i < 4; ++i, part.length /= 2) {
+      if (!is_free(pose, part)) continue;
+      append(result, part);
+      break;
+    }
+    break;
+  }
+  return result;
+}
+
+Piece prefix(const Piece& piece, double s) {
+  Piece result;
+  double left = s;
+  for (const Segment& segment : piece.view()) {
+    const double part = std::min(left, std::abs(segment.length));
+    if (part <= 0.0) break;
+    append(result, {segment.curvature, std::copysign(part, segment.length)});
+    left -= part;
+  }
+  return result;
+}
+
+Piece suffix(const Piece& piece, double s) {
+  Piece result;
+  double skip = s;
+  for (const Segment& segment : piece.view()) {
+    const double part = std::abs(segment.length) - std::max(skip, 0.0);
+    skip -= std::abs(segment.length);
+    if (part > 0.0) append(result, {segment.curvature, std::copysign(part, segment.length)});
+  }
+  return result;
+}
+
+Pose end_of(const Pose& from, const Piece& piece) {
+  Pose pose = from;
+  for (const Segment& segment : piece.view()) pose = advance(pose, segment);
+  return pose;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How far is every node of a tree from a sample, as far as ranking goes?
+
+#include <span>
+
+#include "search/tree.h"
+#include "vandplan/geometry.h"
+
+namespace vandplan {
+
+/// How the distance from a node to a sample is estimated.
+enum class Estimate { euclid, hlut_1, hlut_2, hlut_3, hlut_4, bound, reeds_shepp };
+
+/// Estimated length from each node to the sample [m]; `lengths.size()` is the number of nodes.
+void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, double radius,
+                      std::span<float> lengths);
+
+}  // namespace vandplan

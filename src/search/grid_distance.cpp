@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/grid_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace vandplan {
+namespace {
+
+constexpr double most_cells = 40000.0;
+constexpr std::int32_t blocked = -1;
+constexpr std::int32_t unreached = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t straight_cost = 5;  // 5 and 7: their ratio is near the square root of two
+constexpr std::int32_t diagonal_cost = 7;
+constexpr double detour = 1.1;  // settled are cells on ways this much longer than the shortest
+
+double squared_distance(const Point& p, const Point& a, const Point& b) {
+  const double ux = b.x - a.x;
+  const double uy = b.y - a.y;
+  const double uu = ux * ux + uy * uy;
+  const double t = uu > 0 ? ((p.x - a.x) * ux + (p.y - a.y) * uy) / uu : 0.0;
+  const double along = std::clamp(t, 0.0, 1.0);
+  const double dx = a.x + along * ux - p.x;
+  const double dy = a.y + along * uy - p.y;
+  return dx * dx + dy * dy;
+}
+
+}  // namespace
+
+GridDistance::GridDistance(const World& world, const Bounds& box, double side, const Pose& target,
+                           const Pose& root)
+    : map_(world.map() ? &world.checker() : nullptr),
+      box_(box),
+      target_{target.x, target.y},
+      last_(unreached) {
+  const double width = box.x_max - box.x_min;
+  const double height = box.y_max - box.y_min;
+  side_ = std::max({side * world.vehicle().width, std::sqrt(width * height / most_cells),
+                    std::max(width, height) / most_cells});
+  columns_ = static_cast<std::int32_t>(width / side_) + 3;
+  rows_ = static_cast<std::int32_t>(height / side_) + 3;
+  costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
+  mark_border();
+  const double disc = inner_radius(footprint(world.vehicle()));
+  near_ = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
+  mark(world.obstacles(), near_);
+  mark(world.kerbs(), side_ / 2);  // the rear axle reaches as far
+  root_ = cell_of({root.x, root.y});
+  const Cell to = cell_of(target_);
+  costs_[index_of(root_)] = unreached;
+  costs_[index_of(to)] = unreached;
+  front_ = to_root(to);
+  reach(to, 0);
+}
+
+std::size_t GridDistance::index_of(const Cell& cell) const noexcept {
+  return static_cast<std::size_t>(cell.y * columns_ + cell.x);
+}
+
+GridDistance::Cell GridDistance::cell_of(const Point& point) const noexcept {
+  return {static_cast<std::int32_t>((point.x - box_.x_min) / side_) + 1,
+          static_cast<std::int32_t>((point.y - box_.y_min) / side_) + 1};
+}
+
+// A frame of blocked cells, so that every other one has eight neighbours.
+void GridDistance::mark_border() {
+  for (std::int32_t x = 0; x < columns_; ++x) {
+    costs_[index_of({x, 0})] = costs_[index_of({x, rows_ - 1})] = blocked;
+  }
+  for (std::int32_t y = 0; y < rows_; ++y) {
+    costs_[index_of({0, y})] = costs_[index_of({columns_ - 1, y})] = blocked;
+  }
+}
+
+// Cells whose centre is so near to a side that no point of them is free for the disc; at least the
+// cells that the side runs through.
+void GridDistance::mark(const std::vector<Polygon>& polygons, double near) {
+  const auto index = [&](double offset, std::int32_t count) {
+    // In double first: an obstacle may be further away than an integer counts cells.
+    const double cell = std::clamp(std::floor(offset / side_), 0.0, count - 3.0);
+    return static_cast<std::int32_t>(cell) + 1;
+  };
+  for (const Polygon& polygon : polygons) {
+    Point a = polygon.back();
+    for (const Point& b : polygon) {
+      const std::int32_t x_end = index(std::max(a.x, b.x) + near - box_.x_min, columns_);
+      const std::int32_t y_end = index(std::max(a.y, b.y) + near - box_.y_min, rows_);
+      for (std::int32_t y = index(std::min(a.y, b.y) - near - box_.y_min, rows_); y <= y_end; ++y) {
+        for (std::int32_t x = index(std::min(a.x, b.x) - near - box_.x_min, columns_); x <= x_end;
+             ++x) {
+          if (squared_distance(centre_of({x, y}), a, b) > near * near) continue;
+          costs_[index_of({x, y})] = blocked;
+        }
+      }
+      a = b;
+    }
+  }
+}
+
+// When it is first reached: most cells of a large map never are.
+bool GridDistance::is_blocked_by_map(const Cell& cell) const {
+  if (cell == root_ || cell == cell_of(target_)) return false;
+  return map_->map_is_within(centre_of(cell), near_);
+}
+
+Point GridDistance::centre_of(const Cell& cell) const noexcept {
+  return {box_.x_min + (cell.x - 0.5) * side_, box_.y_min + (cell.y - 0.5) * side_};
+}
+
+// Never above the cost of the way from a cell to the root.
+std::int32_t GridDistance::to_root(const Cell& cell) const noexcept {
+  const std::int32_t dx = std::abs(cell.x - root_.x);
+  const std::int32_t dy = std::abs(cell.y - root_.y);
+  return straight_cost * std::max(dx, dy) + (diagonal_cost - straight_cost) * std::min(dx, dy);
+}
+
+void GridDistance::reach(const Cell& cell, std::int32_t cost) {
+  std::int32_t& known = costs_[index_of(cell)];
+  if (known <= cost) return;  // blocked ones, too
+  if (map_ != nullptr && known == unreached && is_blocked_by_map(cell)) {
+    known = blocked;
+    return;
+  }
+  known = cost;
+  buckets_[static_cast<std::size_t>((cost + to_root(cell)) & 15)].push_back(cell);
+}
+
+// A* with a bucket per rank: one step to a neighbour adds 0 to 14 to it.
+bool GridDistance::step() {
+  int empty = 0;
+  for (int settled = 0; settled < 64 && front_ <= last_;) {
+    std::vector<Cell>& bucket = buckets_[static_cast<std::size_t>(front_ & 15)];
+    if (bucket.empty()) {
+      if (++empty == 16) return false;
+      ++front_;
+      continue;
+    }
+    empty = 0;
+    const Cell cell = bucket.back();
+    bucket.pop_back();
+    const std::int32_t cost = costs_[index_of(cell)];
+    if (cost + to_root(cell) != front_) continue;
+    ++settled;
+    if (cell == root_ && !reached_) {
+      reached_ = true;
+      last_ = static_cast<std::int32_t>(detour * front_);
+    }
+    for (const std::int32_t dy : {-1, 0, 1}) {
+      for (const std::int32_t dx : {-1, 0, 1}) {
+        const bool is_straight = dx == 0 || dy == 0;
+        reach({cell.x + dx, cell.y + dy}, cost + (is_straight ? straight_cost : diagonal_cost));
+      }
+    }
+  }
+  return front_ <= last_;
+}
+
+double GridDistance::at(double x, double y) const noexcept {
+  const double euclid = std::hypot(x - target_.x, y - target_.y);
+  if (!contains(box_, {x, y})) return euclid;
+  const Cell cell = cell_of({x, y});
+  const std::int32_t cost = costs_[index_of(cell)];
+  if (cost == blocked || (cost == unreached && !reached_)) return euclid;
+  const std::int32_t least = cost == unreached ? front_ - to_root(cell) : cost;
+  return std::max(euclid, least * side_ / straight_cost);
+}
+
+}  // namespace vandplan

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does a planner hold while it improves a path?
+
+#include <vector>
+
+#include "search/edges.h"
+
+namespace vandplan {
+
+/// A piece and the exact pose it leads to.
+struct Leg {
+  Piece piece;
+  Pose end;
+};
+
+/// From the start through via poses to the goal.
+struct Route {
+  Pose start;
+  std::vector<Leg> legs;
+  double cost = 0.0;
+
+  [[nodiscard]] double length() const;
+  /// Where leg `i` begins.
+  [[nodiscard]] const Pose& begin_of(std::size_t i) const {
+    return i == 0 ? start : legs[i - 1].end;
+  }
+};
+
+/// The gears driven before leg `first` and from leg `last` on.
+[[nodiscard]] Gears gears_around(const CostRule& rule, const Route& route, std::size_t first,
+                                 std::size_t last);
+
+/// From the first leg to the last.
+[[nodiscard]] double cost_of(const CostRule& rule, const Route& route);
+
+/// The same way driven backwards.
+[[nodiscard]] Route reversed(const Route& route);
+
+[[nodiscard]] Path path_of(const Route& route);
+
+}  // namespace vandplan

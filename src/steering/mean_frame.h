@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do two poses look from half way between them?
+//
+// Seen from the midpoint, under the mean of both headings, every symmetry of shortest paths is a
+// change of sign: docs/algorithms/steering.md.
+
+#include "base/trigonometry.h"
+#include "vandplan/geometry.h"
+
+namespace vandplan {
+
+/// The relative pose. Lengths are in turning radii. The first pose is (-x/2, -y/2, -half_turn), the
+/// second (x/2, y/2, half_turn). Swapping the poses changes the three signs and not a bit besides.
+struct MeanFrame {
+  double x = 0.0;
+  double y = 0.0;
+  double half_turn = 0.0;  ///< in [-pi/2, pi/2]
+};
+
+[[nodiscard]] MeanFrame mean_frame(const Pose& from, const Pose& to, double radius) noexcept;
+
+/// The same with what formulas share about the circles of radius 1 that the poses can turn on.
+struct Circles {
+  explicit Circles(const MeanFrame& frame) noexcept : x(frame.x), y(frame.y), a(frame.half_turn) {
+    const auto [sin, cos] = sin_cos(a);
+    s = sin;
+    c = cos;
+    const double shared = (x - 2 * s) * (x + 2 * s);
+    lr = shared + y * (y - 4 * c);
+    rl = shared + y * (y + 4 * c);
+  }
+
+  double x, y;
+  double a, s, c;  ///< half turn, its sine and cosine
+  double lr;       ///< squared distance from the first left to the last right circle, less 4
+  double rl;       ///< squared distance from the first right to the last left circle, less 4
+};
+
+}  // namespace vandplan

@@ -1,0 +1,60 @@
+# Which tables are computed while we build, and become constant data of the library?
+
+# Steering and tables: part of the core, and what its embedded tables are computed with.
+add_library(
+  vandplan_tables OBJECT
+  base/decimal.cpp
+  geometry/geometry.cpp
+  tables/heuristic_table.cpp
+  base/input_error.cpp
+  steering/mean_frame.cpp
+  path/path.cpp
+  steering/reeds_shepp.cpp
+  simd/bound_kernels_scalar.cpp
+  simd/length_kernels_scalar.cpp
+  simd/table_kernels_scalar.cpp
+  tables/table_bytes.cpp
+  tables/table_export.cpp
+  tables/table_file.cpp
+  base/trigonometry.cpp)
+if(VANDPLAN_SIMD)
+  target_sources(vandplan_tables PRIVATE simd/kernels_highway_lengths.cpp
+                                         simd/kernels_highway_tables.cpp)
+else()
+  target_sources(vandplan_tables PRIVATE simd/kernels_plain.cpp)
+endif()
+vandplan_core_target(vandplan_tables)
+target_include_directories(vandplan_tables PRIVATE ${PROJECT_SOURCE_DIR}/include)
+
+# What the library looks up, but never computes itself.
+add_library(vandplan_bound_builder OBJECT tables/bound_builder.cpp tables/excess.cpp
+                                          tables/words_in_box.cpp)
+vandplan_core_target(vandplan_bound_builder)
+target_include_directories(vandplan_bound_builder PRIVATE ${PROJECT_SOURCE_DIR}/include)
+
+foreach(tool make_thesis_table make_bound_table)
+  add_executable(${tool} ${PROJECT_SOURCE_DIR}/tools/${tool}.cpp)
+  vandplan_core_target(${tool})
+  target_include_directories(${tool} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  target_sources(${tool} PRIVATE $<TARGET_OBJECTS:vandplan_tables>)
+endforeach()
+target_sources(make_bound_table PRIVATE $<TARGET_OBJECTS:vandplan_bound_builder>)
+
+set(embedded_tables ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+file(MAKE_DIRECTORY ${embedded_tables})
+
+# The four tables of the thesis (thesis_tables.cpp).
+foreach(number 1 2 3 4)
+  add_custom_command(
+    OUTPUT ${embedded_tables}/hlut_${number}.h
+    COMMAND make_thesis_table ${number} ${embedded_tables}/hlut_${number}.h
+    VERBATIM)
+  list(APPEND embedded_headers ${embedded_tables}/hlut_${number}.h)
+endforeach()
+
+# The table of bounds (bound_table.cpp).
+add_custom_command(
+  OUTPUT ${embedded_tables}/bound_entries.h
+  COMMAND make_bound_table ${embedded_tables}/bound_entries.h
+  VERBATIM)
+list(APPEND embedded_headers ${embedded_tables}/bound_entries.h)

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does the Reeds-Shepp length change across a box of relative poses?
+//
+// Turning radius 1. The reasons why the answers hold: docs/algorithms/bound_table.md.
+
+#include <array>
+#include <bitset>
+
+#include "tables/interval.h"
+#include "tables/words_in_box.h"
+
+namespace vandplan {
+
+/// Some of the 48 words.
+using WordSet = std::bitset<48>;
+
+/// length - distance over a box of pairs.
+struct Excess {
+  double at_centre = 0.0;            ///< exact
+  std::array<Interval, 3> slopes{};  ///< of all its slopes along radial, side and turn
+  WordSet words{};                   ///< those that can be shortest somewhere in the box
+  bool bounded = true;               ///< else nothing is known of the slopes
+};
+
+/// `among`: no other word is shortest anywhere in the box.
+[[nodiscard]] Excess excess_over(const PairBox& box, const WordSet& among);
+
+/// The same for a single pair.
+[[nodiscard]] double excess_at(double radial, double side, double turn);
+
+}  // namespace vandplan

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/heuristic_table.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "base/decimal.h"
+#include "simd/table_kernels.h"
+#include "vandplan/input_error.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double most_entries = 0x1p28;  // 1 GiB of floats; an index fits in 32 bits
+
+// `given` was asked for; `expected` tells the range.
+void require(bool holds, const char* where, double given, const char* expected) {
+  if (!holds) throw InputError(where, "is " + shortest_text(given) + ", expected " + expected);
+}
+
+// Grid points along x and along y. Throws InputError if an option is out of range.
+int checked_positions(const HeuristicTableOptions& options) {
+  const auto& [extent, step, heading_cells, radius] = options;
+  require(std::isfinite(extent) && extent > 0.0, "extent", extent, "more than 0 m");
+  require(std::isfinite(step) && step > 0.0, "step", step, "more than 0 m");
+  require(heading_cells >= 1, "heading_cells", heading_cells, "at least 1");
+  require(std::isfinite(radius) && radius > 0.0, "turning_radius", radius, "more than 0 m");
+  const double cells = std::round(extent / step);
+  require(cells >= 1.0 && std::abs(cells * step - extent) <= 1e-9 * extent, "extent", extent,
+          "a multiple of the step");
+  const double plane = (cells + 1.0) * (heading_cells + 1.0);
+  if (plane * plane > most_entries) {
+    throw InputError("step", "the table would hold " + shortest_text(plane * plane) +
+                                 " entries, expected at most " + shortest_text(most_entries));
+  }
+  return static_cast<int>(cells) + 1;
+}
+
+std::size_t entry_count(int positions, int headings) {
+  const auto plane = static_cast<std::size_t>(positions) * static_cast<std::size_t>(headings);
+  return plane * plane;
+}
+
+double heading_at(int index, int heading_cells) { return -pi + 2 * pi * index / heading_cells; }
+
+kernels::TableView view_of(const HeuristicTable& table, double radius) {
+  const HeuristicTableOptions& options = table.options();
+  return {.entries = table.entries().data(),
+          .positions = table.positions(),
+          .headings = table.headings(),
+          .extent = static_cast<float>(options.extent),
+          .cells_per_metre = static_cast<float>(1.0 / options.step),
+          .cells_per_radian = static_cast<float>(options.heading_cells / (2 * pi)),
+          .to_table = static_cast<float>(options.turning_radius / radius),
+          .from_table = static_cast<float>(radius / options.turning_radius)};
+}
+
+}  // namespace
+
+HeuristicTableOptions thesis_table_options(int number) {
+  static constexpr std::array<HeuristicTableOptions, 4> tables{{
+      {.extent = 10.0, .step = 1.0, .heading_cells = 8, .turning_radius = 7.0},
+      {.extent = 20.0, .step = 1.0, .heading_cells = 8, .turning_radius = 7.0},
+      {.extent = 10.0, .step = 1.0, .heading_cells = 24, .turning_radius = 7.0},
+      {.extent = 30.0, .step = 1.0, .heading_cells = 24, .turning_radius = 7.0},
+  }};
+  assert(number >= 1 && number <= 4);
+  return tables[static_cast<std::size_t>(number) - 1];
+}
+
+HeuristicTable::HeuristicTable(const HeuristicTableOptions& options)
+    : options_(options), positions_(checked_positions(options)) {
+  std::vector<float> entries(entry_count(positions(), headings()));
+  const double radius = options.turning_radius;
+  for (int x = 0; x < positions(); ++x) {
+    for (int y = 0; y < positions(); ++y) {
+      for (int node = 0; node < headings(); ++node) {
+        const Pose from = node_of({x, y, node, 0});
+        for (int sample = 0; sample < headings(); ++sample) {
+          const Cell cell{x, y, node, sample};
+          entries[index_of(cell)] =
+              static_cast<float>(reeds_shepp_length(from, sample_of(cell), radius));
+        }
+      }
+    }
+  }
+  storage_ = std::make_shared<const std::vector<float>>(std::move(entries));
+  entries_ = *storage_;
+}
+
+HeuristicTable::HeuristicTable(const HeuristicTableOptions& options, std::vector<float> entries)
+    : HeuristicTable(options, std::span<const float>(entries)) {
+  storage_ = std::make_shared<const std::vector<float>>(std::move(entries));
+  entries_ = *storage_;
+}
+
+HeuristicTable::HeuristicTable(const HeuristicTableOptions& options, std::span<const float> entries)
+    : options_(options), positions_(checked_positions(options)), entries_(entries) {
+  const std::size_t expected = entry_count(positions(), headings());
+  if (entries.size() != expected) {
+    throw InputError("entries", std::to_string(entries.size()) + " given, the options ask for " +
+                                    std::to_string(expected));
+  }
+}
+
+std::size_t HeuristicTable::index_of(const Cell& cell) const noexcept {
+  const int index = kernels::table_index({positions(), headings()},
+                                         {cell.x, cell.y, cell.heading_node, cell.heading_sample});
+  return static_cast<std::size_t>(index);
+}
+
+Pose HeuristicTable::node_of(const Cell& cell) const noexcept {
+  return {cell.x * options_.step, cell.y * options_.step,
+          heading_at(cell.heading_node, options_.heading_cells)};
+}
+
+Pose HeuristicTable::sample_of(const Cell& cell) const noexcept {
+  return {0.0, 0.0, heading_at(cell.heading_sample, options_.heading_cells)};
+}
+
+double HeuristicTable::distance(const Pose& node, const Pose& sample,
+                                double radius) const noexcept {
+  // The difference is taken in double, so that poses may be far from the origin.
+  return static_cast<double>(kernels::table_distance(
+      view_of(*this, radius), static_cast<float>(node.x - sample.x),
+      static_cast<float>(node.y - sample.y), static_cast<float>(wrap_angle(node.heading)),
+      static_cast<float>(wrap_angle(sample.heading))));
+}
+
+void HeuristicTable::distances(const PoseColumns& nodes, const Pose& sample, double radius,
+                               std::span<float> out) const noexcept {
+  assert(nodes.x.size() == out.size() && nodes.y.size() == out.size() &&
+         nodes.heading.size() == out.size());
+  const kernels::TableSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
+                                static_cast<float>(wrap_angle(sample.heading))};
+  kernels::table_distances(view_of(*this, radius), nodes.x, nodes.y, nodes.heading, to, out);
+}
+
+}  // namespace vandplan

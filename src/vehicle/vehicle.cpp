@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/vehicle.h"
+
+#include <algorithm>
+
+#include "base/trigonometry.h"
+
+namespace vandplan {
+
+Footprint footprint(const Vehicle& vehicle) noexcept {
+  return {.rear = vehicle.rear_overhang,
+          .front = vehicle.wheelbase + vehicle.front_overhang,
+          .half_width = vehicle.width / 2};
+}
+
+Footprint wheel_footprint(const Vehicle& vehicle) noexcept {
+  const double track = vehicle.track_width.value_or(vehicle.width);
+  return {.rear = 0.0, .front = vehicle.wheelbase, .half_width = track / 2};
+}
+
+double inner_radius(const Footprint& footprint) noexcept {
+  return std::min({footprint.half_width, footprint.rear, footprint.front});
+}
+
+std::array<Point, 4> corners(const Footprint& footprint, const Pose& pose) noexcept {
+  const SinCos heading = sin_cos(pose.heading);
+  const auto at = [&](double forward, double left) {
+    return Point{pose.x + forward * heading.cos - left * heading.sin,
+                 pose.y + forward * heading.sin + left * heading.cos};
+  };
+  return {at(-footprint.rear, -footprint.half_width), at(footprint.front, -footprint.half_width),
+          at(footprint.front, footprint.half_width), at(-footprint.rear, footprint.half_width)};
+}
+
+}  // namespace vandplan

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// The checker never accepts an edge that the judge, looking every millimetre, rejects, and rejects
+// none that stays more than its tolerance away from everything. Most worlds are made so that the
+// edge just touches or just misses an obstacle.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "base/random.h"
+#include "support/cases.h"
+#include "support/collision_oracle.h"
+#include "support/draws.h"
+#include "vandplan/collision.h"
+#include "vandplan/path_check.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr Bounds around{-20, 20, -20, 20};  // edges begin here
+
+struct Case {
+  Vehicle vehicle;
+  Bounds bounds{-1e4, 1e4, -1e4, 1e4};
+  std::vector<Polygon> obstacles;
+  Path path;
+};
+
+/// As C++ that can be pasted into a unit test.
+std::string described(const Case& c) {
+  const auto& [wheelbase, front, rear, width, radius, track] = c.vehicle;
+  const auto& [x_min, x_max, y_min, y_max] = c.bounds;
+  return "Vehicle" + as_code(std::array{wheelbase, front, rear, width, radius}) + ", Bounds" +
+         as_code(std::array{x_min, x_max, y_min, y_max}) + ", obstacles " + as_code(c.obstacles) +
+         ", " + as_code(c.path);
+}
+
+/// Around the origin.
+Polygon any_polygon(Rng& rng) {
+  const double size = chance(0.7, rng) ? any_size(0.3, 10, rng) : any_size(1e-3, 100, rng);
+  const double turned = uniform(-pi, pi, rng);
+  const auto at = [&](double x, double y) {
+    return Point{x * std::cos(turned) - y * std::sin(turned),
+                 x * std::sin(turned) + y * std::cos(turned)};
+  };
+  Polygon polygon;
+  const double kind = uniform01(rng);
+  if (kind < 0.2) {  // a sliver, 1 cm wide
+    polygon = {at(-size, 0), at(size, 0), at(size, 0.01), at(-size, 0.01)};
+  } else if (kind < 0.3) {  // a pocket, open to one side
+    const double t = size / 5;
+    polygon = {at(-size, -size),       at(size, -size),        at(size, t - size),
+               at(t - size, t - size), at(t - size, size - t), at(size, size - t),
+               at(size, size),         at(-size, size)};
+  } else {  // a star, or if its rays are equal convex
+    const int corners = 3 + static_cast<int>(uniform(0, kind < 0.6 ? 3 : 10, rng));
+    const double least = chance(0.5, rng) ? 1 : 0.3;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * pi * (i + uniform(0, 0.6, rng)) / corners;
+      const double ray = size * uniform(least, 1, rng);
+      polygon.push_back({ray * std::cos(angle), ray * std::sin(angle)});
+    }
+  }
+  if (chance(0.5, rng)) std::reverse(polygon.begin(), polygon.end());
+  return polygon;
+}
+
+Polygon moved(Polygon polygon, double x, double y) {
+  for (Point& p : polygon) p = {p.x + x, p.y + y};
+  return polygon;
+}
+
+/// A random obstacle near the path; where that is possible, so near that it just touches or just
+/// misses what the footprint sweeps.
+Polygon any_obstacle(const Footprint& body, const Path& path, Rng& rng) {
+  const Pose near = pose_at(path, uniform(0, length(path.segments), rng));
+  const Polygon polygon =
+      moved(any_polygon(rng), near.x + uniform(-12, 12, rng), near.y + uniform(-12, 12, rng));
+  const Gap gap = least_gap(body, std::span(&polygon, 1), path, 1e-3);
+  if (gap.distance == 0 || chance(0.2, rng)) return polygon;
+  const double wanted = chance(0.7, rng) ? uniform(-2e-3, 4e-3, rng) : any_size(1e-5, 1, rng);
+  const double part = 1 - wanted / gap.distance;
+  return moved(polygon, part * (gap.on_body.x - gap.on_obstacle.x),
+               part * (gap.on_body.y - gap.on_obstacle.y));
+}
+
+Case any_case(Rng& rng) {
+  Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
+  const Footprint body = footprint(c.vehicle);
+  const int count = chance(0.8, rng) ? 1 : static_cast<int>(uniform(0, 6, rng));
+  for (int i = 0; i < count; ++i) c.obstacles.push_back(any_obstacle(body, c.path, rng));
+  return c;
+}
+
+TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
+  constexpr int count = 100000;
+  int accepted = 0;
+  int barely_accepted = 0;  // within 4 mm of an obstacle
+  int rejected = 0;
+  int barely_rejected = 0;  // without touching, found in every 16th
+  for_each_case(1, count, [&](Rng& rng) {
+    const Case c = any_case(rng);
+    const Footprint body = footprint(c.vehicle);
+    const CollisionChecker checker(body, c.bounds, c.obstacles);
+    if (checker.is_free(c.path.start, c.path.segments)) {
+      const Problem problem{std::make_shared<World>(c.vehicle, c.bounds, c.obstacles, Point{}),
+                            c.path.start, end_pose(c.path)};
+      const PathCheck check = check_path(problem, c.path, {});
+      EXPECT_TRUE(check.valid) << check.reason << "; " << described(c);
+      ++accepted;
+      barely_accepted += check.clearance < 4e-3;
+    } else {
+      EXPECT_TRUE(comes_within(CollisionChecker::tolerance, body, c.obstacles, c.path))
+          << described(c);
+      barely_rejected += rejected % 16 == 0 && !comes_within(0, body, c.obstacles, c.path);
+      ++rejected;
+    }
+  });
+  EXPECT_GT(accepted, cases(count) / 3);
+  EXPECT_GT(rejected, cases(count) / 3);
+  EXPECT_GT(barely_accepted, accepted / 3);
+  EXPECT_GT(barely_rejected * 16, rejected / 8);
+}
+
+bool judged_within(const Path& path, const Bounds& bounds) {
+  const Vehicle vehicle{.min_turning_radius = 1e-3};
+  const Problem problem{std::make_shared<World>(vehicle, bounds, std::vector<Polygon>{}, Point{}),
+                        path.start, end_pose(path)};
+  return check_path(problem, path, {}).valid;
+}
+
+TEST(CollisionLaw, TheRearAxleIsKeptInTheBoundsToAMicrometre) {
+  constexpr int count = 100000;
+  int accepted = 0;
+  int rejected = 0;
+  for_each_case(2, count, [&](Rng& rng) {
+    const Path path = any_edge(around, rng);
+    std::vector<Point> points;
+    for (const PathPoint& p : sampled(path, 1)) points.push_back({p.pose.x, p.pose.y});
+    const Bounds box = bounding_box(points);
+    // Most of the room beyond the points is for the bulges of arcs between them.
+    const auto room = [&] { return chance(0.3, rng) ? 100 : any_size(1e-5, 0.1, rng); };
+    const Bounds bounds{box.x_min - room(), box.x_max + room(), box.y_min - room(),
+                        box.y_max + room()};
+    const CollisionChecker checker(footprint({}), bounds, {});
+    const auto inflated = [&](double by) {
+      return Bounds{bounds.x_min - by, bounds.x_max + by, bounds.y_min - by, bounds.y_max + by};
+    };
+    if (checker.is_free(path.start, path.segments)) {
+      EXPECT_TRUE(judged_within(path, bounds)) << as_code(path);
+      ++accepted;
+    } else {
+      EXPECT_FALSE(judged_within(path, inflated(-1e-6))) << as_code(path);
+      ++rejected;
+    }
+  });
+  EXPECT_GT(accepted, cases(count) / 10);
+  EXPECT_GT(rejected, cases(count) / 10);
+}
+
+TEST(CollisionLaw, ManyObstaclesAreHitExactlyIfOneOfThemIs) {
+  constexpr int count = 300;
+  int accepted = 0;
+  int rejected = 0;
+  for_each_case(3, count, [&](Rng& rng) {
+    const Footprint body = footprint(any_vehicle(rng));
+    const double extent = any_size(30, 3000, rng);
+    const Bounds bounds{-1e4, 1e4, -1e4, 1e4};
+    std::vector<Polygon> obstacles;
+    const auto obstacle_count = static_cast<int>(any_size(1, 3000, rng));
+    for (int i = 0; i < obstacle_count; ++i) {
+      obstacles.push_back(
+          moved(any_polygon(rng), uniform(-extent, extent, rng), uniform(-extent, extent, rng)));
+    }
+    const CollisionChecker all(body, bounds, obstacles);
+    std::vector<std::unique_ptr<CollisionChecker>> each;
+    for (const Polygon& obstacle : obstacles) {
+      each.push_back(std::make_unique<CollisionChecker>(body, bounds, std::span(&obstacle, 1)));
+    }
+    for (int i = 0; i < 30; ++i) {
+      const Path path = any_edge(around, rng);
+      const bool free = all.is_free(path.start, path.segments);
+      EXPECT_EQ(free, std::all_of(each.begin(), each.end(),
+                                  [&](const auto& checker) {
+                                    return checker->is_free(path.start, path.segments);
+                                  }))
+          << as_code(path);
+      ++(free ? accepted : rejected);
+    }
+  });
+  EXPECT_GT(accepted, cases(count) * 3);
+  EXPECT_GT(rejected, cases(count) * 3);
+}
+
+}  // namespace
+}  // namespace vandplan

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/runner.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "base/random.h"
+#include "support/made_up_runs.h"
+#include "support/temporary_folder.h"
+#include "vandplan/input_error.h"
+#include "vandplan/path_check.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+// Drives straight to the goal; how long that took and what was found on the way is made up.
+PlanResult plan_directly(const Problem& problem, const PlanOptions& options) {
+  Rng rng(options.seed);
+  PlanResult result;
+  result.status = PlanStatus::solved;
+  const double radius = problem.world->vehicle().min_turning_radius;
+  const Piece piece = reeds_shepp(problem.start, problem.goal, radius);
+  result.path = Path{problem.start, {piece.view().begin(), piece.view().end()}};
+  result.cost = length(result.path->segments);
+  result.anytime = {{uniform01(rng), 1, 2.0 * result.cost}, {1.0, 2, result.cost}};
+  result.iterations = static_cast<std::int64_t>(options.seed);
+  return result;
+}
+
+PlanResult plan_nothing(const Problem&, const PlanOptions&) {
+  PlanResult result;
+  result.status = PlanStatus::node_limit;
+  return result;
+}
+
+PlanResult plan_wrongly(const Problem& problem, const PlanOptions&) {
+  PlanResult result;
+  result.status = PlanStatus::solved;
+  result.path = Path{problem.start, {{0.0, 1.0}}};
+  result.cost = 1.0;
+  return result;
+}
+
+// Runs until it is stopped.
+PlanResult plan_endlessly(const Problem&, const PlanOptions& options) {
+  while (!*options.stop) std::this_thread::yield();
+  return {};
+}
+
+Campaign small_campaign() {
+  return {
+      .scenarios = {{open_ground("first"), "first.yaml"}, {open_ground("second"), "second.yaml"}},
+      .planners = {{"direct", plan_directly, ""}, {"nothing", plan_nothing, ""}},
+      .repeats = 5};
+}
+
+TEST(Runner, StoresEveryRunOfACampaign) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  const Progress progress = run_campaign(small_campaign(), store, {});
+  EXPECT_EQ(progress.total, 40);
+  EXPECT_EQ(progress.done, 40);
+  std::map<std::string, int> statuses;
+  for (const RunRecord& run : store.runs()) ++statuses[std::string(name_of(run.result.status))];
+  EXPECT_EQ(statuses, (std::map<std::string, int>{{"solved", 20}, {"node_limit", 20}}));
+  ASSERT_EQ(store.sessions().size(), 1U);
+  EXPECT_EQ(store.sessions()[0].runs, 40);
+}
+
+TEST(Runner, KeepsPathsInTheFrameOfTheScenario) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  const Campaign campaign = small_campaign();
+  run_campaign(campaign, store, {});
+  for (const RunRecord& run : store.runs()) {
+    if (!run.result.path) continue;
+    EXPECT_EQ(run.result.path->start, campaign.scenarios[0].scenario.start);
+    EXPECT_NEAR(end_pose(*run.result.path).x, 40.0, 1e-6);
+  }
+}
+
+TEST(Runner, DoesOnlyWhatIsMissing) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.repeats = 2;
+  run_campaign(campaign, store, {});
+  campaign.repeats = 3;
+  const Progress progress = run_campaign(campaign, store, {});
+  EXPECT_EQ(progress.kept, 16);
+  EXPECT_EQ(progress.done, 8);
+  EXPECT_EQ(store.runs().size(), 24U);
+  EXPECT_EQ(run_campaign(campaign, store, {}).done, 0);
+}
+
+TEST(Runner, FindsTheSameWithOneJobAndWithTwo) {
+  const TemporaryFolder folder;
+  Store one = Store::create(folder / "one.sqlite");
+  Store two = Store::create(folder / "two.sqlite");
+  run_campaign(small_campaign(), one, {.jobs = 1});
+  run_campaign(small_campaign(), two, {.jobs = 2});
+  const auto paths_of = [](Store& store) {
+    std::map<std::tuple<std::size_t, std::string, std::uint64_t, Region>, std::string> paths;
+    for (const RunRecord& run : store.runs()) {
+      std::string path;
+      for (const CostSample& sample : run.result.anytime)
+        path += std::to_string(sample.time) + " " + std::to_string(sample.cost) + " ";
+      paths[{run.scenario, run.planner, run.options.seed, run.options.region}] = path;
+    }
+    return paths;
+  };
+  EXPECT_EQ(paths_of(one), paths_of(two));
+}
+
+TEST(Runner, DropsWhatIsInFlightWhenStopped) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.planners = {{"direct", plan_directly, ""}};
+  run_campaign(campaign, store, {});
+  campaign.planners.push_back({"endless", plan_endlessly, ""});
+  const std::atomic<bool> stop = true;
+  const Progress progress = run_campaign(campaign, store, {.stop = &stop});
+  EXPECT_EQ(progress.total, 40);
+  EXPECT_EQ(progress.kept, 20);
+  EXPECT_EQ(progress.done, 0);
+  EXPECT_EQ(store.runs().size(), 20U);
+}
+
+TEST(Runner, HandsOnWhatTheJudgeRejects) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.planners = {{"wrong", plan_wrongly, ""}};
+  EXPECT_THROW(run_campaign(campaign, store, {.jobs = 2}), std::logic_error);
+  EXPECT_TRUE(store.runs().empty());
+}
+
+TEST(Runner, TellsHowFarItIs) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  int last_done = 0;
+  int reports = 0;
+  run_campaign(small_campaign(), store, {.report = [&](const Progress& progress) {
+                 EXPECT_EQ(progress.total, 40);
+                 EXPECT_GE(progress.done, last_done);
+                 last_done = progress.done;
+                 reports += progress.last != nullptr;
+               }});
+  EXPECT_EQ(last_done, 40);
+  EXPECT_EQ(reports, 40);
+}
+
+TEST(Runner, ExpectsTheRestToTakeAsLongAsWhatIsDone) {
+  EXPECT_DOUBLE_EQ((Progress{.total = 40, .kept = 10, .done = 10, .elapsed = 2.0}.left()), 4.0);
+  EXPECT_DOUBLE_EQ((Progress{.total = 40}.left()), 0.0);
+}
+
+TEST(Runner, RefusesMoreJobsThanCoresWhenTimeIsTheLimit) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.repeats = 1;
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  EXPECT_NO_THROW(run_campaign(campaign, store, {.jobs = cores + 1}));
+  campaign.options.time_limit = 0.1;
+  EXPECT_THROW(run_campaign(campaign, store, {.jobs = cores + 1}), InputError);
+  EXPECT_NO_THROW(run_campaign(campaign, store, {.jobs = cores}));
+  EXPECT_THROW(run_campaign(campaign, store, {.jobs = 0}), InputError);
+}
+
+}  // namespace
+}  // namespace vandplan

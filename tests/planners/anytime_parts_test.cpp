@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// The parts of the default planner, each by itself: every route is one that the judge accepts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../support/cases.h"
+#include "../support/problems.h"
+#include "planners/anytime/lattice.h"
+#include "planners/anytime/shorten.h"
+#include "planners/anytime/trees.h"
+#include "vandplan/path_check.h"
+
+namespace vandplan {
+namespace {
+
+// A truck among five boxes; start and goal are free.
+Problem random_problem(Rng& rng) {
+  while (true) {
+    std::vector<Polygon> boxes;
+    for (int i = 0; i < 5; ++i) {
+      const double x = uniform(-25, 20, rng);
+      const double y = uniform(-25, 20, rng);
+      boxes.push_back(box(x, y, x + uniform(1, 8, rng), y + uniform(1, 8, rng)));
+    }
+    const Bounds region{-30, 30, -30, 30};
+    Problem problem = problem_of(uniform_pose(region, rng), uniform_pose(region, rng), boxes);
+    const CollisionChecker& checker = problem.world->checker();
+    if (checker.is_free(problem.start) && checker.is_free(problem.goal)) return problem;
+  }
+}
+
+void expect_valid(const Problem& problem, const CostRule& rule, const Route& route) {
+  const PathCheck check = check_path(problem, path_of(route), {});
+  EXPECT_TRUE(check.valid) << check.reason << " " << as_code(problem.start) << " "
+                           << as_code(problem.goal) << " " << as_code(problem.world->obstacles());
+  EXPECT_NEAR(cost_of(rule, route), route.cost, 1e-9);
+  EXPECT_NEAR(rule.forward_weight * (check.length - check.reverse_length) +
+                  rule.reverse_weight * check.reverse_length +
+                  rule.gear_change_cost * check.gear_changes,
+              route.cost, 1e-6);
+}
+
+constexpr CostRule rules[] = {{}, {1.0, 2.0, 3.0, 0}};
+
+TEST(TwoTrees, WhatTheyFindIsARoute) {
+  for_each_case(1, 100, [](Rng& rng) {
+    const Problem problem = random_problem(rng);
+    const CostRule& rule = rules[rng() % 2];
+    Edges edges(*problem.world, rule);
+    TwoTrees trees(problem, {-40, 40, -40, 40}, edges, 0.5, rng());
+    for (int i = 0; i < 300; ++i) {
+      if (!trees.step()) continue;
+      expect_valid(problem, rule, trees.route());
+      return;
+    }
+  });
+}
+
+TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
+  for_each_case(2, 100, [](Rng& rng) {
+    const Problem problem = random_problem(rng);
+    const CostRule& rule = rules[rng() % 2];
+    Edges edges(*problem.world, rule);
+    GridDistance guide(*problem.world, {-50, 50, -50, 50}, 1.0, problem.goal, problem.start);
+    while (guide.step()) {
+    }
+    Lattice lattice(problem.start, problem.goal, {12, 0.5, 2.0}, guide, edges);
+    double cost = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 400 && !lattice.is_exhausted(); ++i) {
+      if (!lattice.step()) continue;
+      expect_valid(problem, rule, lattice.route());
+      // The search adds up node by node, the route segment by segment: equal but for rounding.
+      EXPECT_LT(lattice.route().cost, cost + 1e-9);
+      cost = lattice.route().cost;
+    }
+  });
+}
+
+TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
+  for_each_case(3, 60, [](Rng& rng) {
+    const Problem problem = random_problem(rng);
+    const CostRule& rule = rules[rng() % 2];
+    Edges edges(*problem.world, rule);
+    TwoTrees trees(problem, {-40, 40, -40, 40}, edges, 0.5, rng());
+    int tries = 0;
+    while (!trees.step() && ++tries < 300) {
+    }
+    if (tries == 300) return;
+    Shortener shortener(edges, trees.route(), rng());
+    double cost = shortener.route().cost;
+    for (int i = 0; i < 500; ++i) {
+      const bool cheaper = shortener.step();
+      EXPECT_EQ(cheaper, shortener.route().cost < cost);
+      cost = shortener.route().cost;
+    }
+    expect_valid(problem, rule, shortener.route());
+  });
+}
+
+// With nothing in the way the shortest word is all that remains.
+TEST(Shortener, OnOpenGroundItFindsTheShortestPath) {
+  for_each_case(4, 20, [](Rng& rng) {
+    Problem problem = random_problem(rng);
+    problem = problem_of(problem.start, problem.goal, {});
+    Edges edges(*problem.world, {});
+    const Pose via = uniform_pose({-30, 30, -30, 30}, rng);
+    Route route{problem.start, {}, 0.0};
+    route.legs.push_back({edges.steer(problem.start, via, {}), via});
+    route.legs.push_back({edges.steer(via, problem.goal, {}), problem.goal});
+    route.cost = cost_of({}, route);
+    Shortener shortener(edges, route, rng());
+    for (int i = 0; i < 200; ++i) shortener.step();
+    EXPECT_NEAR(shortener.route().cost, edges.least_cost(problem.start, problem.goal), 1e-6);
+  });
+}
+
+TEST(GridDistance, GoesAroundAWallAndIsNearTheTruth) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
+  GridDistance guide(*problem.world, {-20, 50, -40, 40}, 0.5, problem.goal, problem.start);
+  while (guide.step()) {
+  }
+  EXPECT_NEAR(guide.at(0, 0), 2 * std::hypot(14, 20) + 2, 0.12 * 50);
+  EXPECT_NEAR(guide.at(25, 0), 5.0, 2.0);
+  EXPECT_NEAR(guide.at(500, 0), 470.0, 1e-9);  // outside: Euclid
+}
+
+}  // namespace
+}  // namespace vandplan

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/anytime.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "../support/problems.h"
+#include "vandplan/path_check.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+PlanResult run(const Problem& problem, const PlanOptions& options) {
+  return plan(problem, planner_named("anytime"), options);
+}
+
+PlanOptions iterations(std::int64_t count) {
+  PlanOptions options;
+  options.max_iterations = count;
+  return options;
+}
+
+// To turn around in a road 12 m wide takes several gear changes.
+Problem narrow_road() {
+  return problem_of({0, -2, 0}, {0, 2, pi}, {box(-60, 6, 60, 8), box(-60, -8, 60, -6)});
+}
+
+TEST(Anytime, IsTheDefault) { EXPECT_EQ(default_planner().name, "anytime"); }
+
+TEST(Anytime, OnOpenGroundTheShortestPathIsProvenAtOnce) {
+  const Problem problem = problem_of({0, 0, 0}, {20, 30, 2}, {});
+  const PlanResult result = run(problem, iterations(1000));
+  const double shortest = reeds_shepp_length(problem.start, problem.goal, 7.0);
+  EXPECT_NEAR(result.cost, shortest, 1e-9);
+  EXPECT_NEAR(result.lower_bound, shortest, 1e-9);
+  EXPECT_EQ(result.iterations, 0);
+}
+
+TEST(Anytime, TheBoundSeesTheObstacles) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
+  const PlanResult result = run(problem, iterations(20000));
+  ASSERT_TRUE(result.path);
+  EXPECT_GT(result.lower_bound, 50.0);  // 2 * hypot(14, 20) = 48.8 for a point
+  EXPECT_LE(result.lower_bound, result.cost);
+}
+
+TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
+  PlanOptions options = iterations(6000);
+  const PlanResult one = run(narrow_road(), options);
+  for (const int threads : {2, 3, 16}) {
+    options.threads = threads;
+    const PlanResult many = run(narrow_road(), options);
+    EXPECT_EQ(many.path, one.path) << threads;
+    EXPECT_EQ(many.iterations, one.iterations) << threads;
+    EXPECT_EQ(many.lower_bound, one.lower_bound) << threads;
+    ASSERT_EQ(many.anytime.size(), one.anytime.size()) << threads;
+    for (std::size_t i = 0; i < one.anytime.size(); ++i) {
+      EXPECT_EQ(many.anytime[i].iteration, one.anytime[i].iteration) << threads;
+      EXPECT_EQ(many.anytime[i].cost, one.anytime[i].cost) << threads;
+    }
+  }
+}
+
+// Every path that only turns left is as long as the shortest: three gear changes do, seldom four.
+TEST(Anytime, OfTheShortestPathsItTakesOneWithFewGearChanges) {
+  PlanOptions options = iterations(6000);
+  for (options.seed = 1; options.seed <= 10; ++options.seed) {
+    const PlanResult result = run(narrow_road(), options);
+    EXPECT_NEAR(result.cost, 7 * pi, 1e-6) << options.seed;
+    EXPECT_LE(gear_changes(result.path->segments), 4) << options.seed;
+  }
+}
+
+// Parallel to a kerb, 0.3 m from the lorries before and behind.
+TEST(Anytime, LeavesAVeryTightSlotAndGetsIntoIt) {
+  const std::vector<Polygon> street = {box(-12, -1.5, -1.9, 1.5), box(6.2, -1.5, 16, 1.5),
+                                       box(-12, -3, 16, -2)};
+  const Pose slot{0, 0, 0};
+  const Pose lane{2, 8, 0};
+  const PlanResult out = run(problem_of(slot, lane, street), iterations(20000));
+  ASSERT_TRUE(out.path);
+  EXPECT_GE(gear_changes(out.path->segments), 20);
+  EXPECT_TRUE(run(problem_of(lane, slot, street), iterations(20000)).path);
+}
+
+TEST(Anytime, ReversingCostsItsWeight) {
+  const Problem behind = problem_of({0, 0, 0}, {-10, 0, 0}, {});
+  PlanOptions options = iterations(3000);
+  options.reverse_weight = 1.5;
+  EXPECT_NEAR(run(behind, options).cost, 15.0, 1e-9);
+}
+
+// Turning around forward takes more than 40 m, so a weight of 100 makes it worth while.
+TEST(Anytime, AHighWeightMakesItDriveForward) {
+  const Problem behind = problem_of({0, 0, 0}, {-10, 0, 0}, {});
+  PlanOptions options = iterations(20000);
+  options.reverse_weight = 100.0;
+  const PlanResult result = run(behind, options);
+  const PathCheck check = check_path(behind, *result.path, {});
+  EXPECT_LT(check.reverse_length, 0.05);
+  EXPECT_LE(result.lower_bound, result.cost);
+}
+
+TEST(Anytime, TheGearBeforeTheStartIsCharged) {
+  const Problem ahead = problem_of({0, 0, 0}, {10, 0, 0}, {});
+  PlanOptions options = iterations(100);
+  options.gear_change_cost = 3.0;
+  EXPECT_NEAR(run(ahead, options).cost, 10.0, 1e-9);
+  options.initial_gear = InitialGear::forward;
+  EXPECT_NEAR(run(ahead, options).cost, 10.0, 1e-9);
+  options.initial_gear = InitialGear::reverse;
+  EXPECT_NEAR(run(ahead, options).cost, 13.0, 1e-9);
+}
+
+TEST(Anytime, DearGearChangesBecomeFew) {
+  PlanOptions options = iterations(20000);
+  const PlanResult cheap = run(narrow_road(), options);
+  options.gear_change_cost = 20.0;
+  const PlanResult dear = run(narrow_road(), options);
+  const double cheap_length = length(cheap.path->segments);
+  const int cheap_changes = gear_changes(cheap.path->segments);
+  const double dear_length = length(dear.path->segments);
+  const int dear_changes = gear_changes(dear.path->segments);
+  EXPECT_NEAR(cheap.cost, cheap_length, 1e-9);
+  EXPECT_NEAR(dear.cost, dear_length + 20.0 * dear_changes, 1e-9);
+  EXPECT_LE(dear.cost, cheap_length + 20.0 * cheap_changes);
+  EXPECT_LE(dear_changes, cheap_changes);
+}
+
+}  // namespace
+}  // namespace vandplan
