@@ -17,6 +17,10 @@
 
 namespace vandplan {
 
+namespace collision {
+struct Ground;
+}
+
 /// Where one may drive and what stands in the way, all in one frame.
 struct Surroundings {
   Bounds bounds = {};
@@ -38,8 +42,10 @@ class CollisionChecker {
   /// The polygons must be simple (see `World`).
   CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                    std::span<const Polygon> obstacles);
-  /// The same for all that a vehicle meets.
+  /// For all that a vehicle meets. The frame is that of the surroundings.
   CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings);
+  /// For one of many vehicles on the same ground (`World::checker`).
+  CollisionChecker(const Vehicle& vehicle, std::shared_ptr<const collision::Ground> ground);
   ~CollisionChecker();
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;

@@ -48,7 +48,7 @@ struct PathClaims {
 struct PathCheck {
   bool valid = false;
   std::string reason;           ///< the first thing found wrong, one line; empty when valid
-  std::optional<PathPoint> at;  ///< where it is wrong, if at a place; in the frame of the world
+  std::optional<PathPoint> at;  ///< where it is wrong, if at a place; in the scenario's frame
   double length = 0.0;          ///< [m]
   double reverse_length = 0.0;  ///< of it in reverse [m]
   int gear_changes = 0;
@@ -58,11 +58,11 @@ struct PathCheck {
   std::optional<double> clearance;
 };
 
-/// Judges a path in the frame of the problem's world, in this order: every number is finite, it
+/// Judges a path in the scenario's frame, in this order: every number is finite, it
 /// begins at the start, every curvature is drivable, the rear axle stays in the bounds, the
 /// footprint touches no obstacle (looked at every millimetre, skipping only what is proven to be
 /// free), it ends at the goal within 1e-6 m and 1e-6 rad, and what is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
-                                   const PathClaims& claims);
+                                   const PathClaims& claims = {});
 
 }  // namespace vandplan

@@ -1,61 +1,119 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which knobs does a planner have?
+// Which knobs does a run have?
+//
+// Three parts: how much work it may do, what driving costs, and the options of one planner, which
+// its registration names (planner.h). An option that the chosen planner does not honour is an
+// error, never silence.
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-
-#include "vandplan/problem.h"
+#include <variant>
+#include <vector>
 
 namespace vandplan {
 
+/// How much work a run may do, and what makes it repeat.
+struct BudgetOptions {
+  std::optional<double> time_limit = {};            ///< wall clock [s]; >= 0; none: no limit
+  std::optional<std::int64_t> max_iterations = {};  ///< >= 0; repeats bit for bit; none: no limit
+  std::uint64_t seed = 1;                           ///< of the random numbers
+  int threads = 1;                                  ///< that share the work; [1, 256]; same answer
+  const std::atomic<bool>* stop = nullptr;          ///< the run ends soon after this becomes true
+  bool operator==(const BudgetOptions&) const = default;
+};
+
+/// A run without limit of time or iterations takes this long [s].
+inline constexpr double default_time_limit = 1.0;
+
 /// What the vehicle drove last before it stands at the start.
 enum class InitialGear { any, forward, reverse };
+
+/// What driving costs; neutral values make the cost the length.
+struct CostOptions {
+  double reverse_weight = 1.0;                  ///< cost of a metre in reverse [m]; [1, 1000]
+  double gear_change_cost = 0.0;                ///< cost of one gear change [m]; [0, 10000]
+  InitialGear initial_gear = InitialGear::any;  ///< driven before the start; any: free choice
+  bool operator==(const CostOptions&) const = default;
+};
+
+/// The value of an option of one planner.
+using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
+
+/// Values of a planner's own options by name; what is not named has the planner's default.
+class PlannerSettings {
+ public:
+  void set(std::string_view name, OptionValue value);
+  /// The value, or null.
+  [[nodiscard]] const OptionValue* find(std::string_view name) const;
+  [[nodiscard]] const std::map<std::string, OptionValue, std::less<>>& values() const noexcept {
+    return values_;
+  }
+
+  /// The value of an option that is there and of this type: a planner reads its own options so.
+  [[nodiscard]] bool flag(std::string_view name) const;
+  [[nodiscard]] std::int64_t integer(std::string_view name) const;
+  [[nodiscard]] double number(std::string_view name) const;
+  [[nodiscard]] const std::string& word(std::string_view name) const;
+
+  bool operator==(const PlannerSettings&) const = default;
+
+ private:
+  std::map<std::string, OptionValue, std::less<>> values_;
+};
+
+/// Every knob of a run.
+struct PlanOptions {
+  BudgetOptions budget = {};
+  CostOptions cost = {};
+  PlannerSettings planner = {};  ///< of the chosen planner alone
+  bool operator==(const PlanOptions&) const = default;
+};
+
+/// An option of a planner: the type of its default is its type.
+struct OptionInfo {
+  std::string name;
+  std::string summary;                  ///< meaning and unit, half a sentence
+  OptionValue standard;                 ///< what it is when nobody sets it
+  double least = 0.0;                   ///< of a number
+  double most = 0.0;                    ///< of a number
+  std::vector<std::string> words = {};  ///< that a word may be
+
+  /// "0 to 1", "bounds or scene", "true or false".
+  [[nodiscard]] std::string range() const;
+};
+
+/// An option of budget or cost that a user can set by name.
+struct CommonOption {
+  std::string_view name;                              ///< the field's name
+  std::string_view summary;                           ///< meaning, unit and range
+  std::string (*get)(const PlanOptions&);             ///< as JSON: a number, string or null
+  void (*set)(PlanOptions&, std::string_view value);  ///< from text; throws InputError
+};
+
+/// All of them: "seed", "time_limit", "reverse_weight", ...
+[[nodiscard]] std::span<const CommonOption> common_options() noexcept;
+
+/// An option's value as JSON: a number, string or bool.
+[[nodiscard]] std::string json_of(const OptionValue& value);
+
+/// A value for an option from text, or from a value of a type that fits (a whole number is a
+/// number, too). Throws InputError naming the option when it is of another type or out of range.
+[[nodiscard]] OptionValue option_value(const OptionInfo& info, std::string_view text);
+[[nodiscard]] OptionValue option_value(const OptionInfo& info, const OptionValue& given);
+
+/// Throws InputError naming the first option of budget or cost out of range.
+void validate(const PlanOptions& options);
 
 /// 1 forward, -1 reverse, 0 any.
 [[nodiscard]] constexpr int direction_of(InitialGear gear) noexcept {
   return gear == InitialGear::forward ? 1 : gear == InitialGear::reverse ? -1 : 0;
 }
-
-/// Every knob, with its default, unit and range. A planner ignores what it has no use for.
-struct PlanOptions {
-  std::uint64_t seed = 1;
-  std::optional<double> time_limit;             ///< wall clock [s]; >= 0; none: no limit
-  std::optional<std::int64_t> max_iterations;   ///< >= 0; reproduces bit for bit; none: no limit
-  std::int64_t max_nodes = 5000;                ///< of a search tree; >= 1
-  Region region = Region::bounds;               ///< where samples are drawn
-  double goal_bias = 0.05;                      ///< share of samples that are the goal; [0, 1]
-  int max_parents = 50;                         ///< parents tried for one sample (OPT); >= 1
-  bool try_goal = true;                         ///< RRT: try the goal from every new node
-  double reverse_weight = 1.0;                  ///< cost of a metre in reverse; [1, 1000]
-  double gear_change_cost = 0.0;                ///< cost of one gear change [m]; [0, 10000]
-  InitialGear initial_gear = InitialGear::any;  ///< driven before the start; any: free choice
-  int threads = 1;                              ///< that share the work; [1, 256]; same answer
-  bool keep_tree = false;                       ///< return the search tree as well
-  bool profile = false;                         ///< measure where the time goes (PlanResult)
-  const std::atomic<bool>* stop = nullptr;      ///< the run ends soon after this becomes true
-};
-
-/// Describes one option for --set, for help and for result files.
-struct OptionInfo {
-  std::string_view name;                              ///< the field's name
-  std::string_view summary;                           ///< meaning, unit and range
-  std::string (*get)(const PlanOptions&);             ///< as JSON: a number, string, bool or null
-  void (*set)(PlanOptions&, std::string_view value);  ///< throws InputError
-};
-
-/// Every option a user can set by name.
-[[nodiscard]] std::span<const OptionInfo> option_table() noexcept;
-
-/// Sets one option by name. Throws InputError naming it when there is none or the value is no good.
-void set_option(PlanOptions& options, std::string_view name, std::string_view value);
-
-/// Throws InputError naming the first option out of range.
-void validate(const PlanOptions& options);
 
 }  // namespace vandplan

@@ -3,89 +3,112 @@
 #pragma once
 // How do I plan?
 //
-// Every planner is a function (Problem, PlanOptions) -> PlanResult in one table. `plan` runs one
-// and lets the independent judge see its path before anybody else does.
+//   const auto result = vandplan::plan(scenario);
+//
+// A planner is a value: a name, its properties, its own options and a function. Those of the
+// library stand in one list; yours are used, judged and compared alike. `plan` lets the independent
+// judge see a path before anybody else does.
 
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "vandplan/path.h"
+#include "vandplan/outcome.h"
+#include "vandplan/path_check.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
 namespace vandplan {
 
-/// How a run ended. A path is there exactly when the status is `solved`.
-enum class PlanStatus {
-  solved,
-  start_in_collision,  ///< or outside the bounds
-  goal_in_collision,   ///< or outside the bounds
-  iteration_limit,
-  node_limit,
-  time_limit,
-  stopped,  ///< by the caller
+/// What a planner honours and promises. Reports, help and comparisons read these; a name means
+/// nothing to them.
+struct PlannerProperties {
+  std::string family = {};               ///< planners that are built alike: "rrt"
+  std::string strategy = {};             ///< which node becomes a parent: "bsc", "opt"; or empty
+  std::string estimate = {};             ///< what ranks nodes: "euclid", "hlut-2", ...; or empty
+  bool tries_goal = false;               ///< tries the goal from every new node
+  bool honours_prices = false;           ///< CostOptions; else its cost is the length
+  bool honours_threads = false;          ///< BudgetOptions::threads
+  bool anytime = false;                  ///< goes on improving its path for as long as it may
+  bool deterministic = true;             ///< same seed and iterations, same path
+  std::vector<std::string> groups = {};  ///< sets that it belongs to: "thesis"
 };
 
-/// The name as written in files, "start_in_collision".
-[[nodiscard]] std::string_view name_of(PlanStatus status) noexcept;
+/// What plans: called with a task and options that are complete and in range. It may hold state; it
+/// may be called from several threads at once.
+using PlannerFunction = std::function<PlannerAnswer(const Task&, const PlanOptions&)>;
 
-/// The best path got better.
-struct CostSample {
-  double time = 0.0;  ///< since the run began [s]
-  std::int64_t iteration = 0;
-  double cost = 0.0;
+/// A planner that can be chosen by name.
+struct Planner {
+  std::string name;
+  std::string summary;  ///< one line
+  PlannerProperties properties = {};
+  std::vector<OptionInfo> options = {};  ///< its own
+  PlannerFunction function = {};
 };
 
-/// A search tree as it stood at the end, for pictures. `parent[i]` < i; node 0 is the root.
-struct TreeSnapshot {
-  std::vector<Pose> poses;
-  std::vector<std::int32_t> parents;
-};
-
-/// What a run did and what it found.
+/// What a run brought. Poses are in the scenario's frame.
 struct PlanResult {
   PlanStatus status = PlanStatus::stopped;
-  std::optional<Path> path;  ///< in the frame of the problem's world
-  double cost = 0.0;         ///< of the path [m]
-  double lower_bound = 0.0;  ///< no path costs less [m]; proven
+  std::string reason = {};        ///< what start or goal hit, what the judge rejected; or empty
+  std::optional<Path> path = {};  ///< from the start as it was given to the goal
+  double cost = 0.0;              ///< of the path [m]
+  double lower_bound = 0.0;       ///< no path costs less [m]; proven; 0: nothing is
   std::int64_t iterations = 0;
-  std::int64_t nodes = 0;
-  double time_total = 0.0;  ///< [s]
-  std::vector<CostSample> anytime;
-  std::optional<TreeSnapshot> tree;  ///< when options.keep_tree
-  std::int64_t exact_solves = 0;     ///< steering problems solved
-  std::int64_t edge_checks = 0;      ///< edges tested for collision
-  double time_ranking = 0.0;         ///< choosing parents, when options.profile [s]
-  double time_steering = 0.0;        ///< exact steering, when options.profile [s]
-  double time_checking = 0.0;        ///< collision checks, when options.profile [s]
+  double time_total = 0.0;  ///< in the planner [s]
+  std::vector<CostSample> anytime = {};
+  std::vector<Counter> counters = {};
+  std::vector<PhaseTime> phases = {};
+  std::optional<TreeSnapshot> tree = {};
+  /// What the judge found: of the path, or of a path that it rejected.
+  std::optional<PathCheck> check = {};
 };
 
-using PlannerFunction = PlanResult (*)(const Problem&, const PlanOptions&);
+/// What was counted under this name; 0 if nothing was.
+[[nodiscard]] std::int64_t counter(const PlanResult& result, std::string_view name) noexcept;
 
-/// A line of the table of planners.
-struct PlannerInfo {
-  std::string_view name;
-  PlannerFunction function;
-  std::string_view summary;
-  bool weighs = false;  ///< minds reverse_weight and gear_change_cost; else its cost is the length
-};
+/// The planners of the library, the default one first.
+[[nodiscard]] std::span<const Planner> planners();
 
-/// Every planner, in the order of documentation.
-[[nodiscard]] std::span<const PlannerInfo> planners() noexcept;
+/// The planner that is used when none is named.
+[[nodiscard]] const Planner& default_planner();
 
-/// The planner to use when nobody names one.
-[[nodiscard]] const PlannerInfo& default_planner() noexcept;
+/// The planner of that name. Throws InputError that lists them all when there is none.
+[[nodiscard]] const Planner& planner_named(std::string_view name);
 
-/// Throws InputError when there is no planner of that name.
-[[nodiscard]] const PlannerInfo& planner_named(std::string_view name);
+/// Options with the planner's own filled in. Throws InputError naming the first option that is out
+/// of range, or that the planner does not honour (and which planners of the library do).
+[[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options);
 
-/// Runs a planner and judges its path. Throws InputError for an option out of range, and
-/// std::logic_error if the judge rejects the path (a bug of ours: nothing unsafe gets out).
-[[nodiscard]] PlanResult plan(const Problem& problem, const PlannerInfo& planner,
-                              const PlanOptions& options);
+/// Whether a planner honours an option of that name, one of its own or of budget and cost.
+[[nodiscard]] bool honours(const Planner& planner, std::string_view option);
+
+/// Sets an option for a planner by name from text, as `--set` does. Throws InputError naming the
+/// option when there is none, the planner does not honour it, or the value is no good.
+void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
+                std::string_view text);
+
+/// Plans a path. A run without limit of time or iterations takes `default_time_limit`. Throws
+/// InputError for options that `complete` refuses. A path that the judge rejects, whoever planned
+/// it, is none: the status is `rejected`, and `check` says why.
+[[nodiscard]] PlanResult plan(const Problem& problem, const Planner& planner,
+                              const PlanOptions& options = {});
+
+/// Plans a path with the default planner.
+[[nodiscard]] PlanResult plan(const Problem& problem, const PlanOptions& options = {});
+
+/// Plans a path for a scenario with the default planner. Throws InputError naming what is wrong
+/// with the scenario.
+[[nodiscard]] PlanResult plan(const Scenario& scenario, const PlanOptions& options = {});
+
+/// Plans many problems, `jobs` at a time, each with the same options. `take(i, result)` is called
+/// once for each problem, one at a time, in the order of the problems. Throws what a planner or
+/// `take` throws.
+void plan_many(std::span<const Problem> problems, const Planner& planner,
+               const PlanOptions& options, int jobs,
+               const std::function<void(std::size_t, PlanResult)>& take);
 
 }  // namespace vandplan

@@ -3,13 +3,11 @@
 #pragma once
 // What is a well-posed planning problem?
 //
-//  Scenario (what a file says, unchecked) --make_problem--> Problem in a World (checked)
+//  Scenario (unchecked) --make_problem--> Problem in a World (checked) --task--> what planners see
 //
-// A world lies near its own origin, the start rounded to whole metres: double resolves no more than
-// a micrometre at 5*10^9 m. A scenario moved by whole metres gives the same problem bit for bit as
-// long as its coordinates have at most 15 digits. Files are written in the scenario's frame.
+// Callers meet one frame, the scenario's. Planners work in the frame of the world, whose origin
+// lies near the start: a double resolves no more than a micrometre at 5*10^9 m.
 
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,96 +18,119 @@
 
 namespace vandplan {
 
-namespace judge {
-class CellTree;
+namespace base {
+class Derived;
 }
 
-/// One goal of a scenario, with obstacles that exist for this goal only.
-struct Goal {
-  std::optional<double> distance = {};  ///< how far this goal counts in a row of goals [m]
-  Pose pose;
-  std::vector<Polygon> obstacles = {};
-};
-
-/// Exactly what a scenario file says, unchecked, in the file's own frame.
+/// A planning problem as somebody states it: unchecked, every number in one frame of his choice.
 struct Scenario {
-  std::string name;
-  std::string description;
-  Vehicle vehicle;
-  Bounds bounds;
-  Pose start;
-  std::vector<Goal> goals;       ///< one for `goal:`, several for `goals:`
-  bool goals_are_a_row = false;  ///< the file says `goals:`, and the furthest one reached counts
-  std::vector<Polygon> obstacles;
+  std::string name = {};
+  std::string description = {};
+  Vehicle vehicle = {};
+  Bounds bounds = {};  ///< where the midpoint of the rear axle may be [m]
+  Pose start = {};
+  Pose goal = {};
+  std::vector<Polygon> obstacles = {};
   std::vector<Polygon> kerbs = {};        ///< low ones, that overhangs may swing over
-  std::string map_file = {};              ///< as the file says: relative to it; empty without map
-  std::optional<OccupancyGrid> map = {};  ///< what stands there
+  std::string map_file = {};              ///< where the map is from; empty without map
+  std::optional<OccupancyGrid> map = {};  ///< the occupancy map itself; none: there is no map
 };
 
-/// Where the vehicle may drive: checked, immutable, shared between threads and problems.
+/// Ground and obstacles, without a vehicle: checked, immutable, shared between threads, vehicles
+/// and problems. What depends on a vehicle is made once for each vehicle, at its first problem.
 class World {
  public:
-  /// All in the local frame. Throws InputError naming the key ("bounds.x", "obstacles[2]",
-  /// "vehicle.width") when a number is not finite or out of range, bounds are crossed, or a polygon
-  /// has fewer than three corners, no area, or crosses or touches itself. Repeated corners are
-  /// dropped; a polygon of one repeated corner stands for that point.
-  World(const Vehicle& vehicle, const Bounds& bounds, std::vector<Polygon> obstacles,
-        const Point& origin);
-  /// The same with a map; "map" and what of it is wrong are named likewise.
-  World(const Vehicle& vehicle, Surroundings surroundings, const Point& origin);
+  /// Takes surroundings in the scenario's frame; `near` is a place around which one plans, such as
+  /// a start: the world's origin is `near`, rounded to whole metres. Throws InputError naming the
+  /// key ("bounds.x", "obstacles[2]", "map.resolution") when a number is not finite or out of
+  /// range, bounds are crossed, or a polygon has fewer than three corners, no area, or crosses or
+  /// touches itself. Repeated corners are dropped; a polygon of one repeated corner stands for
+  /// that point.
+  World(const Surroundings& surroundings, const Point& near);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
-  [[nodiscard]] const Vehicle& vehicle() const noexcept { return vehicle_; }
-  [[nodiscard]] const Bounds& bounds() const noexcept { return surroundings_.bounds; }
-  [[nodiscard]] const std::vector<Polygon>& obstacles() const noexcept {
-    return surroundings_.obstacles;
-  }
-  [[nodiscard]] const std::vector<Polygon>& kerbs() const noexcept { return surroundings_.kerbs; }
-  /// None without a map.
-  [[nodiscard]] const std::optional<OccupancyGrid>& map() const noexcept {
-    return surroundings_.map;
-  }
-  /// Where the origin of the local frame lies in the scenario's frame [m].
+  /// Where the origin of the world's frame lies in the scenario's frame [m]: whole metres. The axes
+  /// of both frames are parallel.
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
-  [[nodiscard]] const CollisionChecker& checker() const noexcept { return checker_; }
-  /// What the judge, and nobody else, needs of the map; none without one.
-  [[nodiscard]] const judge::CellTree* judges_cells() const noexcept { return judges_cells_.get(); }
+
+  /// The cleaned surroundings in the world's frame, which planners and the judge work in.
+  [[nodiscard]] const Surroundings& local() const noexcept { return local_; }
+
+  /// The checker of a vehicle, in the world's frame; made when a vehicle comes for the first time.
+  /// Throws InputError naming "vehicle.width" or another key that is wrong.
+  [[nodiscard]] std::shared_ptr<const CollisionChecker> checker(const Vehicle& vehicle) const;
+
+  /// What parts of the library have made of this world for themselves.
+  [[nodiscard]] const base::Derived& derived() const noexcept { return *derived_; }
 
  private:
-  Vehicle vehicle_;
-  Surroundings surroundings_;
   Point origin_;
-  CollisionChecker checker_;
-  std::shared_ptr<const judge::CellTree> judges_cells_;
+  Surroundings local_;
+  std::shared_ptr<const collision::Ground> ground_;
+  std::unique_ptr<base::Derived> derived_;
 };
 
-/// One start and one goal in a world, in its local frame; headings in [-pi, pi).
-struct Problem {
+/// What a planner is asked, in the frame of the world: poses beside the origin, headings in
+/// [-pi, pi). Everything that can be reached from here has this frame.
+struct Task {
   std::shared_ptr<const World> world;
+  std::shared_ptr<const CollisionChecker> checker;  ///< of the vehicle in the world
+  Vehicle vehicle;
   Pose start;
   Pose goal;
 };
 
-/// Checks a scenario without building a world: the same errors as `make_problem`.
+/// One vehicle, start and goal in a world: checked, immutable, cheap to copy.
+class Problem {
+ public:
+  [[nodiscard]] const std::shared_ptr<const World>& world() const noexcept { return task_.world; }
+  [[nodiscard]] const Vehicle& vehicle() const noexcept { return task_.vehicle; }
+  /// The start and the goal in the scenario's frame, as they were given.
+  [[nodiscard]] const Pose& start() const noexcept { return start_; }
+  [[nodiscard]] const Pose& goal() const noexcept { return goal_; }
+
+  /// The problem as planners see it.
+  [[nodiscard]] const Task& task() const noexcept { return task_; }
+
+ private:
+  friend Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
+                              const Pose& start, const Pose& goal);
+
+  Pose start_;
+  Pose goal_;
+  Task task_;
+};
+
+/// Checks a scenario without building its world. Throws InputError naming the key that is wrong.
 void check_scenario(const Scenario& scenario);
+
+/// Checks a vehicle alone; errors name "vehicle.width" or another key.
+void check_vehicle(const Vehicle& vehicle);
+
+/// Checks two poses alone; errors name "start" or "goal". A goal is at most 100 km from its start.
+void check_poses(const Pose& start, const Pose& goal);
 
 /// Checks a map alone; errors name "map.resolution", "map.origin" or "map".
 void check_map(const OccupancyGrid& map);
 
-/// The problem of one goal. A start or goal in collision or outside the bounds is no error: the
-/// planner names it. Throws InputError naming the key that is wrong. `goal` < goals.size().
-[[nodiscard]] Problem make_problem(const Scenario& scenario, std::size_t goal);
+/// What of a scenario makes its world.
+[[nodiscard]] Surroundings surroundings(const Scenario& scenario);
 
-/// The problems of all goals, the same as one by one. Goals without obstacles of their own share
-/// one world, which is built once.
-[[nodiscard]] std::vector<Problem> make_problems(const Scenario& scenario);
+/// The problem of a scenario, in a world of its own. A start or goal in collision or outside the
+/// bounds is no error: `plan` names it. Throws InputError naming the key that is wrong.
+[[nodiscard]] Problem make_problem(const Scenario& scenario);
 
 /// One more problem in a world that is there: nothing of it is built again, so thousands of
-/// problems may share it, on as many threads as one likes. The poses are in the scenario's frame;
-/// throws InputError naming "start" or "goal" when they are out of range.
-[[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Pose& start,
-                                   const Pose& goal);
+/// problems may share it, on as many threads as one likes. The poses are in the scenario's frame.
+/// Throws InputError naming "vehicle", "start" or "goal" when they are out of range.
+[[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
+                                   const Pose& start, const Pose& goal);
 
-/// From the scenario's frame into the world's, heading in [-pi, pi), and back.
+/// A pose of the scenario's frame in the world's frame, heading in [-pi, pi); and back. A scenario
+/// moved by whole metres has the same poses in its world, bit for bit, as long as its coordinates
+/// have at most 15 digits.
 [[nodiscard]] Pose to_local(const World& world, const Pose& pose) noexcept;
 [[nodiscard]] Pose to_scenario(const World& world, const Pose& pose) noexcept;
 
@@ -119,6 +140,7 @@ enum class Region {
   scene,   ///< bounding box of start, goal, obstacles and map plus 20 m, cut to the bounds
 };
 
-[[nodiscard]] Bounds sampling_region(const Problem& problem, Region region) noexcept;
+/// The region of a task, in the world's frame.
+[[nodiscard]] Bounds sampling_region(const Task& task, Region region) noexcept;
 
 }  // namespace vandplan

@@ -2,10 +2,9 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/collision.h"
 
-#include <optional>
+#include <utility>
 
-#include "collision/grid_obstacles.h"
-#include "collision/obstacles.h"
+#include "collision/ground.h"
 #include "collision/sweep.h"
 
 namespace vandplan {
@@ -16,52 +15,55 @@ bool holds(const Bounds& outer, const Bounds& inner) {
          inner.y_max <= outer.y_max;
 }
 
+/// Whether a footprint touches a side of polygons on its way.
+bool is_crossed(const Obstacles& obstacles, const Footprint& footprint,
+                const PlacedSegment& placed) noexcept {
+  if (obstacles.is_empty()) return false;
+  const Sweep sweep(footprint, placed);
+  return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });
+}
+
 }  // namespace
 
 struct CollisionChecker::Data {
-  /// Polygons, and what must not touch them.
-  struct Layer {
-    Footprint footprint;
-    Obstacles obstacles;
+  Data(const Footprint& body_outline, const Footprint& wheels_outline,
+       std::shared_ptr<const collision::Ground> on)
+      : body(body_outline), discs(body_outline), wheels(wheels_outline), ground(std::move(on)) {}
 
-    [[nodiscard]] bool is_crossed(const PlacedSegment& placed) const noexcept {
-      if (obstacles.is_empty()) return false;
-      const Sweep sweep(footprint, placed);
-      return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });
-    }
-  };
-
-  Bounds bounds;
-  Layer walls;
-  Layer kerbs;
-  std::optional<GridObstacles> map = {};
+  Footprint body;
+  DiscRows discs;  // that cover the body
+  Footprint wheels;
+  std::shared_ptr<const collision::Ground> ground;
 
   /// Whether nothing contains the place of a rear axle.
   [[nodiscard]] bool is_outside(const Point& axle) const noexcept {
-    return !walls.obstacles.contain(axle) && !kerbs.obstacles.contain(axle) &&
-           !(map && map->contain(axle));
+    return !ground->walls.contain(axle) && !ground->kerbs.contain(axle) &&
+           !(ground->map && ground->map->contain(axle));
   }
 
   /// Whether no side is touched and the bounds are kept. Together with a start outside of all
   /// that is enough: whatever is entered later is entered across a side.
   [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed) const noexcept {
-    return holds(bounds, placed.axle_box()) && !walls.is_crossed(placed) &&
-           !kerbs.is_crossed(placed) && !(map && !map->is_clear(placed));
+    return holds(ground->bounds, placed.axle_box()) && !is_crossed(ground->walls, body, placed) &&
+           !is_crossed(ground->kerbs, wheels, placed) &&
+           !(ground->map && !ground->map->is_clear(body, discs, placed));
   }
 };
 
 CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                                    std::span<const Polygon> obstacles)
-    : data_(std::make_unique<const Data>(Data{bounds, {footprint, Obstacles(obstacles)}, {}})) {}
+    : data_(std::make_unique<const Data>(
+          footprint, footprint,
+          std::make_shared<const collision::Ground>(Surroundings{
+              .bounds = bounds, .obstacles = {obstacles.begin(), obstacles.end()}}))) {}
 
-CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings) {
-  const Footprint body = footprint(vehicle);
-  const auto& [bounds, obstacles, kerbs, map] = surroundings;
-  auto data = std::make_unique<Data>(
-      Data{bounds, {body, Obstacles(obstacles)}, {wheel_footprint(vehicle), Obstacles(kerbs)}});
-  if (map) data->map.emplace(*map, body);
-  data_ = std::move(data);
-}
+CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings)
+    : CollisionChecker(vehicle, std::make_shared<const collision::Ground>(surroundings)) {}
+
+CollisionChecker::CollisionChecker(const Vehicle& vehicle,
+                                   std::shared_ptr<const collision::Ground> ground)
+    : data_(std::make_unique<const Data>(footprint(vehicle), wheel_footprint(vehicle),
+                                         std::move(ground))) {}
 
 CollisionChecker::~CollisionChecker() = default;
 
@@ -84,7 +86,7 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
 }
 
 bool CollisionChecker::map_is_within(const Point& point, double distance) const noexcept {
-  return data_->map && data_->map->is_within(point, distance);
+  return data_->ground->map && data_->ground->map->is_within(point, distance);
 }
 
 }  // namespace vandplan

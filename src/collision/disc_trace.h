@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <span>
 
-#include "geometry/distance_field.h"
 #include "collision/sweep.h"
+#include "geometry/distance_field.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {

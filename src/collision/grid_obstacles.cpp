@@ -45,8 +45,8 @@ CellBox shared(const CellBox& a, const CellBox& b) {
 /// For an edge cell in the way of one segment, in the frame of the cells.
 class GridObstacles::Search {
  public:
-  Search(const GridObstacles& grid, const PlacedSegment& placed)
-      : grid_(grid), placed_(placed), sweep_(grid.body_, placed) {}
+  Search(const GridObstacles& grid, const Footprint& body, const PlacedSegment& placed)
+      : grid_(grid), body_(body), placed_(placed), sweep_(body, placed) {}
 
   /// [2] Piece by piece, so that the rectangles around them hold little that is not near.
   [[nodiscard]] bool finds_any(const Part& part) const {
@@ -87,18 +87,17 @@ class GridObstacles::Search {
   /// Around the footprint wherever it is up to `reach` before or behind a place of the segment [m].
   [[nodiscard]] Rectangle around(double place, double reach) const {
     const Placement axle = placed_.at(place);
-    const Footprint& body = grid_.body_;
     // A point (x, y) of it moves (1 - ky, kx) per metre in its frame, which turns by k per metre.
-    const double x = std::max(body.front, body.rear);
+    const double x = std::max(body_.front, body_.rear);
     const double turn = placed_.curvature * reach;
-    const double across = 1 + placed_.curvature * body.half_width;
+    const double across = 1 + placed_.curvature * body_.half_width;
     const double along = reach * across + turn * turn * x / 2;
     const double aside = turn * (x + reach * across / 2);
-    const double middle = (body.front - body.rear) / 2;
+    const double middle = (body_.front - body_.rear) / 2;
     return {{axle.position.x + middle * axle.heading.x, axle.position.y + middle * axle.heading.y},
             axle.heading,
-            (body.front + body.rear) / 2 + along + 2 * end_margin,
-            body.half_width + aside + 2 * end_margin};
+            (body_.front + body_.rear) / 2 + along + 2 * end_margin,
+            body_.half_width + aside + 2 * end_margin};
   }
 
   /// [3] Through blocks of cells.
@@ -127,14 +126,13 @@ class GridObstacles::Search {
   }
 
   const GridObstacles& grid_;
+  const Footprint& body_;
   const PlacedSegment& placed_;
   Sweep sweep_;
 };
 
-GridObstacles::GridObstacles(const OccupancyGrid& grid, const Footprint& body)
+GridObstacles::GridObstacles(const OccupancyGrid& grid)
     : side_(grid.resolution),
-      body_(body),
-      discs_(body),
       cells_(grid),
       field_(cells_, doublings(grid.resolution, field_block)),
       block_shift_(doublings(grid.resolution, block)),
@@ -181,12 +179,13 @@ bool GridObstacles::contain(const Point& point) const noexcept {
   return cells_.is_blocked(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
 }
 
-bool GridObstacles::is_clear(const PlacedSegment& segment) const noexcept {
+bool GridObstacles::is_clear(const Footprint& body, const DiscRows& discs,
+                             const PlacedSegment& segment) const noexcept {
   const PlacedSegment placed = in_frame(segment);
-  const DiscTrace trace = trace_discs(field_, side_, discs_, placed);
+  const DiscTrace trace = trace_discs(field_, side_, discs, placed);
   if (trace.is_hit) return false;
   if (trace.in_doubt().empty()) return true;
-  const Search search(*this, placed);
+  const Search search(*this, body, placed);
   for (const Part& part : trace.in_doubt()) {
     if (search.finds_any(part)) return false;
   }

@@ -6,26 +6,28 @@
 // The distance field frees what is far from everything; for the rest, cells nearby are tested in
 // closed form, blocks of them at once. Theory and proof: docs/algorithms/occupancy_grid.md.
 
-#include "geometry/blocked_cells.h"
 #include "collision/disc_trace.h"
-#include "geometry/distance_field.h"
 #include "collision/sweep.h"
+#include "geometry/blocked_cells.h"
+#include "geometry/distance_field.h"
 #include "vandplan/occupancy_grid.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
 
-/// The blocked cells of a grid as obstacles for one footprint. Immutable.
+/// The blocked cells of a grid as obstacles. Immutable.
 class GridObstacles {
  public:
-  GridObstacles(const OccupancyGrid& grid, const Footprint& body);
+  explicit GridObstacles(const OccupancyGrid& grid);
 
   /// Whether the point lies in a blocked cell.
   [[nodiscard]] bool contain(const Point& point) const noexcept;
 
   /// Whether no edge cell is touched while the segment is driven. Together with a start whose
   /// rear axle is in no blocked cell that is all: whatever is entered later is entered there.
-  [[nodiscard]] bool is_clear(const PlacedSegment& placed) const noexcept;
+  /// `discs` are those of the body.
+  [[nodiscard]] bool is_clear(const Footprint& body, const DiscRows& discs,
+                              const PlacedSegment& placed) const noexcept;
 
   /// Whether a blocked cell is at most this far from the point [m].
   [[nodiscard]] bool is_within(const Point& point, double distance) const noexcept;
@@ -41,8 +43,6 @@ class GridObstacles {
   Point origin_;  // of the frame of the cells
   Point along_;   // unit vector of its x axis
   double side_;   // of a cell [m]
-  Footprint body_;
-  DiscRows discs_;
   BlockedCells cells_;
   DistanceField field_;
   int block_shift_;  // a block has 2^block_shift_ cells to a side

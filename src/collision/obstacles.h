@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/box_tree.h"
 #include "collision/sweep.h"
+#include "geometry/box_tree.h"
 #include "vandplan/geometry.h"
 
 namespace vandplan {

@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "io/document.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -94,8 +95,7 @@ Scenario read_dynobench(const std::string& name, const std::string& vehicle) {
   const std::vector<double> high = numbers_from(file, file.at(ground, "max"), 2, "[x, y]");
   scenario.bounds = {low[0], high[0], low[1], high[1]};
   scenario.start = pose_from(file, file.at(robot, "start"));
-  scenario.goals = {
-      {.distance = {}, .pose = pose_from(file, file.at(robot, "goal")), .obstacles = {}}};
+  scenario.goal = pose_from(file, file.at(robot, "goal"));
   for (const Node& item : file.list(file.at(ground, "obstacles"), "a list of boxes")) {
     scenario.obstacles.push_back(box_from(file, item));
   }

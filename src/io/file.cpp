@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 
 namespace vandplan {
 namespace {

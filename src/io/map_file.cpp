@@ -14,9 +14,10 @@
 
 #include "io/document.h"
 #include "io/image.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 #include "vandplan/problem.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

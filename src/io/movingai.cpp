@@ -13,8 +13,9 @@
 #include <sstream>
 
 #include "io/document.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -161,7 +162,7 @@ Scenario read_movingai(const MovingAiProblem& problem) {
   scenario.description = "MovingAI; the headings at both ends are those from start to goal";
   scenario.vehicle = vehicle_named(problem.vehicle);
   scenario.start = {start.x, start.y, heading};
-  scenario.goals = {{.distance = {}, .pose = {goal.x, goal.y, heading}, .obstacles = {}}};
+  scenario.goal = {goal.x, goal.y, heading};
   scenario.bounds = {0, grid.columns * grid.resolution, 0, grid.rows * grid.resolution};
   check_scenario(scenario);
   return scenario;

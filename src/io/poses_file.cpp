@@ -10,9 +10,10 @@
 #include <cmath>
 
 #include "io/document.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 #include "vandplan/problem.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -65,19 +66,6 @@ bool is_header(const std::vector<std::string_view>& cells, const std::string& wh
   return true;
 }
 
-/// Throws what is wrong with the poses themselves, as scenarios have them.
-void check(const PosePair& pair, const std::string& where) {
-  Scenario open_ground;
-  open_ground.bounds = {0, 1, 0, 1};
-  open_ground.start = pair.start;
-  open_ground.goals = {{.distance = {}, .pose = pair.goal, .obstacles = {}}};
-  try {
-    check_scenario(open_ground);
-  } catch (const InputError& error) {
-    throw InputError(where, error.what());
-  }
-}
-
 PosePair pair_from(const std::vector<std::string_view>& cells, const std::string& where) {
   if (cells.size() != columns.size()) {
     throw InputError(where, fmt::format("has {} value{}, expected {}", cells.size(),
@@ -90,7 +78,11 @@ PosePair pair_from(const std::vector<std::string_view>& cells, const std::string
                                         cells[i].substr(0, 40)));
   }
   const PosePair pair{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
-  check(pair, where);
+  try {
+    check_poses(pair.start, pair.goal);
+  } catch (const InputError& error) {
+    throw InputError(where, error.what());
+  }
   return pair;
 }
 

@@ -9,20 +9,16 @@
 #include <limits>
 
 #include "io/document.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/result_file.h"
 
 namespace vandplan {
 namespace {
 
-constexpr std::initializer_list<PlanStatus> statuses = {
-    PlanStatus::solved,          PlanStatus::start_in_collision, PlanStatus::goal_in_collision,
-    PlanStatus::iteration_limit, PlanStatus::node_limit,         PlanStatus::time_limit,
-    PlanStatus::stopped};
-
 PlanStatus status_from(const Document& file, const Node& node) {
   std::string names;
-  for (const PlanStatus status : statuses) {
+  for (const PlanStatus status : plan_statuses()) {
     if (file.text(node) == name_of(status)) return status;
     names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(status));
   }
@@ -104,7 +100,9 @@ void read_statistics(const Document& file, const Node& node, PlanResult& result)
   if (const Node* const count = file.find(node, "iterations")) {
     result.iterations = file.integer(*count);
   }
-  if (const Node* const count = file.find(node, "nodes")) result.nodes = file.integer(*count);
+  if (const Node* const count = file.find(node, "nodes")) {
+    result.counters = {{"nodes", file.integer(*count)}};
+  }
   if (const Node* const anytime = file.find(node, "anytime")) {
     result.anytime = anytime_from(file, *anytime);
   }
@@ -127,25 +125,29 @@ StatedPose stated_pose(const Document& file, const Node& node) {
 
 /// What the cost depends on; the defaults where a file does not say.
 void read_cost_rule(const Document& file, const Node& node, PlanOptions& options) {
+  CostOptions& cost = options.cost;
   if (const Node* const weight = file.find(node, "reverse_weight")) {
-    options.reverse_weight = file.number(*weight);
+    cost.reverse_weight = file.number(*weight);
   }
   if (const Node* const price = file.find(node, "gear_change_cost")) {
-    options.gear_change_cost = file.number(*price);
+    cost.gear_change_cost = file.number(*price);
   }
   if (const Node* const gear = file.find(node, "initial_gear")) {
-    try {
-      set_option(options, "initial_gear", file.text(*gear));
-    } catch (const InputError& error) {
-      file.fail(*gear, error.problem());
+    const std::string& word = file.text(*gear);
+    if (word != "any" && word != "forward" && word != "reverse") {
+      file.fail(*gear, fmt::format("is \"{}\", expected any, forward or reverse", word));
     }
+    cost.initial_gear = word == "forward"   ? InitialGear::forward
+                        : word == "reverse" ? InitialGear::reverse
+                                            : InitialGear::any;
   }
 }
 
 /// Whether the planner's cost is the length, whatever the options say.
 bool goes_by_length(const std::string& planner) {
-  return std::any_of(planners().begin(), planners().end(),
-                     [&](const PlannerInfo& info) { return info.name == planner && !info.weighs; });
+  return std::any_of(planners().begin(), planners().end(), [&](const Planner& known) {
+    return known.name == planner && !known.properties.honours_prices;
+  });
 }
 
 std::optional<StatedCost> cost_from(const Document& file, const Node& node,
@@ -154,9 +156,9 @@ std::optional<StatedCost> cost_from(const Document& file, const Node& node,
   if (cost == nullptr) return std::nullopt;
   StatedCost stated{.cost = file.number(*cost)};
   if (!goes_by_length(record.planner)) {
-    stated.reverse_weight = record.options.reverse_weight;
-    stated.gear_change_cost = record.options.gear_change_cost;
-    stated.initial_direction = direction_of(record.options.initial_gear);
+    stated.reverse_weight = record.options.cost.reverse_weight;
+    stated.gear_change_cost = record.options.cost.gear_change_cost;
+    stated.initial_direction = direction_of(record.options.cost.initial_gear);
   }
   if (const Node* const bound = file.find(node, "bound")) stated.bound = file.number(*bound);
   if (const Node* const gap = file.find(node, "gap")) stated.gap = file.number(*gap);
@@ -184,7 +186,8 @@ ResultRecord record_from(const Document& file, const Node& node, double radius) 
   ResultRecord record;
   if (const Node* const name = file.find(node, "scenario")) record.scenario = file.text(*name);
   if (const Node* const name = file.find(node, "planner")) record.planner = file.text(*name);
-  if (const Node* const seed = file.find(node, "seed")) record.options.seed = file.count(*seed);
+  if (const Node* const seed = file.find(node, "seed"))
+    record.options.budget.seed = file.count(*seed);
   if (const Node* const metres = file.find(node, "distance")) {
     record.distance = file.number(*metres);
   }
@@ -211,7 +214,7 @@ ResultRecord record_from(const Document& file, const Node& node, double radius) 
 
 }  // namespace
 
-std::vector<ResultRecord> read_results(const std::string& file, const Scenario& scenario) {
+std::vector<ResultRecord> read_results(const std::string& file, const ScenarioFile& scenario) {
   const Document result =
       parse_json(read_file(file, largest_text), file == "-" ? "standard input" : file);
   const Node& root = result.root();
@@ -219,16 +222,16 @@ std::vector<ResultRecord> read_results(const std::string& file, const Scenario& 
   if (result.text(format) != "vandplan-result/1") {
     result.fail(format, fmt::format("is \"{}\", expected \"vandplan-result/1\"", format.text));
   }
-  const double radius = scenario.vehicle.min_turning_radius;
+  const double radius = scenario.scenario.vehicle.min_turning_radius;
   const Node* const goals = result.find(root, "goals");
-  if (!scenario.goals_are_a_row) {
+  if (!scenario.is_row()) {
     if (goals != nullptr) result.fail(*goals, "is a row, expected the scenario's one goal");
     return {record_from(result, root, radius)};
   }
   const std::vector<Node>& items = result.list(result.at(root, "goals"), "a list of results");
-  if (items.size() != scenario.goals.size()) {
+  if (items.size() != scenario.size()) {
     result.fail(*goals, fmt::format("has {} elements, expected the scenario's {} goals",
-                                    items.size(), scenario.goals.size()));
+                                    items.size(), scenario.size()));
   }
   std::vector<ResultRecord> records;
   for (const Node& item : items) records.push_back(record_from(result, item, radius));

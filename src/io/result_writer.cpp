@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "vandplan/io.h"
+#include "vandplan/result_file.h"
 #include "vandplan/version.h"
 
 namespace vandplan {
@@ -60,12 +60,6 @@ Json poses_of(const Path& path) {
   return json;
 }
 
-/// The start as the scenario writes it: its heading may be turns away from the path's.
-Pose written_start(const Pose& start, const Pose& wanted) {
-  const Pose wrapped{wanted.x, wanted.y, wrap_angle(wanted.heading)};
-  return start == wrapped ? wanted : start;
-}
-
 Json json_of(const Path& path, double radius) {
   Json segments = Json::array();
   for (const Segment& segment : path.segments) segments.push_back(json_of(segment, radius));
@@ -96,9 +90,17 @@ Json anytime_of(const PlanResult& result) {
 
 Json options_of(const PlanOptions& options) {
   Json json = Json::object();
-  for (const OptionInfo& option : option_table()) {
+  for (const CommonOption& option : common_options()) {
     json[std::string(option.name)] = Json::parse(option.get(options));
   }
+  for (const auto& [name, value] : options.planner.values())
+    json[name] = Json::parse(vandplan::json_of(value));
+  return json;
+}
+
+Json counters_of(const PlanResult& result) {
+  Json json = Json::object();
+  for (const Counter& counter : result.counters) json[counter.name] = counter.value;
   return json;
 }
 
@@ -111,14 +113,15 @@ Json heading_of(const ResultRecord& record) {
   return {{"format", "vandplan-result/1"},
           {"scenario", record.scenario},
           {"planner", record.planner},
-          {"seed", record.options.seed}};
+          {"seed", record.options.budget.seed}};
 }
 
-Json json_of(const Scenario& scenario, const ResultRecord& record) {
+Json json_of(const Vehicle& vehicle, const ResultRecord& record) {
   const PlanResult& result = record.result;
   Json json = heading_of(record);
   if (record.distance) json["distance"] = *record.distance;
   json["status"] = name_of(result.status);
+  if (!result.reason.empty()) json["reason"] = result.reason;
   if (result.path) {
     json["length"] = length(result.path->segments);
     json["cost"] = result.cost;
@@ -127,16 +130,19 @@ Json json_of(const Scenario& scenario, const ResultRecord& record) {
       json["gap"] = result.cost / result.lower_bound - 1.0;
     }
     json["gear_changes"] = gear_changes(result.path->segments);
+    if (result.check) {
+      json["reverse_length"] = result.check->reverse_length;
+      // JSON has no infinity: without obstacles there is no clearance.
+      const std::optional<double>& clearance = result.check->clearance;
+      if (clearance && std::isfinite(*clearance)) json["clearance"] = *clearance;
+    }
   }
   json["time"] = time_of(result);
   json["iterations"] = result.iterations;
-  json["nodes"] = result.nodes;
+  json["nodes"] = counter(result, "nodes");
+  json["counters"] = counters_of(result);
   json["anytime"] = anytime_of(result);
-  if (result.path) {
-    Path path = *result.path;
-    path.start = written_start(path.start, scenario.start);
-    json["path"] = json_of(path, scenario.vehicle.min_turning_radius);
-  }
+  if (result.path) json["path"] = json_of(*result.path, vehicle.min_turning_radius);
   if (result.tree) json["tree"] = json_of(*result.tree);
   json["options"] = options_of(record.options);
   json["build"] = build_of(build_info());
@@ -174,17 +180,6 @@ void write(const Json& json, const std::string& indent, std::string& text) {
 
 }  // namespace
 
-ResultRecord in_scenario(const World& world, ResultRecord record) {
-  if (record.result.path) {
-    Pose& start = record.result.path->start;
-    start = to_scenario(world, start);
-  }
-  if (record.result.tree) {
-    for (Pose& pose : record.result.tree->poses) pose = to_scenario(world, pose);
-  }
-  return record;
-}
-
 std::optional<double> furthest_reached(const std::vector<ResultRecord>& records) {
   std::optional<double> furthest;
   for (const ResultRecord& record : records) {
@@ -193,27 +188,30 @@ std::optional<double> furthest_reached(const std::vector<ResultRecord>& records)
   return furthest;
 }
 
-std::string results_to_json(const Scenario& scenario, const std::vector<ResultRecord>& records) {
+std::string results_to_json(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
   assert(!records.empty());
+  const Vehicle& vehicle = file.scenario.vehicle;
   Json json;
-  if (scenario.goals_are_a_row) {
+  if (file.is_row()) {
     json = heading_of(records.front());
     json["goals"] = Json::array();
-    for (const ResultRecord& record : records) json["goals"].push_back(json_of(scenario, record));
+    for (const ResultRecord& record : records) json["goals"].push_back(json_of(vehicle, record));
     const std::optional<double> furthest = furthest_reached(records);
     json["furthest"] = furthest ? Json(*furthest) : Json();
   } else {
-    json = json_of(scenario, records.front());
+    json = json_of(vehicle, records.front());
   }
   std::string text;
   write(json, "", text);
   return text + '\n';
 }
 
-std::string result_to_json_line(std::size_t pair, const Scenario& scenario,
+std::string result_to_json_line(std::size_t pair, const Problem& problem,
                                 const ResultRecord& record) {
   Json json = {{"pair", pair}};
-  Json result = json_of(scenario, record);
+  json["start"] = json_of(problem.start());
+  json["goal"] = json_of(problem.goal());
+  Json result = json_of(problem.vehicle(), record);
   for (auto& [key, value] : result.get_ref<Json::object_t&>()) json[key] = std::move(value);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -8,8 +8,10 @@
 
 #include "io/document.h"
 #include "io/vehicle_file.h"
+#include "problem/checks.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -49,18 +51,19 @@ std::vector<Polygon> polygons_from(const Document& file, const Node& node) {
   return polygons;
 }
 
-std::vector<Goal> goals_from(const Document& file, const Node& node) {
-  std::vector<Goal> goals;
+std::vector<RowGoal> row_from(const Document& file, const Node& node) {
+  std::vector<RowGoal> row;
   for (const Node& item : file.list(node, "a list of goals")) {
     file.allow_only(item, {"distance", "goal", "obstacles"});
-    Goal& goal = goals.emplace_back();
+    RowGoal& goal = row.emplace_back();
     goal.distance = file.number(file.at(item, "distance"));
-    goal.pose = pose_from(file, file.at(item, "goal"));
+    goal.goal = pose_from(file, file.at(item, "goal"));
     if (const Node* const obstacles = file.find(item, "obstacles")) {
       goal.obstacles = polygons_from(file, *obstacles);
     }
   }
-  return goals;
+  if (row.empty()) file.fail(node, "is empty, expected at least one goal");
+  return row;
 }
 
 /// Whether unknown ground is free.
@@ -112,7 +115,7 @@ void read_ground(const Document& file, const std::string& where, const Map& know
   scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
 }
 
-Scenario scenario_from(const Document& file, const std::string& where, const Map& map) {
+ScenarioFile scenario_from(const Document& file, const std::string& where, const Map& map) {
   const Node& root = file.root();
   if (const Node* const image = file.find(root, "image")) {
     file.fail(*image, "belongs into a map, expected a scenario that names this file as its map");
@@ -127,21 +130,63 @@ Scenario scenario_from(const Document& file, const std::string& where, const Map
   if (goals == nullptr && goal == nullptr) {
     file.fail(root, "key \"goal\" is missing, expected either goal or goals");
   }
-  Scenario scenario;
+  ScenarioFile result;
+  Scenario& scenario = result.scenario;
   scenario.name = file.text(file.at(root, "name"));
   if (const Node* const description = file.find(root, "description")) {
     scenario.description = file.text(*description);
   }
   scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"));
   scenario.start = pose_from(file, file.at(root, "start"));
-  scenario.goals_are_a_row = goals != nullptr;
-  scenario.goals =
-      goals != nullptr
-          ? goals_from(file, *goals)
-          : std::vector<Goal>{{.distance = {}, .pose = pose_from(file, *goal), .obstacles = {}}};
+  if (goals != nullptr) result.row = row_from(file, *goals);
+  scenario.goal = goals != nullptr ? result.row.front().goal : pose_from(file, *goal);
   read_ground(file, where, map, scenario);
-  return scenario;
+  return result;
 }
+
+/// Names where the file has what a problem of its row calls "goal" or "obstacles[5]".
+std::string key_in_row(const ScenarioFile& file, std::size_t i, const std::string& key) {
+  const std::string goal = "goals[" + std::to_string(i) + "]";
+  if (key.starts_with("goal")) return goal + "." + key;
+  const std::string list = "obstacles[";
+  if (!key.starts_with(list)) return key;
+  const auto index = static_cast<std::size_t>(std::stoull(key.substr(list.size())));
+  const std::size_t shared = file.scenario.obstacles.size();
+  return index < shared ? key : goal + "." + list + std::to_string(index - shared) + "]";
+}
+
+Problem problem_of_row(const ScenarioFile& file, std::size_t i,
+                       std::shared_ptr<const World>& shared) {
+  const RowGoal& goal = file.row[i];
+  problem::check_row_distance(goal.distance, "goals[" + std::to_string(i) + "].distance");
+  try {
+    if (!goal.obstacles.empty()) return make_problem(scenario_at(file, i));
+    if (shared != nullptr) {
+      return make_problem(shared, file.scenario.vehicle, file.scenario.start, goal.goal);
+    }
+    Problem made = make_problem(scenario_at(file, i));
+    shared = made.world();
+    return made;
+  } catch (const InputError& error) {
+    throw InputError(key_in_row(file, i, error.where()), error.problem());
+  }
+}
+
+/// Throws InputError naming the key that is wrong.
+void check(const ScenarioFile& file) {
+  check_scenario(file.scenario);
+  const Pose& start = file.scenario.start;
+  for (std::size_t i = 0; i < file.row.size(); ++i) {
+    const std::string key = "goals[" + std::to_string(i) + "]";
+    problem::check_row_distance(file.row[i].distance, key + ".distance");
+    problem::check_pose(file.row[i].goal, key + ".goal");
+    problem::check_distance(start, file.row[i].goal, key + ".goal");
+    (void)problem::local_polygons(file.row[i].obstacles, problem::local_origin({start.x, start.y}),
+                                  key + ".obstacles");
+  }
+}
+
+std::string name_of_file(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 /// A double-quoted YAML scalar.
 std::string quoted(const std::string& text) {
@@ -179,22 +224,62 @@ std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& ind
 
 }  // namespace
 
-Scenario scenario_from_yaml(const std::string& text, const std::string& where, const Map& map) {
+Scenario scenario_at(const ScenarioFile& file, std::size_t i) {
+  Scenario scenario = file.scenario;
+  if (!file.is_row()) return scenario;
+  const RowGoal& goal = file.row.at(i);
+  scenario.goal = goal.goal;
+  scenario.obstacles.insert(scenario.obstacles.end(), goal.obstacles.begin(), goal.obstacles.end());
+  return scenario;
+}
+
+std::vector<Problem> make_problems(const ScenarioFile& file) {
+  if (!file.is_row()) return {make_problem(file.scenario)};
+  std::shared_ptr<const World> shared;
+  std::vector<Problem> problems;
+  for (std::size_t i = 0; i < file.row.size(); ++i) {
+    problems.push_back(problem_of_row(file, i, shared));
+  }
+  return problems;
+}
+
+ScenarioFile scenario_from_yaml(const std::string& text, const std::string& where, const Map& map) {
   const Document file = parse_yaml(text, where);
-  Scenario scenario = scenario_from(file, where, map);
+  ScenarioFile scenario = scenario_from(file, where, map);
   try {
-    check_scenario(scenario);
+    check(scenario);
   } catch (const InputError& error) {
     file.fail(error.where(), error.problem());
   }
   return scenario;
 }
 
-Scenario read_scenario(const std::string& file) {
-  return scenario_from_yaml(read_file(file, largest_text), file == "-" ? "standard input" : file);
+ScenarioFile read_scenario_file(const std::string& file) {
+  return scenario_from_yaml(read_file(file, largest_text), name_of_file(file));
 }
 
-std::string scenario_to_yaml(const Scenario& scenario) {
+Scenario read_scenario(const std::string& file) {
+  ScenarioFile scenario = read_scenario_file(file);
+  if (scenario.is_row()) {
+    throw InputError(name_of_file(file), "has a row of goals, expected one goal");
+  }
+  return std::move(scenario.scenario);
+}
+
+ScenarioProblems read_problems(const std::string& file) {
+  const std::string where = name_of_file(file);
+  const Document document = parse_yaml(read_file(file, largest_text), where);
+  ScenarioProblems read{scenario_from(document, where, {}), {}};
+  try {
+    read.problems = make_problems(read.file);
+  } catch (const InputError& error) {
+    document.fail(error.where(), error.problem());
+  }
+  return read;
+}
+
+std::string to_yaml(const ScenarioFile& file) {
+  const Scenario& scenario = file.scenario;
   const Vehicle& v = scenario.vehicle;
   const Bounds& b = scenario.bounds;
   std::string text = fmt::format("name: {}\n", quoted(scenario.name));
@@ -208,27 +293,20 @@ std::string scenario_to_yaml(const Scenario& scenario) {
       v.track_width ? fmt::format(", track_width: {}", *v.track_width) : "");
   text += fmt::format("bounds: {{x: [{}, {}], y: [{}, {}]}}\n", b.x_min, b.x_max, b.y_min, b.y_max);
   text += fmt::format("start: {}\n", yaml_of(scenario.start));
-  if (scenario.goals_are_a_row) {
-    text += "goals:\n";
-    for (const Goal& goal : scenario.goals) {
-      text += fmt::format("  - distance: {}\n    goal: {}\n    obstacles:{}",
-                          goal.distance.value_or(0.0), yaml_of(goal.pose),
-                          yaml_of(goal.obstacles, "      "));
-    }
-  } else {
-    text += fmt::format("goal: {}\n", yaml_of(scenario.goals.at(0).pose));
-  }
-  std::vector<Polygon> obstacles = scenario.obstacles;
-  if (!scenario.goals_are_a_row) {  // a single goal's own have no key of their own
-    const std::vector<Polygon>& own = scenario.goals.at(0).obstacles;
-    obstacles.insert(obstacles.end(), own.begin(), own.end());
+  if (!file.is_row()) text += fmt::format("goal: {}\n", yaml_of(scenario.goal));
+  if (file.is_row()) text += "goals:\n";
+  for (const RowGoal& goal : file.row) {
+    text += fmt::format("  - distance: {}\n    goal: {}\n    obstacles:{}", goal.distance,
+                        yaml_of(goal.goal), yaml_of(goal.obstacles, "      "));
   }
   if (!scenario.kerbs.empty()) text += "kerbs:" + yaml_of(scenario.kerbs, "  ");
   if (scenario.map) {
     text += fmt::format("map: {}\n", quoted(scenario.map_file));
     if (scenario.map->unknown_is_free) text += "unknown: free\n";
   }
-  return text + "obstacles:" + yaml_of(obstacles, "  ");
+  return text + "obstacles:" + yaml_of(scenario.obstacles, "  ");
 }
+
+std::string to_yaml(const Scenario& scenario) { return to_yaml(ScenarioFile{scenario, {}}); }
 
 }  // namespace vandplan

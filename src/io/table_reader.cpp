@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "vandplan/io.h"
+#include "vandplan/files.h"
 #include "vandplan/table_file.h"
 
 namespace vandplan {

@@ -14,8 +14,9 @@
 #include <filesystem>
 
 #include "io/document.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -118,8 +119,8 @@ std::vector<Polygon> obstacles_from(Values& values) {
 
 /// Around all that is in the scenario, rounded to millimetres.
 Bounds bounds_around(const Scenario& scenario) {
-  std::vector<Point> points = {{scenario.start.x, scenario.start.y}};
-  for (const Goal& goal : scenario.goals) points.push_back({goal.pose.x, goal.pose.y});
+  std::vector<Point> points = {{scenario.start.x, scenario.start.y},
+                               {scenario.goal.x, scenario.goal.y}};
   for (const Polygon& obstacle : scenario.obstacles) {
     points.insert(points.end(), obstacle.begin(), obstacle.end());
   }
@@ -140,7 +141,7 @@ Scenario read_tpcap(const std::string& file) {
   scenario.description = "TPCAP 2022";
   scenario.vehicle = vehicle_named("tpcap-car");
   scenario.start = pose_from(values, "start");
-  scenario.goals = {{.distance = {}, .pose = pose_from(values, "goal"), .obstacles = {}}};
+  scenario.goal = pose_from(values, "goal");
   scenario.obstacles = obstacles_from(values);
   values.expect_end();
   scenario.bounds = bounds_around(scenario);

@@ -10,7 +10,7 @@
 
 #include "embedded_vehicles.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/derived.h"
 #include "judge/along.h"
 #include "judge/cell_tree.h"
 #include "judge/claims.h"
@@ -114,7 +115,7 @@ Rectangle wheels_of(const Vehicle& vehicle) {
   return {0.0, vehicle.wheelbase, -track / 2, track / 2};
 }
 
-std::vector<Thing> polygons_of(const World& world) {
+std::vector<Thing> polygons_of(const Surroundings& ground, const Vehicle& vehicle) {
   std::vector<Thing> things;
   const auto add = [&](const std::vector<Polygon>& polygons, const std::string& hit,
                        const Rectangle& body) {
@@ -126,40 +127,58 @@ std::vector<Thing> polygons_of(const World& world) {
                         }});
     }
   };
-  add(world.obstacles(), "the footprint hits obstacles", body_of(world.vehicle()));
-  add(world.kerbs(), "the wheels hit kerbs", wheels_of(world.vehicle()));
+  add(ground.obstacles, "the footprint hits obstacles", body_of(vehicle));
+  add(ground.kerbs, "the wheels hit kerbs", wheels_of(vehicle));
   return things;
 }
 
-Thing map_of(const World& world) {
-  const CellTree& cells = *world.judges_cells();
-  const Rectangle body = body_of(world.vehicle());
-  return {"the footprint hits the map", body, [&, body](const Passage& passage, double most) {
-            return cells.clearance(passage, body, most);
+/// The cells of a world's map, ready to be asked; made when the judge needs them first.
+std::shared_ptr<const CellTree> cells_of(const World& world) {
+  return world.derived().find_or_make<CellTree>(
+      [](const CellTree&) { return true; },
+      [&] { return std::make_shared<const CellTree>(*world.local().map); });
+}
+
+Thing map_of(const World& world, const Vehicle& vehicle) {
+  const Rectangle body = body_of(vehicle);
+  return {"the footprint hits the map", body,
+          [cells = cells_of(world), body](const Passage& passage, double most) {
+            return cells->clearance(passage, body, most);
           }};
 }
 
 /// The first collision on the way; without one `least` is the clearance.
-std::optional<Fault> collision(const Track& track, const World& world, double& least) {
-  std::vector<Thing> things = polygons_of(world);
-  if (world.map()) things.push_back(map_of(world));
+std::optional<Fault> collision(const Track& track, const Task& task, double& least) {
+  const Surroundings& ground = task.world->local();
+  std::vector<Thing> things = polygons_of(ground, task.vehicle);
+  if (ground.map) things.push_back(map_of(*task.world, task.vehicle));
   const Nearest nearest = nearest_along(track, things);
   least = nearest.clearance;
   if (!nearest.touch) return std::nullopt;
   return Fault{things[nearest.touch->thing].hit, nearest.touch->place};
 }
 
-std::optional<Fault> first_fault(const Problem& problem, const Track& track,
-                                 const PathClaims& claims, std::optional<double>& least) {
-  const World& world = *problem.world;
-  if (auto f = off_pose(track.stretches[0].start, problem.start, "begins", {0, 0})) return f;
-  if (auto f = too_tight(track, world.vehicle().min_turning_radius)) return f;
-  if (auto f = out_of_bounds(track, world.bounds())) return f;
+std::optional<Fault> first_fault(const Task& task, const Track& track, const PathClaims& claims,
+                                 std::optional<double>& least) {
+  if (auto f = off_pose(track.stretches[0].start, task.start, "begins", {0, 0})) return f;
+  if (auto f = too_tight(track, task.vehicle.min_turning_radius)) return f;
+  if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
   least = std::numeric_limits<double>::infinity();
-  if (auto f = collision(track, world, *least)) return f;
-  if (auto f = off_pose(track.end, problem.goal, "ends", end_of(track))) return f;
+  if (auto f = collision(track, task, *least)) return f;
+  if (auto f = off_pose(track.end, task.goal, "ends", end_of(track))) return f;
   if (const auto reason = false_claim(track, claims)) return Fault{*reason, {}};
   return std::nullopt;
+}
+
+/// What is looked at lies in the frame of the world, where numbers are small.
+Path local_path(const World& world, const Path& path) {
+  return {to_local(world, path.start), path.segments};
+}
+
+PathClaims local_claims(const World& world, const PathClaims& claims) {
+  PathClaims local = claims;
+  for (StatedPose& stated : local.poses) stated.pose = to_local(world, stated.pose);
+  return local;
 }
 
 }  // namespace
@@ -170,15 +189,20 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
     check.reason = fault->reason;
     return check;
   }
-  const Track track = integrate(path);
+  const World& world = *problem.world();
+  const Track track = integrate(local_path(world, path));
   check.length = static_cast<double>(track.length);
   check.reverse_length = static_cast<double>(track.reverse_length);
   check.gear_changes = track.gear_changes;
-  const std::optional<Fault> fault = first_fault(problem, track, claims, check.clearance);
+  const std::optional<Fault> fault =
+      first_fault(problem.task(), track, local_claims(world, claims), check.clearance);
   check.valid = !fault;
   if (!fault) return check;
   check.reason = fault->reason;
-  if (fault->place) check.at = point_at(track, *fault->place);
+  if (fault->place) {
+    check.at = point_at(track, *fault->place);
+    check.at->pose = to_scenario(world, check.at->pose);
+  }
   return check;
 }
 

@@ -2,129 +2,224 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/planner.h"
 
-#include <array>
-#include <stdexcept>
+#include <algorithm>
+#include <utility>
 
-#include "planners/anytime/anytime.h"
-#include "planners/rrt.h"
+#include "planners/registered.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/search.h"
 
 namespace vandplan {
 namespace {
 
-template <Strategy strategy, Estimate estimate>
-PlanResult rrt(const Problem& problem, const PlanOptions& options) {
-  return plan_rrt(problem, options, strategy, estimate);
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
 }
 
-constexpr auto nearest = Strategy::nearest;
-constexpr auto least_total_cost = Strategy::least_total_cost;
-
-constexpr std::array planner_infos = {
-    PlannerInfo{"anytime", plan_anytime,
-                "lattice searches and random trees, each path shortened: the one to use", true},
-    PlannerInfo{"rrt-bsc-euc", rrt<nearest, Estimate::euclid>,
-                "RRT, parent = nearest node by Euclid"},
-    PlannerInfo{"rrt-bsc-hlut-1", rrt<nearest, Estimate::hlut_1>,
-                "RRT, parent = nearest node by table 1 (10 m, pi/4)"},
-    PlannerInfo{"rrt-bsc-hlut-2", rrt<nearest, Estimate::hlut_2>,
-                "RRT, parent = nearest node by table 2 (20 m, pi/4)"},
-    PlannerInfo{"rrt-bsc-hlut-3", rrt<nearest, Estimate::hlut_3>,
-                "RRT, parent = nearest node by table 3 (10 m, pi/12)"},
-    PlannerInfo{"rrt-bsc-hlut-4", rrt<nearest, Estimate::hlut_4>,
-                "RRT, parent = nearest node by table 4 (30 m, pi/12)"},
-    PlannerInfo{"rrt-bsc-bound", rrt<nearest, Estimate::bound>,
-                "RRT, parent = nearest node by lower bound of its length"},
-    PlannerInfo{"rrt-bsc-rs", rrt<nearest, Estimate::reeds_shepp>,
-                "RRT, parent = nearest node by exact Reeds-Shepp length"},
-    PlannerInfo{"rrt-opt-euc", rrt<least_total_cost, Estimate::euclid>,
-                "RRT, parent = least total path cost, ranked by Euclid"},
-    PlannerInfo{"rrt-opt-hlut-1", rrt<least_total_cost, Estimate::hlut_1>,
-                "RRT, parent = least total path cost, ranked by table 1 (10 m, pi/4)"},
-    PlannerInfo{"rrt-opt-hlut-2", rrt<least_total_cost, Estimate::hlut_2>,
-                "RRT, parent = least total path cost, ranked by table 2 (20 m, pi/4)"},
-    PlannerInfo{"rrt-opt-hlut-3", rrt<least_total_cost, Estimate::hlut_3>,
-                "RRT, parent = least total path cost, ranked by table 3 (10 m, pi/12)"},
-    PlannerInfo{"rrt-opt-hlut-4", rrt<least_total_cost, Estimate::hlut_4>,
-                "RRT, parent = least total path cost, ranked by table 4 (30 m, pi/12)"},
-    PlannerInfo{"rrt-opt-bound", rrt<least_total_cost, Estimate::bound>,
-                "RRT, parent = least total path cost, ranked by lower bound of the length"},
-    PlannerInfo{"rrt-opt-rs", rrt<least_total_cost, Estimate::reeds_shepp>,
-                "RRT, parent = least total path cost, ranked by exact Reeds-Shepp length"},
-};
-
-bool is_free(const Problem& problem, const Pose& pose) {
-  return problem.world->checker().is_free(pose);
+const OptionInfo* own_option(const Planner& planner, std::string_view name) {
+  const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
+  return found == planner.options.end() ? nullptr : &*found;
 }
 
-// What needs no search: a start or goal that cannot be, and a goal that is the start.
-std::optional<PlanResult> settled(const Problem& problem) {
-  PlanResult result;
-  if (!is_free(problem, problem.start)) {
-    result.status = PlanStatus::start_in_collision;
-    return result;
-  }
-  if (!is_free(problem, problem.goal)) {
-    result.status = PlanStatus::goal_in_collision;
-    return result;
-  }
-  const double radius = problem.world->vehicle().min_turning_radius;
-  if (reeds_shepp_length(problem.start, problem.goal, radius) > 0.0) return std::nullopt;
-  result.status = PlanStatus::solved;
-  result.path = Path{problem.start, {}};
-  result.anytime.push_back({});
-  return result;
+const CommonOption* common_option(std::string_view name) {
+  const auto found = std::ranges::find(common_options(), name, &CommonOption::name);
+  return found == common_options().end() ? nullptr : &*found;
 }
 
-// What a planner says about its path.
-PathClaims claims_of(const PlanResult& result, const PlannerInfo& planner,
-                     const PlanOptions& options) {
-  StatedCost cost{.cost = result.cost};
-  if (planner.weighs) {
-    cost.reverse_weight = options.reverse_weight;
-    cost.gear_change_cost = options.gear_change_cost;
-    cost.initial_direction = direction_of(options.initial_gear);
+[[noreturn]] void refuse(const Planner& planner, std::string_view option) {
+  std::vector<std::string> others;
+  for (const Planner& other : planners()) {
+    if (honours(other, option)) others.push_back(other.name);
   }
+  if (!others.empty()) {
+    throw InputError(std::string(option),
+                     "is no option of " + planner.name +
+                         ", expected one of the planners that honour it: " + joined(others));
+  }
+  std::vector<std::string> names;
+  for (const CommonOption& common : common_options()) {
+    if (honours(planner, common.name)) names.emplace_back(common.name);
+  }
+  for (const OptionInfo& info : planner.options) names.push_back(info.name);
+  throw InputError(std::string(option), "unknown option, expected one of " + joined(names));
+}
+
+/// What is no default though the planner takes no notice of it.
+void refuse_ignored(const Planner& planner, const PlanOptions& options) {
+  const PlanOptions defaults;
+  for (const CommonOption& common : common_options()) {
+    if (honours(planner, common.name)) continue;
+    if (common.get(options) != common.get(defaults)) refuse(planner, common.name);
+  }
+  for (const auto& [name, value] : options.planner.values()) {
+    if (own_option(planner, name) == nullptr) refuse(planner, name);
+  }
+}
+
+/// What the judge says of standing at a pose.
+std::string reason_at(const Problem& problem, const Pose& pose) {
+  const Problem there = make_problem(problem.world(), problem.vehicle(), pose, pose);
+  return check_path(there, Path{pose, {}}, {}).reason;
+}
+
+/// What needs no search: a start or goal that cannot be, and a goal that is the start.
+std::optional<PlannerAnswer> settled(const Task& task) {
+  PlannerAnswer answer;
+  if (!task.checker->is_free(task.start)) {
+    answer.status = PlanStatus::start_in_collision;
+    return answer;
+  }
+  if (!task.checker->is_free(task.goal)) {
+    answer.status = PlanStatus::goal_in_collision;
+    return answer;
+  }
+  const double radius = task.vehicle.min_turning_radius;
+  if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
+  answer.status = PlanStatus::solved;
+  answer.segments.emplace();
+  answer.anytime.push_back({});
+  return answer;
+}
+
+/// What is said about a path when it is shown to the judge.
+PathClaims claims_of(const PlanResult& result, const CostOptions& options) {
+  StatedCost cost{.cost = result.cost,
+                  .reverse_weight = options.reverse_weight,
+                  .gear_change_cost = options.gear_change_cost,
+                  .initial_direction = direction_of(options.initial_gear)};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
   return {.cost = cost};
 }
 
-}  // namespace
-
-std::string_view name_of(PlanStatus status) noexcept {
-  constexpr std::array<std::string_view, 7> names = {
-      "solved",          "start_in_collision", "goal_in_collision",
-      "iteration_limit", "node_limit",         "time_limit",
-      "stopped"};
-  return names[static_cast<std::size_t>(status)];
-}
-
-std::span<const PlannerInfo> planners() noexcept { return planner_infos; }
-
-const PlannerInfo& default_planner() noexcept { return planner_infos.front(); }
-
-const PlannerInfo& planner_named(std::string_view name) {
-  std::string names;
-  for (const PlannerInfo& info : planner_infos) {
-    if (info.name == name) return info;
-    names += (names.empty() ? "" : ", ") + std::string(info.name);
+/// Lets the judge see the path; takes it away if he rejects it.
+void judge(const Problem& problem, const PlanOptions& options, PlanResult& result) {
+  result.check = check_path(problem, *result.path, claims_of(result, options.cost));
+  if (result.check->valid) {
+    result.lower_bound = std::min(result.lower_bound, result.cost);  // rounding apart
+    return;
   }
-  throw InputError("planner", "\"" + std::string(name) + "\" is unknown, expected one of " + names);
+  result.status = PlanStatus::rejected;
+  result.reason = result.check->reason;
+  result.path.reset();
+  result.anytime.clear();
+  result.cost = 0.0;
+  result.lower_bound = 0.0;
 }
 
-PlanResult plan(const Problem& problem, const PlannerInfo& planner, const PlanOptions& options) {
-  validate(options);
-  const std::optional<PlanResult> early = settled(problem);
-  PlanResult result = early ? *early : planner.function(problem, options);
-  if (!result.path) return result;
-  const PathCheck check = check_path(problem, *result.path, claims_of(result, planner, options));
-  if (!check.valid) {
-    throw std::logic_error(std::string(planner.name) + ", seed " + std::to_string(options.seed) +
-                           ": the judge rejects the path: " + check.reason);
+PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time) {
+  PlanResult result{.status = answer.status,
+                    .lower_bound = answer.lower_bound,
+                    .iterations = answer.iterations,
+                    .time_total = time,
+                    .anytime = std::move(answer.anytime),
+                    .counters = std::move(answer.counters),
+                    .phases = std::move(answer.phases),
+                    .tree = std::move(answer.tree)};
+  if (result.tree) {
+    for (Pose& pose : result.tree->poses) pose = to_scenario(*problem.world(), pose);
+  }
+  if (answer.segments) {
+    result.status = PlanStatus::solved;
+    result.path = Path{problem.start(), *std::move(answer.segments)};
+  } else if (answer.status == PlanStatus::solved) {
+    result.status = PlanStatus::rejected;
+    result.reason = "the planner says that it is solved, and gives no path";
   }
   return result;
+}
+
+}  // namespace
+
+std::int64_t counter(const PlanResult& result, std::string_view name) noexcept {
+  const auto found = std::ranges::find(result.counters, name, &Counter::name);
+  return found == result.counters.end() ? 0 : found->value;
+}
+
+std::span<const Planner> planners() {
+  static const std::vector<Planner> all = registered_planners();
+  return all;
+}
+
+const Planner& default_planner() { return planners().front(); }
+
+const Planner& planner_named(std::string_view name) {
+  std::vector<std::string> names;
+  for (const Planner& planner : planners()) {
+    if (planner.name == name) return planner;
+    names.push_back(planner.name);
+  }
+  throw InputError("planner",
+                   "\"" + std::string(name) + "\" is unknown, expected one of " + joined(names));
+}
+
+bool honours(const Planner& planner, std::string_view option) {
+  if (own_option(planner, option) != nullptr) return true;
+  if (common_option(option) == nullptr) return false;
+  if (option == "threads") return planner.properties.honours_threads;
+  const bool is_price =
+      option == "reverse_weight" || option == "gear_change_cost" || option == "initial_gear";
+  return !is_price || planner.properties.honours_prices;
+}
+
+void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
+                std::string_view text) {
+  if (!honours(planner, name)) refuse(planner, name);
+  if (const OptionInfo* const own = own_option(planner, name)) {
+    options.planner.set(name, option_value(*own, text));
+    return;
+  }
+  const CommonOption& common = *common_option(name);
+  try {
+    common.set(options, text);
+  } catch (const InputError& error) {
+    throw InputError(std::string(name),
+                     error.problem() + ", expected: " + std::string(common.summary));
+  }
+  validate(options);
+}
+
+PlanOptions complete(const Planner& planner, const PlanOptions& options) {
+  validate(options);
+  refuse_ignored(planner, options);
+  PlanOptions all = options;
+  for (const OptionInfo& info : planner.options) {
+    const OptionValue* const given = options.planner.find(info.name);
+    all.planner.set(info.name, given == nullptr ? info.standard : option_value(info, *given));
+  }
+  if (!all.budget.time_limit && !all.budget.max_iterations) {
+    all.budget.time_limit = default_time_limit;
+  }
+  return all;
+}
+
+PlanResult plan(const Problem& problem, const Planner& planner, const PlanOptions& options) {
+  const PlanOptions all = complete(planner, options);
+  const search::Budget clock(all.budget);
+  std::optional<PlannerAnswer> answer = settled(problem.task());
+  if (!answer) answer = planner.function(problem.task(), all);
+  PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());
+  if (result.status == PlanStatus::start_in_collision) {
+    result.reason = reason_at(problem, problem.start());
+  }
+  if (result.status == PlanStatus::goal_in_collision) {
+    result.reason = reason_at(problem, problem.goal());
+  }
+  if (!result.path) return result;
+  search::GearSign gear = direction_of(all.cost.initial_gear);
+  result.cost = drive_cost(search::cost_rule(all.cost), result.path->segments, gear);
+  judge(problem, all, result);
+  return result;
+}
+
+PlanResult plan(const Problem& problem, const PlanOptions& options) {
+  return plan(problem, default_planner(), options);
+}
+
+PlanResult plan(const Scenario& scenario, const PlanOptions& options) {
+  return plan(make_problem(scenario), options);
 }
 
 }  // namespace vandplan

@@ -6,19 +6,21 @@
 #include <limits>
 #include <optional>
 
-#include "search/budget.h"
 #include "base/random.h"
-#include "search/tree.h"
+#include "planners/shared_options.h"
 #include "vandplan/nearest.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/search.h"
 
-namespace vandplan {
+namespace vandplan::rrt {
 namespace {
+
+using namespace search;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A parent for a sample and what the sample then costs.
-struct Connection {
+struct Adoption {
   NodeId parent;
   double cost_to_come;
 };
@@ -52,105 +54,135 @@ void best_candidates(std::span<const float> ranks, std::size_t count,
 }
 
 // One run: the tree, and the buffers that its loop needs.
-class Search {
+class Run {
  public:
-  Search(const Problem& problem, const PlanOptions& options, Strategy strategy, Estimate estimate)
-      : problem_(problem),
-        strategy_(strategy),
-        estimate_(estimate),
-        max_parents_(strategy == Strategy::nearest ? 1
-                                                   : static_cast<std::size_t>(options.max_parents)),
-        tree_(problem.start, static_cast<std::size_t>(options.max_nodes)),
-        timer_(options.profile) {
-    if (strategy == Strategy::nearest && estimate == Estimate::reeds_shepp) {
-      exact_nearest_.emplace(radius()).add(problem.start);
+  Run(const Task& task, const PlanOptions& options, Variant variant)
+      : task_(task),
+        variant_(variant),
+        max_parents_(variant.strategy == Strategy::nearest
+                         ? 1
+                         : static_cast<std::size_t>(options.planner.integer("max_parents"))),
+        max_nodes_(static_cast<std::size_t>(options.planner.integer("max_nodes"))),
+        profile_(options.planner.flag("profile")),
+        connector_(task, {}, profile_),
+        tree_(task.start, max_nodes_),
+        ranking_(profile_) {
+    if (variant.strategy == Strategy::nearest && variant.estimate == Estimate::reeds_shepp) {
+      exact_nearest_.emplace(connector_.radius()).add(task.start);
     }
-    ranks_.resize(static_cast<std::size_t>(options.max_nodes));
+    ranks_.resize(max_nodes_);
     candidates_.reserve(max_parents_ + 1);
   }
 
-  // Steps [3] and [4] of plan_rrt.
-  std::optional<Connection> connect(const Pose& sample, PlanResult& result) {
-    rank(sample, result);
-    std::optional<Connection> best;
+  // Steps [3] and [4] of the tree.
+  std::optional<Adoption> adopt(const Pose& sample) {
+    rank(sample);
+    std::optional<Adoption> best;
     for (const Candidate& candidate : candidates_) {
       if (best && best->cost_to_come <= static_cast<double>(candidate.rank)) break;
-      const double limit = best ? best->cost_to_come : infinity;
-      if (auto edge = try_edge(candidate.id, sample, limit, result)) best = edge;
+      if (auto edge = try_edge(candidate.id, sample, best ? best->cost_to_come : infinity)) {
+        best = edge;
+      }
     }
     return best;
   }
 
-  // The edge from a node to a pose, if it is free and reaches the pose below the limit of cost.
-  std::optional<Connection> try_edge(NodeId node, const Pose& to, double limit,
-                                     PlanResult& result) {
-    const Pose& from = tree_.pose(node);
-    timer_.start();
-    const Piece piece = reeds_shepp(from, to, radius());
-    timer_.stop(result.time_steering);
-    ++result.exact_solves;
-    const double cost = tree_.cost_to_come(node) + piece.length;
-    if (cost >= limit) return std::nullopt;
-    timer_.start();
-    const bool free = problem_.world->checker().is_free(from, piece.view());
-    timer_.stop(result.time_checking);
-    ++result.edge_checks;
-    if (!free) return std::nullopt;
-    return Connection{node, cost};
+  // The edge from a node to a pose, if it is free and reaches the pose below the cutoff of cost.
+  std::optional<Adoption> try_edge(NodeId node, const Pose& to, double cutoff) {
+    const std::optional<Connection> edge =
+        connector_.connect(tree_.pose(node), to, {tree_.cost_to_come(node), cutoff, {}});
+    if (!edge) return std::nullopt;
+    return Adoption{node, edge->cost};
   }
 
-  const Tree& tree() const { return tree_; }
-
-  NodeId add(const Pose& pose, const Connection& connection) {
+  NodeId add(const Pose& pose, const Adoption& adoption) {
     if (exact_nearest_) exact_nearest_->add(pose);
-    return tree_.add(pose, connection.parent, connection.cost_to_come);
+    return tree_.add(pose, adoption.parent, adoption.cost_to_come);
   }
 
-  // The path through a node to the goal.
-  Path path_through(NodeId node) const {
+  [[nodiscard]] bool is_full() const { return tree_.size() >= max_nodes_; }
+
+  // The segments through a node to the goal.
+  [[nodiscard]] std::vector<Segment> segments_through(NodeId node) const {
     std::vector<Pose> poses = tree_.branch(node);
-    poses.push_back(problem_.goal);
+    poses.push_back(task_.goal);
     std::vector<Segment> segments;
     for (std::size_t i = 1; i < poses.size(); ++i) {
-      const Piece piece = reeds_shepp(poses[i - 1], poses[i], radius());
+      const Piece piece = reeds_shepp(poses[i - 1], poses[i], connector_.radius());
       segments.insert(segments.end(), piece.view().begin(), piece.view().end());
     }
-    return {problem_.start, merged(segments)};
+    return merged(segments);
+  }
+
+  // What was counted and measured, and the tree if it is wanted.
+  void report(const PlanOptions& options, PlannerAnswer& answer) const {
+    answer.counters = {{"nodes", static_cast<std::int64_t>(tree_.size())},
+                       {"exact_solves", connector_.solves() + nearest_solves_},
+                       {"edge_checks", connector_.checks()}};
+    if (profile_) {
+      answer.phases = {{"ranking", ranking_.seconds()},
+                       {"steering", connector_.steering_time()},
+                       {"checking", connector_.checking_time()}};
+    }
+    if (options.planner.flag("keep_tree")) answer.tree = tree_.snapshot();
   }
 
  private:
-  double radius() const { return problem_.world->vehicle().min_turning_radius; }
-
-  void rank(const Pose& sample, PlanResult& result) {
-    timer_.start();
+  void rank(const Pose& sample) {
+    ranking_.start();
     if (exact_nearest_) {
       const auto [node, length, solves] = *exact_nearest_->nearest(sample);
       candidates_ = {{static_cast<float>(length), node}};
-      result.exact_solves += solves;
-      timer_.stop(result.time_ranking);
-      return;
+      nearest_solves_ += solves;
+    } else {
+      const std::span<float> ranks(ranks_.data(), tree_.size());
+      estimate_lengths(variant_.estimate, tree_, sample, connector_.radius(), ranks);
+      if (variant_.strategy == Strategy::least_total_cost) {
+        for (std::size_t i = 0; i < ranks.size(); ++i) ranks[i] += tree_.cost_to_come()[i];
+      }
+      best_candidates(ranks, max_parents_, candidates_);
     }
-    const std::span<float> ranks(ranks_.data(), tree_.size());
-    estimate_lengths(estimate_, tree_, sample, radius(), ranks);
-    if (strategy_ == Strategy::least_total_cost) {
-      for (std::size_t i = 0; i < ranks.size(); ++i) ranks[i] += tree_.cost_to_come()[i];
-    }
-    best_candidates(ranks, max_parents_, candidates_);
-    timer_.stop(result.time_ranking);
+    ranking_.stop();
   }
 
-  const Problem& problem_;
-  Strategy strategy_;
-  Estimate estimate_;
+  const Task& task_;
+  Variant variant_;
   std::size_t max_parents_;
+  std::size_t max_nodes_;
+  bool profile_;
+  Connector connector_;
   Tree tree_;
   std::optional<NearestNodes> exact_nearest_;  // where it says what ranking would
-  PhaseTimer timer_;
+  std::int64_t nearest_solves_ = 0;
+  PhaseTimer ranking_;
   std::vector<float> ranks_;
   std::vector<Candidate> candidates_;
 };
 
 }  // namespace
+
+std::vector<OptionInfo> options(bool tries_goal) {
+  return {
+      region_option(),
+      {.name = "goal_bias",
+       .summary = "share of samples that are the goal",
+       .standard = 0.05,
+       .least = 0,
+       .most = 1},
+      {.name = "max_nodes",
+       .summary = "of the search tree",
+       .standard = std::int64_t{5000},
+       .least = 1,
+       .most = 10'000'000},
+      {.name = "max_parents",
+       .summary = "parents tried for one sample (OPT)",
+       .standard = std::int64_t{50},
+       .least = 1,
+       .most = 10'000'000},
+      {.name = "try_goal", .summary = "try the goal from every new node", .standard = tries_goal},
+      {.name = "keep_tree", .summary = "return the search tree as well", .standard = false},
+      {.name = "profile", .summary = "measure where the time goes", .standard = false}};
+}
 
 // The tree of Guo 2020, Algorithms 1 and 2; LaValle 1998 with goal bias and Reeds-Shepp edges.
 //
@@ -163,49 +195,44 @@ class Search {
 //   [5]   add the sample to the tree, unless it is the goal
 //   [6]   with try_goal: try the path from the new node to the goal, if it could be the cheapest
 //   [7]   keep the cheapest way to the goal
-PlanResult plan_rrt(const Problem& problem, const PlanOptions& options, Strategy strategy,
-                    Estimate estimate) {
-  PlanResult result;
-  Budget budget(options);
-  Rng rng(options.seed);
-  const Bounds region = sampling_region(problem, options.region);
-  const auto max_nodes = static_cast<std::size_t>(options.max_nodes);
-  Search search(problem, options, strategy, estimate);  // [1]
-  Connection best{-1, infinity};
-  result.status = PlanStatus::node_limit;
-  while (search.tree().size() < max_nodes) {
+PlannerAnswer plan(const Task& task, const PlanOptions& options, Variant variant) {
+  PlannerAnswer answer;
+  Budget budget(options.budget);
+  Rng rng(options.budget.seed);
+  const Bounds region = sampling_region(task, region_of(options));
+  const double goal_bias = options.planner.number("goal_bias");
+  const bool try_goal = options.planner.flag("try_goal");
+  Run run(task, options, variant);  // [1]
+  Adoption best{-1, infinity};
+  answer.status = PlanStatus::node_limit;
+  while (!run.is_full()) {
     if (!budget.next()) {
-      result.status = budget.reason();
+      answer.status = budget.reason();
       break;
     }
-    const bool is_goal = uniform01(rng) < options.goal_bias;
-    const Pose sample = is_goal ? problem.goal : uniform_pose(region, rng);       // [2]
-    const std::optional<Connection> connection = search.connect(sample, result);  // [3] [4]
-    if (!connection) continue;
-    std::optional<Connection> to_goal;
+    const bool is_goal = uniform01(rng) < goal_bias;
+    const Pose sample = is_goal ? task.goal : uniform_pose(region, rng);  // [2]
+    const std::optional<Adoption> adoption = run.adopt(sample);           // [3] [4]
+    if (!adoption) continue;
+    std::optional<Adoption> to_goal;
     if (is_goal) {
-      to_goal = connection;
+      to_goal = adoption;
     } else {
-      const NodeId added = search.add(sample, *connection);  // [5]
-      if (options.try_goal) {
-        to_goal = search.try_edge(added, problem.goal, best.cost_to_come, result);  // [6]
-      }
+      const NodeId added = run.add(sample, *adoption);                            // [5]
+      if (try_goal) to_goal = run.try_edge(added, task.goal, best.cost_to_come);  // [6]
     }
     if (to_goal && to_goal->cost_to_come < best.cost_to_come) {
       best = *to_goal;  // [7]
-      result.anytime.push_back({budget.elapsed(), budget.iterations(), best.cost_to_come});
+      answer.anytime.push_back({budget.elapsed(), budget.iterations(), best.cost_to_come});
     }
   }
   if (best.parent >= 0) {
-    result.status = PlanStatus::solved;
-    result.path = search.path_through(best.parent);
-    result.cost = length(result.path->segments);
+    answer.status = PlanStatus::solved;
+    answer.segments = run.segments_through(best.parent);
   }
-  result.iterations = budget.iterations();
-  result.nodes = static_cast<std::int64_t>(search.tree().size());
-  if (options.keep_tree) result.tree = search.tree().snapshot();
-  result.time_total = budget.elapsed();
-  return result;
+  answer.iterations = budget.iterations();
+  run.report(options, answer);
+  return answer;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::rrt

@@ -5,9 +5,10 @@
 // Theory and pseudo-code: docs/algorithms/rrt.md.
 
 #include "search/estimates.h"
-#include "vandplan/planner.h"
+#include "vandplan/outcome.h"
+#include "vandplan/plan_options.h"
 
-namespace vandplan {
+namespace vandplan::rrt {
 
 /// Which node becomes the parent of a sample.
 enum class Strategy {
@@ -15,9 +16,17 @@ enum class Strategy {
   least_total_cost  ///< OPT: the one through which the sample is reached at the least cost
 };
 
+/// What makes one variant of the tree.
+struct Variant {
+  Strategy strategy = Strategy::nearest;
+  search::Estimate estimate = search::Estimate::euclid;
+};
+
+/// The tree's own options; `tries_goal` is the default of one of them.
+[[nodiscard]] std::vector<OptionInfo> options(bool tries_goal);
+
 /// Grows a tree from the start until the budget is spent; the best path to the goal counts.
 /// Expects start and goal to be free.
-[[nodiscard]] PlanResult plan_rrt(const Problem& problem, const PlanOptions& options,
-                                  Strategy strategy, Estimate estimate);
+[[nodiscard]] PlannerAnswer plan(const Task& task, const PlanOptions& options, Variant variant);
 
-}  // namespace vandplan
+}  // namespace vandplan::rrt

@@ -6,11 +6,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <type_traits>
 
 #include "vandplan/input_error.h"
 
 namespace vandplan {
 namespace {
+
+constexpr std::array<std::string_view, 3> gear_names = {"any", "forward", "reverse"};
 
 // Shortest text that reads back to the same value, whatever the locale.
 template <typename Number>
@@ -22,21 +25,20 @@ std::string text_of(Number value) {
 
 std::string text_of(bool value) { return value ? "true" : "false"; }
 
+std::string text_of(const std::string& value) { return "\"" + value + "\""; }
+
 template <typename Number>
 std::string text_of(const std::optional<Number>& value) {
   return value ? text_of(*value) : "null";
 }
 
 std::string text_of(InitialGear gear) {
-  constexpr std::array names = {"\"any\"", "\"forward\"", "\"reverse\""};
-  return names[static_cast<std::size_t>(gear)];
+  return text_of(std::string(gear_names[static_cast<std::size_t>(gear)]));
 }
 
-std::string text_of(Region region) { return region == Region::bounds ? "\"bounds\"" : "\"scene\""; }
-
-// The setter throws with an empty place; set_option adds the name of the option.
-[[noreturn]] void reject(std::string_view value, std::string_view expected) {
-  throw InputError("", "\"" + std::string(value) + "\" is not " + std::string(expected));
+// The setter throws with an empty place; its caller adds the name of the option.
+[[noreturn]] void reject(std::string_view value, const std::string& expected) {
+  throw InputError("", "\"" + std::string(value) + "\" is not " + expected);
 }
 
 template <typename Number>
@@ -62,42 +64,41 @@ void parse(std::string_view value, bool& field) {
   field = value == "true";
 }
 
-void parse(std::string_view value, Region& field) {
-  if (value != "bounds" && value != "scene") reject(value, "bounds or scene");
-  field = value == "bounds" ? Region::bounds : Region::scene;
-}
+void parse(std::string_view value, std::string& field) { field = value; }
 
 void parse(std::string_view value, InitialGear& field) {
-  constexpr std::array<std::string_view, 3> names = {"any", "forward", "reverse"};
-  const auto name = std::find(names.begin(), names.end(), value);
-  if (name == names.end()) reject(value, "any, forward or reverse");
-  field = static_cast<InitialGear>(name - names.begin());
+  const auto* const name = std::find(gear_names.begin(), gear_names.end(), value);
+  if (name == gear_names.end()) reject(value, "any, forward or reverse");
+  field = static_cast<InitialGear>(name - gear_names.begin());
+}
+
+template <auto part, auto field>
+constexpr CommonOption option(std::string_view name, std::string_view summary) {
+  return {name, summary, [](const PlanOptions& o) { return text_of(o.*part.*field); },
+          [](PlanOptions& o, std::string_view value) { parse(value, o.*part.*field); }};
 }
 
 template <auto field>
-constexpr OptionInfo option(std::string_view name, std::string_view summary) {
-  return {name, summary, [](const PlanOptions& options) { return text_of(options.*field); },
-          [](PlanOptions& options, std::string_view value) { parse(value, options.*field); }};
+constexpr CommonOption budget(std::string_view name, std::string_view summary) {
+  return option<&PlanOptions::budget, field>(name, summary);
 }
 
-constexpr std::array option_infos = {
-    option<&PlanOptions::seed>("seed", "of the random numbers; a whole number"),
-    option<&PlanOptions::time_limit>("time_limit", "wall clock [s]; >= 0 or null"),
-    option<&PlanOptions::max_iterations>("max_iterations", "reproduces bit for bit; >= 0 or null"),
-    option<&PlanOptions::max_nodes>("max_nodes", "of the search tree; 1 to 10000000"),
-    option<&PlanOptions::region>("region", "where samples are drawn; bounds or scene"),
-    option<&PlanOptions::goal_bias>("goal_bias", "share of samples that are the goal; 0 to 1"),
-    option<&PlanOptions::max_parents>("max_parents", "parents tried for one sample; >= 1"),
-    option<&PlanOptions::try_goal>("try_goal",
-                                   "RRT: try the goal from every new node; true or false"),
-    option<&PlanOptions::reverse_weight>("reverse_weight", "cost of a metre in reverse; 1 to 1000"),
-    option<&PlanOptions::gear_change_cost>("gear_change_cost",
-                                           "cost of one gear change [m]; 0 to 10000"),
-    option<&PlanOptions::initial_gear>("initial_gear",
-                                       "driven before the start; any, forward or reverse"),
-    option<&PlanOptions::threads>("threads", "that share the work; 1 to 256"),
-    option<&PlanOptions::keep_tree>("keep_tree", "return the search tree as well; true or false"),
-    option<&PlanOptions::profile>("profile", "measure where the time goes; true or false"),
+template <auto field>
+constexpr CommonOption cost(std::string_view name, std::string_view summary) {
+  return option<&PlanOptions::cost, field>(name, summary);
+}
+
+constexpr std::array options_of_all = {
+    budget<&BudgetOptions::seed>("seed", "of the random numbers; a whole number"),
+    budget<&BudgetOptions::time_limit>("time_limit", "wall clock [s]; >= 0 or null"),
+    budget<&BudgetOptions::max_iterations>("max_iterations",
+                                           "reproduces bit for bit; >= 0 or null"),
+    budget<&BudgetOptions::threads>("threads", "that share the work; 1 to 256"),
+    cost<&CostOptions::reverse_weight>("reverse_weight", "cost of a metre in reverse; 1 to 1000"),
+    cost<&CostOptions::gear_change_cost>("gear_change_cost",
+                                         "cost of one gear change [m]; 0 to 10000"),
+    cost<&CostOptions::initial_gear>("initial_gear",
+                                     "driven before the start; any, forward or reverse"),
 };
 
 void require(bool condition, std::string_view name, const std::string& value,
@@ -105,46 +106,102 @@ void require(bool condition, std::string_view name, const std::string& value,
   if (!condition) throw InputError(std::string(name), value + " is not " + rule);
 }
 
+bool is_in_range(const OptionInfo& info, const OptionValue& value) {
+  if (const auto* const word = std::get_if<std::string>(&value)) {
+    return std::find(info.words.begin(), info.words.end(), *word) != info.words.end();
+  }
+  if (const auto* const number = std::get_if<double>(&value)) {
+    return *number >= info.least && *number <= info.most;
+  }
+  if (const auto* const integer = std::get_if<std::int64_t>(&value)) {
+    const auto number = static_cast<double>(*integer);
+    return number >= info.least && number <= info.most;
+  }
+  return true;
+}
+
 }  // namespace
 
-std::span<const OptionInfo> option_table() noexcept { return option_infos; }
+void PlannerSettings::set(std::string_view name, OptionValue value) {
+  values_.insert_or_assign(std::string(name), std::move(value));
+}
 
-void set_option(PlanOptions& options, std::string_view name, std::string_view value) {
-  std::string names;
-  for (const OptionInfo& info : option_infos) {
-    if (info.name == name) {
-      try {
-        info.set(options, value);
-      } catch (const InputError& error) {
-        throw InputError(std::string(name),
-                         error.problem() + ", expected: " + std::string(info.summary));
-      }
-      return;
-    }
-    names += (names.empty() ? "" : ", ") + std::string(info.name);
+const OptionValue* PlannerSettings::find(std::string_view name) const {
+  const auto found = values_.find(name);
+  return found == values_.end() ? nullptr : &found->second;
+}
+
+bool PlannerSettings::flag(std::string_view name) const { return std::get<bool>(*find(name)); }
+
+std::int64_t PlannerSettings::integer(std::string_view name) const {
+  return std::get<std::int64_t>(*find(name));
+}
+
+double PlannerSettings::number(std::string_view name) const {
+  return std::get<double>(*find(name));
+}
+
+const std::string& PlannerSettings::word(std::string_view name) const {
+  return std::get<std::string>(*find(name));
+}
+
+std::string OptionInfo::range() const {
+  if (std::holds_alternative<bool>(standard)) return "true or false";
+  if (std::holds_alternative<std::int64_t>(standard)) {
+    return text_of(static_cast<std::int64_t>(least)) + " to " +
+           text_of(static_cast<std::int64_t>(most));
   }
-  throw InputError(std::string(name), "unknown option, expected one of " + names);
+  if (std::holds_alternative<double>(standard)) return text_of(least) + " to " + text_of(most);
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  }
+  return text;
+}
+
+std::span<const CommonOption> common_options() noexcept { return options_of_all; }
+
+std::string json_of(const OptionValue& value) {
+  return std::visit([](const auto& held) { return text_of(held); }, value);
+}
+
+OptionValue option_value(const OptionInfo& info, std::string_view text) {
+  OptionValue value = info.standard;
+  try {
+    std::visit([&](auto& held) { parse(text, held); }, value);
+    if (!is_in_range(info, value)) reject(text, info.range());
+  } catch (const InputError& error) {
+    throw InputError(info.name,
+                     error.problem() + ", expected: " + info.summary + "; " + info.range());
+  }
+  return value;
+}
+
+OptionValue option_value(const OptionInfo& info, const OptionValue& given) {
+  OptionValue value = given;
+  const auto* const integer = std::get_if<std::int64_t>(&given);
+  if (integer != nullptr && std::holds_alternative<double>(info.standard)) {
+    value = static_cast<double>(*integer);
+  }
+  require(value.index() == info.standard.index() && is_in_range(info, value), info.name,
+          json_of(given), info.range());
+  return value;
 }
 
 void validate(const PlanOptions& options) {
-  const auto& [time, share] = std::pair{options.time_limit, options.goal_bias};
+  const auto& [time, iterations, seed, threads, stop] = options.budget;
   require(!time || (std::isfinite(*time) && *time >= 0.0), "time_limit", text_of(time),
           "a number >= 0 [s]");
-  require(!options.max_iterations || *options.max_iterations >= 0, "max_iterations",
-          text_of(options.max_iterations), "a whole number >= 0");
-  require(options.max_nodes >= 1 && options.max_nodes <= 10'000'000, "max_nodes",
-          text_of(options.max_nodes), "a whole number from 1 to 10000000");
-  require(share >= 0.0 && share <= 1.0, "goal_bias", text_of(share), "a number from 0 to 1");
-  const double weight = options.reverse_weight;
+  require(!iterations || *iterations >= 0, "max_iterations", text_of(iterations),
+          "a whole number >= 0");
+  require(threads >= 1 && threads <= 256, "threads", text_of(threads),
+          "a whole number from 1 to 256");
+  const double weight = options.cost.reverse_weight;
   require(weight >= 1.0 && weight <= 1000.0, "reverse_weight", text_of(weight),
           "a number from 1 to 1000");
-  const double change = options.gear_change_cost;
+  const double change = options.cost.gear_change_cost;
   require(change >= 0.0 && change <= 10000.0, "gear_change_cost", text_of(change),
           "a number from 0 to 10000 [m]");
-  require(options.threads >= 1 && options.threads <= 256, "threads", text_of(options.threads),
-          "a whole number from 1 to 256");
-  require(options.max_parents >= 1, "max_parents", text_of(options.max_parents),
-          "a whole number >= 1");
 }
 
 }  // namespace vandplan

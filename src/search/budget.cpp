@@ -1,37 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/budget.h"
-
 #include <algorithm>
 
-namespace vandplan {
+#include "vandplan/search.h"
 
-Budget::Budget(const PlanOptions& options)
+namespace vandplan::search {
+
+Budget::Budget(const BudgetOptions& options)
     : time_limit_(options.time_limit),
       max_iterations_(options.max_iterations),
       stop_(options.stop),
       begin_(std::chrono::steady_clock::now()) {}
 
-bool Budget::allows_more() {
-  if (max_iterations_ && iterations_ >= *max_iterations_) {
-    reason_ = PlanStatus::iteration_limit;
-    return false;
-  }
-  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
-    reason_ = PlanStatus::stopped;
-    return false;
-  }
-  if (time_limit_ && elapsed() >= *time_limit_) {
-    reason_ = PlanStatus::time_limit;
-    return false;
-  }
-  return true;
+std::optional<PlanStatus> Budget::exhausted() const {
+  if (max_iterations_ && iterations_ >= *max_iterations_) return PlanStatus::iteration_limit;
+  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return PlanStatus::stopped;
+  if (time_limit_ && elapsed() >= *time_limit_) return PlanStatus::time_limit;
+  return std::nullopt;
 }
 
 bool Budget::next() {
-  if (!allows_more()) return false;
-  ++iterations_;
-  return true;
+  const std::optional<PlanStatus> end = exhausted();
+  if (end) {
+    reason_ = *end;
+  } else {
+    ++iterations_;
+  }
+  return !end;
 }
 
 std::int64_t Budget::left(std::int64_t wanted, std::int64_t promised) const {
@@ -48,4 +43,4 @@ double Budget::elapsed() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::search

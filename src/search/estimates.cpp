@@ -10,7 +10,7 @@
 #include "vandplan/heuristic_table.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::search {
 namespace {
 
 void euclid(const Tree& tree, const Pose& sample, std::span<float> lengths) {
@@ -66,4 +66,4 @@ void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, d
   }
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::search

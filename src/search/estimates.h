@@ -5,10 +5,10 @@
 
 #include <span>
 
-#include "search/tree.h"
 #include "vandplan/geometry.h"
+#include "vandplan/search.h"
 
-namespace vandplan {
+namespace vandplan::search {
 
 /// How the distance from a node to a sample is estimated.
 enum class Estimate { euclid, hlut_1, hlut_2, hlut_3, hlut_4, bound, reeds_shepp };
@@ -17,4 +17,4 @@ enum class Estimate { euclid, hlut_1, hlut_2, hlut_3, hlut_4, bound, reeds_shepp
 void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, double radius,
                       std::span<float> lengths);
 
-}  // namespace vandplan
+}  // namespace vandplan::search

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vandplan {
+namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -67,10 +67,14 @@ Bounds box_of_ways(const Point& p, const Point& q, double length) {
 
 }  // namespace
 
-Geodesic::Geodesic(const World& world, const Pose& from, const Pose& to, double longest)
-    : world_(world), from_{from.x, from.y}, to_{to.x, to.y}, longest_(longest) {
-  disc_ = inner_radius(footprint(world.vehicle()));
-  const Bounds& bounds = world.bounds();
+Geodesic::Geodesic(const Task& task, double longest)
+    : ground_(task.world->local()),
+      checker_(*task.checker),
+      from_{task.start.x, task.start.y},
+      to_{task.goal.x, task.goal.y},
+      longest_(longest) {
+  disc_ = inner_radius(footprint(task.vehicle));
+  const Bounds& bounds = ground_.bounds;
   const Bounds ways = box_of_ways(from_, to_, longest + disc_);
   box_ = {std::max(bounds.x_min, ways.x_min), std::min(bounds.x_max, ways.x_max),
           std::max(bounds.y_min, ways.y_min), std::min(bounds.y_max, ways.y_max)};
@@ -113,7 +117,7 @@ Geodesic::RunId Geodesic::run_at(const Point& point) {
 
 // Cells whose middle is near to a side of a polygon.
 void Geodesic::block_near_sides(double y, std::vector<char>& is_blocked) const {
-  for (const Polygon& polygon : world_.obstacles()) {
+  for (const Polygon& polygon : ground_.obstacles) {
     Point a = polygon.back();
     for (const Point& b : polygon) {
       double low = infinity;
@@ -145,7 +149,7 @@ const std::vector<Geodesic::Run>& Geodesic::runs(std::int32_t row) {
   for (std::int32_t x = 0; x < columns_; ++x) {
     const auto cell = static_cast<std::size_t>(x);
     const Point middle{box_.x_min + (x + 0.5) * side_, y};
-    if (!is_blocked[cell] && world_.checker().map_is_within(middle, near_)) is_blocked[cell] = 1;
+    if (!is_blocked[cell] && checker_.map_is_within(middle, near_)) is_blocked[cell] = 1;
   }
   is_blocked.back() = 1;
   std::int32_t begin = 0;
@@ -279,4 +283,4 @@ bool Geodesic::step() {
   return true;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::search

@@ -17,15 +17,16 @@
 
 #include "vandplan/problem.h"
 
-namespace vandplan {
+namespace vandplan::search {
 
 /// A* over intervals of the lattice's horizontal lines, with the runs of open cells in its rows as
 /// convex polygons: Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh"
 /// (2017). Lattices follow each other, each of half the size. The bound only rises.
 class Geodesic {
  public:
-  /// From a free pose to a free pose. Takes no notice of paths that are longer than `longest` [m].
-  Geodesic(const World& world, const Pose& from, const Pose& to, double longest);
+  /// From the task's start, which is free, to its goal. Takes no notice of paths that are longer
+  /// than `longest` [m].
+  Geodesic(const Task& task, double longest);
 
   /// Goes on from some intervals, about 20 microseconds of work. False when the bound is final.
   bool step();
@@ -78,7 +79,8 @@ class Geodesic {
   void expand(const Node& node);
   void spread(const Point& root, double cost, const RunId& in, const RunId& from);
 
-  const World& world_;
+  const Surroundings& ground_;
+  const CollisionChecker& checker_;
   Point from_, to_;  // [m]
   double longest_;   // [m]
   Bounds box_;       // paths up to that length stay in it
@@ -97,4 +99,4 @@ class Geodesic {
   int work_ = 0;                                         // done in this step
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::search

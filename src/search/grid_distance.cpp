@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace vandplan {
+namespace vandplan::search {
 namespace {
 
 constexpr double most_cells = 40000.0;
@@ -30,24 +30,24 @@ double squared_distance(const Point& p, const Point& a, const Point& b) {
 
 }  // namespace
 
-GridDistance::GridDistance(const World& world, const Bounds& box, double side, const Pose& target,
+GridDistance::GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
                            const Pose& root)
-    : map_(world.map() ? &world.checker() : nullptr),
+    : map_(task.world->local().map ? task.checker.get() : nullptr),
       box_(box),
       target_{target.x, target.y},
       last_(unreached) {
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;
-  side_ = std::max({side * world.vehicle().width, std::sqrt(width * height / most_cells),
+  side_ = std::max({side * task.vehicle.width, std::sqrt(width * height / most_cells),
                     std::max(width, height) / most_cells});
   columns_ = static_cast<std::int32_t>(width / side_) + 3;
   rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
   mark_border();
-  const double disc = inner_radius(footprint(world.vehicle()));
+  const double disc = inner_radius(footprint(task.vehicle));
   near_ = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
-  mark(world.obstacles(), near_);
-  mark(world.kerbs(), side_ / 2);  // the rear axle reaches as far
+  mark(task.world->local().obstacles, near_);
+  mark(task.world->local().kerbs, side_ / 2);  // the rear axle reaches as far
   root_ = cell_of({root.x, root.y});
   const Cell to = cell_of(target_);
   costs_[index_of(root_)] = unreached;
@@ -168,4 +168,4 @@ double GridDistance::at(double x, double y) const noexcept {
   return std::max(euclid, least * side_ / straight_cost);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::search

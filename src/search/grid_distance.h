@@ -9,7 +9,7 @@
 
 #include "vandplan/problem.h"
 
-namespace vandplan {
+namespace vandplan::search {
 
 /// Distances to one target on a grid (eight neighbours), as a guide and not as a bound. They are
 /// computed by A* from the target, so only where a search from `root` is likely to come.
@@ -17,7 +17,7 @@ class GridDistance {
  public:
   /// Covers `box` with cells of `side` vehicle widths, in large boxes of more; obstacles are
   /// marked, distances are not computed yet.
-  GridDistance(const World& world, const Bounds& box, double side, const Pose& target,
+  GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
                const Pose& root);
 
   /// Settles the next cells, some microseconds of work. False when there is no more to do.
@@ -61,4 +61,4 @@ class GridDistance {
   bool reached_ = false;  // the root
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::search

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vandplan {
+namespace vandplan::search {
 
 double Route::length() const {
   double sum = 0.0;
@@ -48,4 +48,4 @@ Path path_of(const Route& route) {
   return {route.start, merged(segments)};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::search

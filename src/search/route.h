@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "search/edges.h"
+#include "vandplan/search.h"
 
-namespace vandplan {
+namespace vandplan::search {
 
 /// A piece and the exact pose it leads to.
 struct Leg {
@@ -40,4 +40,4 @@ struct Route {
 
 [[nodiscard]] Path path_of(const Route& route);
 
-}  // namespace vandplan
+}  // namespace vandplan::search

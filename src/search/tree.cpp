@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/tree.h"
-
 #include <algorithm>
 
-namespace vandplan {
+#include "vandplan/search.h"
+
+namespace vandplan::search {
 
 Tree::Tree(const Pose& root, std::size_t capacity) {
   poses_.reserve(capacity);
@@ -33,4 +33,4 @@ std::vector<Pose> Tree::branch(NodeId id) const {
   return poses;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::search

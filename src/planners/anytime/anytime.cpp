@@ -10,10 +10,11 @@
 #include <thread>
 
 #include "planners/anytime/island.h"
-#include "search/budget.h"
+#include "planners/shared_options.h"
 #include "vandplan/dubins.h"
+#include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::anytime {
 namespace {
 
 constexpr std::size_t island_count = 5;
@@ -39,14 +40,14 @@ std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + roun
 
 // The least that any path between the poses costs: it is driven forward, or in reverse, or changes
 // gear; one of the first two may have to change gear before it begins.
-double open_ground_bound(const Problem& problem, const CostRule& rule) {
-  const double radius = problem.world->vehicle().min_turning_radius;
+double open_ground_bound(const Task& task, const CostRule& rule) {
+  const double radius = task.vehicle.min_turning_radius;
   const auto turned = [](const Pose& p) { return Pose{p.x, p.y, p.heading + std::numbers::pi}; };
-  const double shortest = reeds_shepp_length(problem.start, problem.goal, radius);
+  const double shortest = reeds_shepp_length(task.start, task.goal, radius);
   if (rule.is_length()) return shortest;
-  const double forward = rule.forward_weight * dubins_length(problem.start, problem.goal, radius);
+  const double forward = rule.forward_weight * dubins_length(task.start, task.goal, radius);
   const double reverse =
-      rule.reverse_weight * dubins_length(turned(problem.start), turned(problem.goal), radius);
+      rule.reverse_weight * dubins_length(turned(task.start), turned(task.goal), radius);
   return std::min({forward + change_cost(rule, rule.initial_gear, 1),
                    reverse + change_cost(rule, rule.initial_gear, -1),
                    shortest + rule.gear_change_cost});
@@ -67,19 +68,19 @@ void for_each_island(int threads, Work work) {
 
 class Run {
  public:
-  Run(const Problem& problem, const PlanOptions& options);
+  Run(const Task& task, const PlanOptions& options);
 
   void try_open_ground();
   void round();
   void tidy(std::uint64_t seed);
   [[nodiscard]] bool is_optimal() const;
   [[nodiscard]] Budget& budget() { return budget_; }
-  [[nodiscard]] PlanResult result() const;
+  [[nodiscard]] PlannerAnswer result() const;
 
  private:
   void merge(Slice& slice);
 
-  const Problem& problem_;
+  const Task& task_;
   CostRule rule_;
   int threads_;
   Budget budget_;
@@ -90,24 +91,24 @@ class Run {
   std::int64_t rounds_ = 0;
 };
 
-Run::Run(const Problem& problem, const PlanOptions& options)
-    : problem_(problem),
-      rule_(cost_rule(options)),
-      threads_(options.threads),
-      budget_(options),
-      open_ground_(open_ground_bound(problem, rule_)) {
-  const Bounds region = sampling_region(problem, options.region);
+Run::Run(const Task& task, const PlanOptions& options)
+    : task_(task),
+      rule_(cost_rule(options.cost)),
+      threads_(options.budget.threads),
+      budget_(options.budget),
+      open_ground_(open_ground_bound(task, rule_)) {
+  const Bounds region = sampling_region(task, region_of(options));
   for (std::size_t i = 0; i < island_count; ++i) {
-    islands_.emplace_back(plans[i].work, problem, rule_, region, stream_seed(options.seed, i));
+    islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i));
   }
 }
 
 // The best word on open ground, if it is free.
 void Run::try_open_ground() {
-  Edges edges(*problem_.world, rule_);
-  const Piece piece = edges.steer(problem_.start, problem_.goal, {rule_.initial_gear, 0});
-  if (!edges.is_free(problem_.start, piece)) return;
-  best_ = Route{problem_.start, {{piece, problem_.goal}}, 0.0};
+  Connector connector(task_, rule_);
+  const Piece piece = connector.steer(task_.start, task_.goal, {rule_.initial_gear, 0});
+  if (!connector.is_free(task_.start, piece)) return;
+  best_ = Route{task_.start, {{piece, task_.goal}}, 0.0};
   best_->cost = cost_of(rule_, *best_);
   trace_.push_back({budget_.elapsed(), 0, best_->cost});
 }
@@ -150,10 +151,10 @@ void Run::tidy(std::uint64_t seed) {
   if (!rule_.is_length() || best_->legs.size() < 2) return;
   CostRule rule = rule_;
   rule.gear_change_cost = 1e-8;
-  Edges edges(*problem_.world, rule);
+  Connector connector(task_, rule);
   Route route = *best_;
   route.cost = cost_of(rule, route);
-  Shortener shortener(edges, std::move(route), seed);
+  Shortener shortener(connector, std::move(route), seed);
   for (int i = 0; i < tidy_trials && !budget_.is_interrupted() && budget_.next(); ++i) {
     shortener.step();
   }
@@ -162,45 +163,40 @@ void Run::tidy(std::uint64_t seed) {
   if (tidied.cost <= open_ground_ * (1 + 1e-9)) best_ = std::move(tidied);
 }
 
-PlanResult Run::result() const {
-  PlanResult result;
+PlannerAnswer Run::result() const {
+  PlannerAnswer result;
   result.iterations = budget_.iterations();
   result.anytime = trace_;
   result.lower_bound = open_ground_;
+  std::int64_t nodes = 0, solves = 0, checks = 0;
   for (const Island& island : islands_) {
     result.lower_bound = std::max(result.lower_bound, island.shortest());
-    result.exact_solves += island.solves();
-    result.edge_checks += island.checks();
-    result.nodes += static_cast<std::int64_t>(island.nodes());
+    solves += island.solves();
+    checks += island.checks();
+    nodes += static_cast<std::int64_t>(island.nodes());
   }
+  result.counters = {{"nodes", nodes}, {"exact_solves", solves}, {"edge_checks", checks}};
   if (best_) {
     result.status = PlanStatus::solved;
-    result.path = path_of(*best_);
-    GearSign gear = rule_.initial_gear;
-    result.cost = drive_cost(rule_, result.path->segments, gear);
-    result.lower_bound = std::min(result.lower_bound, result.cost);  // rounding apart
+    result.segments = path_of(*best_).segments;
   }
-  result.time_total = budget_.elapsed();
   return result;
 }
 
 }  // namespace
 
-PlanResult plan_anytime(const Problem& problem, const PlanOptions& options) {
-  Run run(problem, options);
+PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
+  Run run(task, options);
   run.try_open_ground();
-  PlanStatus reason = PlanStatus::solved;
-  while (!run.is_optimal() && reason == PlanStatus::solved) {
-    if (run.budget().allows_more()) {
-      run.round();
-    } else {
-      reason = run.budget().reason();
-    }
+  std::optional<PlanStatus> end;
+  while (!run.is_optimal() && !end) {
+    end = run.budget().exhausted();
+    if (!end) run.round();
   }
-  if (run.is_optimal()) run.tidy(options.seed);
-  PlanResult result = run.result();
-  if (!result.path) result.status = reason;
-  return result;
+  if (run.is_optimal()) run.tidy(options.budget.seed);
+  PlannerAnswer answer = run.result();
+  if (!answer.segments) answer.status = *end;
+  return answer;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

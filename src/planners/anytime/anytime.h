@@ -4,12 +4,14 @@
 // The default planner: a first path at once, then better ones for as long as it may.
 // How it works and what was tried: docs/algorithms/anytime.md.
 
-#include "vandplan/planner.h"
+#include "vandplan/outcome.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
 
-namespace vandplan {
+namespace vandplan::anytime {
 
 /// Searches and shortens until the budget is spent or the path is proven optimal.
 /// Expects start and goal to be free.
-[[nodiscard]] PlanResult plan_anytime(const Problem& problem, const PlanOptions& options);
+[[nodiscard]] PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options);
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

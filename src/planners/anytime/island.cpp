@@ -4,47 +4,53 @@
 
 #include <limits>
 
-namespace vandplan {
+namespace vandplan::anytime {
+namespace {
 
-Island::Island(Work work, const Problem& problem, const CostRule& rule, const Bounds& region,
+constexpr double hopeless_excess = 20.0;  // over the best cost, times the trials it took
+constexpr int checks_of_time = 4;         // iterations between two looks at the clock
+
+}  // namespace
+
+Island::Island(Work work, const Task& task, const CostRule& rule, const Bounds& region,
                std::uint64_t seed)
-    : problem_(problem),
+    : task_(task),
       region_(region),
       work_(work),
       seed_(seed),
-      edges_(*problem.world, rule),
+      connector_(task, rule),
       best_cost_(std::numeric_limits<double>::infinity()) {}
 
 // At the first run: what another island finds before it may make it needless.
 void Island::prepare() {
   is_prepared_ = true;
-  const CostRule& rule = edges_.rule();
+  const CostRule& rule = connector_.rule();
   switch (work_) {
     case Work::refine:
       break;
     case Work::search_from_start:
-      ladder_.emplace(problem_, rule, Root::start);
+      ladder_.emplace(task_, rule, Root::start);
       break;
     case Work::search_from_goal:
-      ladder_.emplace(problem_, rule, Root::goal);
+      ladder_.emplace(task_, rule, Root::goal);
       break;
     case Work::random_trees:
-      attempts_.emplace(problem_, rule, region_, stream_seed(seed_, 0));
+      attempts_.emplace(task_, rule, region_, stream_seed(seed_, 0));
       break;
     case Work::bound:
-      geodesic_.emplace(*problem_.world, problem_.start, problem_.goal, best_cost_);
+      geodesic_.emplace(task_, best_cost_);
       break;
   }
 }
 
 std::int64_t Island::solves() const {
-  return edges_.solves() + (ladder_ ? ladder_->edges().solves() : 0) +
-         (attempts_ ? attempts_->edges().solves() : 0);
+  return connector_.solves() + (ladder_ ? ladder_->connector().solves() : 0) +
+         (attempts_ ? attempts_->connector().solves() : 0);
 }
 
 std::int64_t Island::checks() const {
-  return edges_.checks() + (ladder_ ? ladder_->edges().checks() : 0) +
-         (attempts_ ? attempts_->edges().checks() : 0);
+  return connector_.checks() + (ladder_ ? ladder_->connector().checks() : 0) +
+         (attempts_ ? attempts_->connector().checks() : 0);
 }
 
 std::size_t Island::nodes() const {
@@ -60,14 +66,14 @@ bool Island::has_work() const {
 // about as one over the number of trials (docs/algorithms/anytime.md).
 bool Island::is_hopeless() const {
   const double excess = candidate_->route().cost / best_cost_ - 1.0;
-  return candidate_->is_stalled() || excess * static_cast<double>(trials_) > 20.0;
+  return candidate_->is_stalled() || excess * static_cast<double>(trials_) > hopeless_excess;
 }
 
 std::optional<Route> Island::search() {
   if (geodesic_) {
     bound_is_final_ = !geodesic_->step();
   } else if (ladder_) {
-    ladder_->set_bound(best_cost_);
+    ladder_->set_cutoff(best_cost_);
     if (ladder_->step()) return ladder_->route();
   } else if (attempts_ && attempts_->step()) {
     return attempts_->route();
@@ -80,7 +86,7 @@ bool Island::step() {
   if (!candidate_) {
     std::optional<Route> route = search();
     if (!route) return false;
-    candidate_.emplace(edges_, *std::move(route), stream_seed(seed_, ++candidates_));
+    candidate_.emplace(connector_, *std::move(route), stream_seed(seed_, ++candidates_));
     trials_ = 0;
   } else {
     candidate_->step();
@@ -99,7 +105,8 @@ bool Island::step() {
 void Island::take_over(const Route& best) {
   if (best.cost >= best_cost_) return;
   best_cost_ = best.cost;
-  if (work_ == Work::refine) candidate_.emplace(edges_, best, stream_seed(seed_, ++candidates_));
+  if (work_ == Work::refine)
+    candidate_.emplace(connector_, best, stream_seed(seed_, ++candidates_));
 }
 
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {
@@ -107,7 +114,7 @@ Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budg
   if (best != nullptr) take_over(*best);
   if (!is_prepared_ && iterations > 0) prepare();
   while (slice.iterations < iterations && has_work()) {
-    if (slice.iterations % 4 == 0 && budget.is_interrupted()) break;
+    if (slice.iterations % checks_of_time == 0 && budget.is_interrupted()) break;
     ++slice.iterations;
     if (step()) slice.improvements.push_back({budget.elapsed(), slice.iterations, best_cost_});
   }
@@ -115,4 +122,4 @@ Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budg
   return slice;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

@@ -9,10 +9,9 @@
 
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/sources.h"
-#include "search/budget.h"
 #include "search/geodesic.h"
 
-namespace vandplan {
+namespace vandplan::anytime {
 
 /// What an island does.
 enum class Work {
@@ -33,7 +32,7 @@ struct Slice {
 /// One line of work. What it does depends on its seed and on what it is told, on nothing else.
 class Island {
  public:
-  Island(Work work, const Problem& problem, const CostRule& rule, const Bounds& region,
+  Island(Work work, const Task& task, const CostRule& rule, const Bounds& region,
          std::uint64_t seed);
   Island(const Island&) = delete;
   Island& operator=(const Island&) = delete;
@@ -60,11 +59,11 @@ class Island {
   std::optional<Route> search();
   [[nodiscard]] bool is_hopeless() const;
 
-  const Problem& problem_;
+  const Task& task_;
   Bounds region_;
   Work work_;
   std::uint64_t seed_;
-  Edges edges_;
+  Connector connector_;
   double best_cost_;  // of the routes it knows of
   std::optional<Ladder> ladder_;
   std::optional<Attempts> attempts_;
@@ -77,4 +76,4 @@ class Island {
   std::uint64_t candidates_ = 0;        // so far; each has a seed
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

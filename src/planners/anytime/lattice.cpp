@@ -7,10 +7,13 @@
 #include <limits>
 #include <numbers>
 
-namespace vandplan {
+namespace vandplan::anytime {
 namespace {
 
-constexpr double hopeless_shot = 1.2;  // ways around that are longer than the shot by this
+constexpr double hopeless_shot = 1.2;   // ways around that are longer than the shot by this
+constexpr double guide_trust = 0.9;     // of a way around on the grid, which is no bound
+constexpr double straight_cells = 1.5;  // length of a straight step: it leaves its cell
+constexpr int looks = 8;                // at open ground, for one entry
 
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
@@ -19,14 +22,14 @@ std::size_t slot_of(std::uint64_t key, std::size_t size) {
 }  // namespace
 
 Lattice::Lattice(const Pose& root, const Pose& target, const LatticeOptions& options,
-                 const GridDistance& guide, Edges& edges)
-    : edges_(edges),
+                 const GridDistance& guide, Connector& connector)
+    : connector_(connector),
       guide_(guide),
       options_(options),
       target_(target),
-      bound_(std::numeric_limits<double>::infinity()),
-      step_length_(2 * std::numbers::pi / options.headings * edges.radius()),
-      cell_(options.cell * edges.radius()),
+      cutoff_(std::numeric_limits<double>::infinity()),
+      step_length_(2 * std::numbers::pi / options.headings * connector.radius()),
+      cell_(options.cell * connector.radius()),
       closed_(1024, 0) {
   route_.start = root;
   open({root, {}, 0.0, -1});
@@ -43,7 +46,7 @@ std::uint64_t Lattice::key_of(const Node& node) const {
   key = (key << 20) | (static_cast<std::uint64_t>(x) & 0xfffffU);
   key = (key << 20) | (static_cast<std::uint64_t>(y) & 0xfffffU);
   key = (key << 12) | (static_cast<std::uint64_t>(heading) & 0xfffU);
-  const bool reverse = !edges_.rule().is_length() && node.segment.length < 0.0;
+  const bool reverse = !connector_.rule().is_length() && node.segment.length < 0.0;
   return (key << 1) | (reverse ? 1U : 0U);
 }
 
@@ -87,7 +90,7 @@ Lattice::Entry Lattice::pop() {
 
 void Lattice::open(const Node& node) {
   const double around = guide_.at(node.pose.x, node.pose.y);
-  if (node.cost_to_come + 0.9 * around >= bound_) return;
+  if (node.cost_to_come + guide_trust * around >= cutoff_) return;
   const double rank = node.cost_to_come + options_.greediness * around;
   push({rank, around, 0.0, static_cast<std::int32_t>(nodes_.size())});
   nodes_.push_back(node);
@@ -120,16 +123,16 @@ void Lattice::build_route(std::int32_t node, const Piece& last) {
     route_.legs.back().end = step.pose;
   }
   route_.legs.push_back({last, target_});
-  route_.cost = cost_of(edges_.rule(), route_);
+  route_.cost = cost_of(connector_.rule(), route_);
 }
 
 // The entry whose turn it is, if that is found out with a few looks at open ground.
 std::optional<Lattice::Entry> Lattice::next() {
-  for (int i = 0; i < 8 && !open_.empty(); ++i) {
+  for (int i = 0; i < looks && !open_.empty(); ++i) {
     Entry entry = pop();
     if (entry.open_ground > 0.0) return entry;
     const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-    entry.open_ground = edges_.least_cost(node.pose, target_);
+    entry.open_ground = connector_.least_cost(node.pose, target_);
     if (entry.open_ground <= entry.around) return entry;
     entry.rank = node.cost_to_come + options_.greediness * entry.open_ground;
     if (open_.empty() || open_.front() < entry) return entry;
@@ -143,22 +146,22 @@ std::optional<Lattice::Entry> Lattice::next() {
 bool Lattice::shoot(const Entry& entry) {
   if (entry.around > hopeless_shot * entry.open_ground + cell_) return false;
   const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-  const GearSign gear = node.parent < 0 ? edges_.rule().initial_gear : gear_of(node.segment);
-  const Piece shot = edges_.steer(node.pose, target_, {gear, 0});
-  if (node.cost_to_come + edges_.cost(shot, {gear, 0}) >= bound_) return false;
-  if (!edges_.is_free(node.pose, shot)) return false;
-  build_route(entry.node, shot);
-  bound_ = std::min(bound_, route_.cost);
+  const GearSign gear = node.parent < 0 ? connector_.rule().initial_gear : gear_of(node.segment);
+  const std::optional<Connection> shot =
+      connector_.connect(node.pose, target_, {node.cost_to_come, cutoff_, {gear, 0}});
+  if (!shot) return false;
+  build_route(entry.node, shot->piece);
+  cutoff_ = std::min(cutoff_, route_.cost);
   return true;
 }
 
 void Lattice::expand(std::int32_t id) {
   const Node node = nodes_[static_cast<std::size_t>(id)];
-  const GearSign gear = node.parent < 0 ? edges_.rule().initial_gear : gear_of(node.segment);
+  const GearSign gear = node.parent < 0 ? connector_.rule().initial_gear : gear_of(node.segment);
   for (const double side : {1.0, 0.0, -1.0}) {
     for (const double direction : {1.0, -1.0}) {
-      const double stretch = side == 0.0 ? 1.5 * cell_ : step_length_;
-      const Segment segment{side / edges_.radius(), direction * stretch};
+      const double stretch = side == 0.0 ? straight_cells * cell_ : step_length_;
+      const Segment segment{side / connector_.radius(), direction * stretch};
       const bool back = node.parent >= 0 && node.segment.curvature == segment.curvature &&
                         node.segment.length * segment.length < 0;
       if (back) continue;
@@ -166,7 +169,7 @@ void Lattice::expand(std::int32_t id) {
       if (is_closed(key_of(next))) continue;
       GearSign last = gear;
       next.cost_to_come =
-          node.cost_to_come + drive_cost(edges_.rule(), std::span(&segment, 1), last);
+          node.cost_to_come + drive_cost(connector_.rule(), std::span(&segment, 1), last);
       open(next);
     }
   }
@@ -176,12 +179,12 @@ bool Lattice::step() {
   const std::optional<Entry> entry = next();
   if (!entry) return false;
   const Node& node = nodes_[static_cast<std::size_t>(entry->node)];
-  if (node.cost_to_come + entry->open_ground >= bound_) return false;
+  if (node.cost_to_come + entry->open_ground >= cutoff_) return false;
   const std::uint64_t key = key_of(node);
   if (is_closed(key)) return false;
   if (node.parent >= 0) {
     const Pose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
-    if (!edges_.is_free(from, node.segment)) return false;
+    if (!connector_.is_free(from, node.segment)) return false;
   }
   close(key);
   const bool found = shoot(*entry);
@@ -189,4 +192,4 @@ bool Lattice::step() {
   return found;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

@@ -7,11 +7,13 @@
 #include <optional>
 #include <vector>
 
-#include "search/edges.h"
 #include "search/grid_distance.h"
 #include "search/route.h"
+#include "vandplan/search.h"
 
-namespace vandplan {
+namespace vandplan::anytime {
+
+using namespace search;
 
 /// How fine and how greedy one search is.
 struct LatticeOptions {
@@ -24,15 +26,15 @@ struct LatticeOptions {
 class Lattice {
  public:
   Lattice(const Pose& root, const Pose& target, const LatticeOptions& options,
-          const GridDistance& guide, Edges& edges);
+          const GridDistance& guide, Connector& connector);
 
   /// Expands one pose. True when a route was found that is cheaper than those before: `route`.
   [[nodiscard]] bool step();
 
-  /// Nothing is left that could be cheaper than the bound.
+  /// Nothing is left that could be cheaper than the cutoff.
   [[nodiscard]] bool is_exhausted() const { return open_.empty(); }
   /// Only routes cheaper than this are of interest.
-  void set_bound(double cost) { bound_ = std::min(bound_, cost); }
+  void set_cutoff(double cost) { cutoff_ = std::min(cutoff_, cost); }
   [[nodiscard]] const Route& route() const { return route_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
@@ -67,11 +69,11 @@ class Lattice {
   void grow_table();
   void build_route(std::int32_t node, const Piece& last);
 
-  Edges& edges_;
+  Connector& connector_;
   const GridDistance& guide_;
   LatticeOptions options_;
   Pose target_;
-  double bound_;
+  double cutoff_;
   double step_length_;
   double cell_;
   std::vector<Node> nodes_;
@@ -81,4 +83,4 @@ class Lattice {
   Route route_;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

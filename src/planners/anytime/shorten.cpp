@@ -5,19 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vandplan {
+namespace vandplan::anytime {
 namespace {
 
 constexpr double progress = 5e-4;  // share of the cost that counts as progress
 constexpr double least_gain = 1e-9;
+constexpr int patience = 200;  // trials without progress after which a route is stalled,
+constexpr int patience_for_each_leg = 60;  // and more for each leg
 
 }  // namespace
 
-Shortener::Shortener(Edges& edges, Route route, std::uint64_t seed)
-    : edges_(edges), route_(std::move(route)), rng_(seed), progress_cost_(route_.cost) {}
+Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed)
+    : connector_(connector), route_(std::move(route)), rng_(seed), progress_cost_(route_.cost) {}
 
 bool Shortener::is_stalled() const {
-  return idle_ > 200 + 60 * static_cast<int>(route_.legs.size());
+  return idle_ > patience + patience_for_each_leg * static_cast<int>(route_.legs.size());
 }
 
 Shortener::Place Shortener::random_place() {
@@ -36,7 +38,7 @@ Pose Shortener::pose_at(const Place& place) const {
 // In the vehicle's own frame, at a random scale: what is left to gain shrinks as the route settles.
 Pose Shortener::perturbed(const Pose& pose) {
   const double scale = std::exp2(uniform(-10.0, -0.5, rng_));
-  const double reach = scale * edges_.radius();
+  const double reach = scale * connector_.radius();
   const Pose local{uniform(-reach, reach, rng_), uniform(-reach, reach, rng_),
                    uniform(-scale, scale, rng_)};
   return compose(pose, local);
@@ -45,7 +47,7 @@ Pose Shortener::perturbed(const Pose& pose) {
 // Puts the trial in the place of the legs [first, last) if that is cheaper and free. `fresh` are
 // the legs of the trial that have to be checked; the others were cut from the route.
 bool Shortener::replace(std::size_t first, std::size_t last, std::span<const Leg> fresh) {
-  const CostRule& rule = edges_.rule();
+  const CostRule& rule = connector_.rule();
   const Gears gears = gears_around(rule, route_, first, last);
   const auto cost = [&](std::span<const Leg> stretch) {
     GearSign gear = gears.before;
@@ -60,7 +62,7 @@ bool Shortener::replace(std::size_t first, std::size_t last, std::span<const Leg
   for (const Leg& leg : fresh) {
     const bool is_first = &leg == trial_.data();
     const Pose& from = is_first ? route_.begin_of(first) : (&leg - 1)->end;
-    if (!edges_.is_free(from, leg.piece)) return false;
+    if (!connector_.is_free(from, leg.piece)) return false;
   }
   const auto at = route_.legs.begin() + static_cast<std::ptrdiff_t>(first);
   const auto next = route_.legs.erase(at, at + static_cast<std::ptrdiff_t>(last - first));
@@ -81,7 +83,7 @@ bool Shortener::shortcut() {
   const Piece tail = suffix(route_.legs[b.leg].piece, b.s);
   trial_.clear();
   if (head.count > 0) trial_.push_back({head, from});
-  trial_.push_back({edges_.steer(from, to, {last_gear(head), first_gear(tail)}), to});
+  trial_.push_back({connector_.steer(from, to, {last_gear(head), first_gear(tail)}), to});
   if (tail.count > 0) trial_.push_back({tail, route_.legs[b.leg].end});
   return replace(a.leg, b.leg + 1, std::span(trial_).subspan(head.count > 0 ? 1 : 0, 1));
 }
@@ -92,8 +94,8 @@ bool Shortener::drop_via() {
   if (legs < 2) return false;
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
   const Pose& to = route_.legs[i + 1].end;
-  const Gears gears = gears_around(edges_.rule(), route_, i, i + 2);
-  trial_.assign(1, {edges_.steer(route_.begin_of(i), to, gears), to});
+  const Gears gears = gears_around(connector_.rule(), route_, i, i + 2);
+  trial_.assign(1, {connector_.steer(route_.begin_of(i), to, gears), to});
   return replace(i, i + 2, trial_);
 }
 
@@ -104,9 +106,9 @@ bool Shortener::move_via() {
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
   const Pose via = perturbed(route_.legs[i].end);
   const Pose& to = route_.legs[i + 1].end;
-  const Gears gears = gears_around(edges_.rule(), route_, i, i + 2);
-  trial_.assign(1, {edges_.steer(route_.begin_of(i), via, {gears.before, 0}), via});
-  trial_.push_back({edges_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
+  const Gears gears = gears_around(connector_.rule(), route_, i, i + 2);
+  trial_.assign(1, {connector_.steer(route_.begin_of(i), via, {gears.before, 0}), via});
+  trial_.push_back({connector_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
   return replace(i, i + 2, trial_);
 }
 
@@ -115,9 +117,9 @@ bool Shortener::move_place() {
   const Place place = random_place();
   const Pose via = perturbed(pose_at(place));
   const Pose& to = route_.legs[place.leg].end;
-  const Gears gears = gears_around(edges_.rule(), route_, place.leg, place.leg + 1);
-  trial_.assign(1, {edges_.steer(route_.begin_of(place.leg), via, {gears.before, 0}), via});
-  trial_.push_back({edges_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
+  const Gears gears = gears_around(connector_.rule(), route_, place.leg, place.leg + 1);
+  trial_.assign(1, {connector_.steer(route_.begin_of(place.leg), via, {gears.before, 0}), via});
+  trial_.push_back({connector_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
   return replace(place.leg, place.leg + 1, trial_);
 }
 
@@ -135,4 +137,4 @@ bool Shortener::step() {
   return shorter;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

@@ -5,16 +5,18 @@
 
 #include <vector>
 
-#include "search/edges.h"
 #include "base/random.h"
 #include "search/route.h"
+#include "vandplan/search.h"
 
-namespace vandplan {
+namespace vandplan::anytime {
+
+using namespace search;
 
 /// Improves one route by random trials; a trial is kept only if it is free and cheaper.
 class Shortener {
  public:
-  Shortener(Edges& edges, Route route, std::uint64_t seed);
+  Shortener(Connector& connector, Route route, std::uint64_t seed);
 
   /// One trial. True when the route got cheaper.
   bool step();
@@ -39,7 +41,7 @@ class Shortener {
   bool move_place();
   bool replace(std::size_t first, std::size_t last, std::span<const Leg> fresh);
 
-  Edges& edges_;
+  Connector& connector_;
   Route route_;
   Rng rng_;
   std::vector<Leg> trial_;  // buffer
@@ -47,4 +49,4 @@ class Shortener {
   double progress_cost_;    // what the route cost then
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

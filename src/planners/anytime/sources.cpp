@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace vandplan {
+namespace vandplan::anytime {
 namespace {
 
 // Each search is twice as fine as the one before it but one. The first ones are greedy: they find
@@ -32,22 +32,22 @@ CostRule rule_from(const CostRule& rule, Root root) {
 
 }  // namespace
 
-Ladder::Ladder(const Problem& problem, const CostRule& rule, Root root)
-    : world_(*problem.world),
-      scene_(sampling_region(problem, Region::scene)),
-      from_(root == Root::start ? problem.start : problem.goal),
-      to_(root == Root::start ? problem.goal : problem.start),
+Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
+    : task_(task),
+      scene_(sampling_region(task, Region::scene)),
+      from_(root == Root::start ? task.start : task.goal),
+      to_(root == Root::start ? task.goal : task.start),
       root_(root),
       rule_(rule),
-      edges_(*problem.world, rule_from(rule, root)),
+      connector_(task, rule_from(rule, root)),
       guide_side_(first_guide_side),
-      bound_(std::numeric_limits<double>::infinity()) {
+      cutoff_(std::numeric_limits<double>::infinity()) {
   next_guide();
 }
 
 void Ladder::next_guide() {
   lattice_.reset();
-  guide_.emplace(world_, scene_, guide_side_, to_, from_);
+  guide_.emplace(task_, scene_, guide_side_, to_, from_);
   guide_side_ /= 2;
   guided_ = false;
 }
@@ -58,7 +58,7 @@ void Ladder::next_search() {
     finished_ = true;
     return;
   }
-  lattice_.emplace(from_, to_, searches[level_], *guide_, edges_);
+  lattice_.emplace(from_, to_, searches[level_], *guide_, connector_);
   ++level_;
 }
 
@@ -78,7 +78,7 @@ bool Ladder::step() {
     next_search();
   }
   if (finished_) return false;
-  lattice_->set_bound(slack * bound_);
+  lattice_->set_cutoff(slack * cutoff_);
   return !lattice_->is_exhausted() && lattice_->step();
 }
 
@@ -89,19 +89,14 @@ Route Ladder::route() const {
   return route;
 }
 
-Attempts::Attempts(const Problem& problem, const CostRule& rule, const Bounds& region,
-                   std::uint64_t seed)
-    : problem_(problem),
-      region_(region),
-      edges_(*problem.world, rule),
-      seed_(seed),
-      patience_(first_patience) {
+Attempts::Attempts(const Task& task, const CostRule& rule, const Bounds& region, std::uint64_t seed)
+    : task_(task), region_(region), connector_(task, rule), seed_(seed), patience_(first_patience) {
   next_attempt();
 }
 
 void Attempts::next_attempt() {
   const double far_share = far_shares[attempt_ % far_shares.size()];
-  trees_.emplace(problem_, region_, edges_, far_share, stream_seed(seed_, attempt_));
+  trees_.emplace(task_, region_, connector_, far_share, stream_seed(seed_, attempt_));
   ++attempt_;
   samples_ = 0;
   met_ = false;
@@ -117,4 +112,4 @@ bool Attempts::step() {
   return met_;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

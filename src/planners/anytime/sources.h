@@ -8,11 +8,10 @@
 
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/trees.h"
-#include "search/edges.h"
 #include "search/grid_distance.h"
 #include "search/route.h"
 
-namespace vandplan {
+namespace vandplan::anytime {
 
 /// Which end a systematic search begins at.
 enum class Root { start, goal };
@@ -20,56 +19,56 @@ enum class Root { start, goal };
 /// Lattice searches from coarse to fine, all from the same root.
 class Ladder {
  public:
-  Ladder(const Problem& problem, const CostRule& rule, Root root);
+  Ladder(const Task& task, const CostRule& rule, Root root);
 
   /// A few microseconds of work. True when a route was found: `route`.
   [[nodiscard]] bool step();
 
   /// Only routes cheaper than this are of interest.
-  void set_bound(double cost) { bound_ = cost; }
+  void set_cutoff(double cost) { cutoff_ = cost; }
   /// From the start to the goal.
   [[nodiscard]] Route route() const;
   /// The finest search is done: nothing will come.
   [[nodiscard]] bool is_finished() const { return finished_; }
-  [[nodiscard]] const Edges& edges() const { return edges_; }
+  [[nodiscard]] const Connector& connector() const { return connector_; }
   [[nodiscard]] std::size_t size() const { return lattice_ ? lattice_->size() : 0; }
 
  private:
   void next_search();
   void next_guide();
 
-  const World& world_;
+  const Task& task_;
   Bounds scene_;
   Pose from_;
   Pose to_;
   Root root_;
-  CostRule rule_;  // of the route
-  Edges edges_;    // in the direction of the search
+  CostRule rule_;        // of the route
+  Connector connector_;  // in the direction of the search
   std::optional<GridDistance> guide_;
   double guide_side_;    // of its cells [vehicle widths]
   bool guided_ = false;  // the guide is complete
   bool finished_ = false;
   std::size_t level_ = 0;
-  double bound_;
+  double cutoff_;
   std::optional<Lattice> lattice_;
 };
 
 /// Pairs of trees, one attempt after the other.
 class Attempts {
  public:
-  Attempts(const Problem& problem, const CostRule& rule, const Bounds& region, std::uint64_t seed);
+  Attempts(const Task& task, const CostRule& rule, const Bounds& region, std::uint64_t seed);
 
   [[nodiscard]] bool step();
   [[nodiscard]] Route route() const { return trees_->route(); }
-  [[nodiscard]] const Edges& edges() const { return edges_; }
+  [[nodiscard]] const Connector& connector() const { return connector_; }
   [[nodiscard]] std::size_t size() const { return trees_->size(); }
 
  private:
   void next_attempt();
 
-  const Problem& problem_;
+  const Task& task_;
   Bounds region_;
-  Edges edges_;
+  Connector connector_;
   std::uint64_t seed_;
   std::uint64_t attempt_ = 0;
   std::int64_t patience_;     // samples after which an attempt is given up
@@ -78,4 +77,4 @@ class Attempts {
   std::optional<TwoTrees> trees_;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

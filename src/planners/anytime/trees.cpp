@@ -7,22 +7,23 @@
 #include <limits>
 #include <numbers>
 
-namespace vandplan {
+namespace vandplan::anytime {
 namespace {
 
 constexpr std::size_t ranked = 8;  // nodes whose exact length is looked at for one sample
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr int connect_tries = 3;  // of them, the edges that are tried
+constexpr int connect_tries = 3;         // of them, the edges that are tried
+constexpr double least_extension = 0.1;  // of an edge that is cut short [turning radii]
 
 }  // namespace
 
-TwoTrees::TwoTrees(const Problem& problem, const Bounds& region, Edges& edges, double far_share,
+TwoTrees::TwoTrees(const Task& task, const Bounds& region, Connector& connector, double far_share,
                    std::uint64_t seed)
-    : edges_(edges),
+    : connector_(connector),
       region_(region),
       far_share_(far_share),
       rng_(seed),
-      sides_{Side{Tree(problem.start, 64), {Piece{}}}, Side{Tree(problem.goal, 64), {Piece{}}}} {
+      sides_{Side{Tree(task.start, 64), {Piece{}}}, Side{Tree(task.goal, 64), {Piece{}}}} {
   nearest_.reserve(ranked + 1);
 }
 
@@ -32,7 +33,7 @@ Pose TwoTrees::sample_far() {
   if (uniform01(rng_) < 0.5) return uniform_pose(region_, rng_);
   const Pose& a = sides_[0].tree.pose(0);
   const Pose& b = sides_[1].tree.pose(0);
-  const double apart = std::max(std::hypot(a.x - b.x, a.y - b.y), edges_.radius());
+  const double apart = std::max(std::hypot(a.x - b.x, a.y - b.y), connector_.radius());
   const double reach = apart * std::exp2(uniform(-1.0, 1.5, rng_));
   const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
   return {(a.x + b.x) / 2 + pose.x, (a.y + b.y) / 2 + pose.y, pose.heading};
@@ -42,7 +43,7 @@ Pose TwoTrees::sample_far() {
 Pose TwoTrees::sample_near() {
   const std::size_t side = uniform01(rng_) < 0.5 ? 0 : 1;
   const Pose& root = sides_[side].tree.pose(0);
-  const double reach = edges_.radius() * std::exp2(uniform(-2.0, 2.5, rng_));
+  const double reach = connector_.radius() * std::exp2(uniform(-2.0, 2.5, rng_));
   const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
   return {root.x + pose.x, root.y + pose.y, pose.heading};
 }
@@ -58,7 +59,7 @@ void TwoTrees::rank(const Tree& tree, const Pose& target) {
   const auto x = static_cast<float>(target.x);
   const auto y = static_cast<float>(target.y);
   const auto heading = static_cast<float>(wrap_angle(target.heading));
-  const auto radius = static_cast<float>(edges_.radius());
+  const auto radius = static_cast<float>(connector_.radius());
   constexpr auto pi = std::numbers::pi_v<float>;
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const float dx = tree.x()[i] - x;
@@ -73,7 +74,7 @@ void TwoTrees::rank(const Tree& tree, const Pose& target) {
   }
   nearest_.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    nearest_.push_back({best[i].id, edges_.steer(tree.pose(best[i].id), target, {})});
+    nearest_.push_back({best[i].id, connector_.steer(tree.pose(best[i].id), target, {})});
   }
   std::sort(nearest_.begin(), nearest_.end(), [](const Edge& a, const Edge& b) {
     return a.piece.length != b.piece.length ? a.piece.length < b.piece.length : a.from < b.from;
@@ -90,9 +91,9 @@ NodeId TwoTrees::extend(Side& side, const Pose& target) {
   rank(side.tree, target);
   const auto [from, piece] = nearest_.front();
   const Pose& pose = side.tree.pose(from);
-  if (edges_.is_free(pose, piece)) return add(side, from, piece, target);
-  const Piece part = edges_.free_prefix(pose, piece);
-  if (part.length < 0.1 * edges_.radius()) return -1;
+  if (connector_.is_free(pose, piece)) return add(side, from, piece, target);
+  const Piece part = connector_.free_prefix(pose, piece);
+  if (part.length < least_extension * connector_.radius()) return -1;
   return add(side, from, part, end_of(pose, part));
 }
 
@@ -104,7 +105,7 @@ bool TwoTrees::connect(std::size_t from_side, NodeId node) {
   rank(other.tree, target);
   for (std::size_t i = 0; i < std::min<std::size_t>(connect_tries, nearest_.size()); ++i) {
     const auto& [from, piece] = nearest_[i];
-    if (!edges_.is_free(other.tree.pose(from), piece)) continue;
+    if (!connector_.is_free(other.tree.pose(from), piece)) continue;
     if (from_side == 0) {
       join(node, from, reversed(piece));
     } else {
@@ -128,7 +129,7 @@ void TwoTrees::join(NodeId from_start, NodeId from_goal, const Piece& bridge) {
     const Piece& piece = goal.pieces[static_cast<std::size_t>(i)];
     route_.legs.push_back({reversed(piece), goal.tree.pose(goal.tree.parent(i))});
   }
-  route_.cost = cost_of(edges_.rule(), route_);
+  route_.cost = cost_of(connector_.rule(), route_);
 }
 
 // The edge to the target from one of the two nodes that are nearest by Euclid, if it is free.
@@ -151,8 +152,8 @@ std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const Pose& targ
   }
   for (const NodeId id : ids) {
     if (id < 0) break;
-    const Piece piece = edges_.steer(tree.pose(id), target, {});
-    if (edges_.is_free(tree.pose(id), piece)) return Edge{id, piece};
+    const Piece piece = connector_.steer(tree.pose(id), target, {});
+    if (connector_.is_free(tree.pose(id), piece)) return Edge{id, piece};
   }
   return std::nullopt;
 }
@@ -183,11 +184,12 @@ bool TwoTrees::step_near() {
   Side& other = sides_[1 - side];
   const auto [from, piece] = nearest_.front();
   const Pose& pose = other.tree.pose(from);
-  const Piece part = edges_.free_prefix(pose, piece);
-  if (part.length >= 0.1 * edges_.radius()) add(other, from, part, end_of(pose, part));
+  const Piece part = connector_.free_prefix(pose, piece);
+  if (part.length >= least_extension * connector_.radius())
+    add(other, from, part, end_of(pose, part));
   return false;
 }
 
 bool TwoTrees::step() { return uniform01(rng_) < far_share_ ? step_far() : step_near(); }
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

@@ -8,19 +8,20 @@
 #include <optional>
 #include <vector>
 
-#include "search/edges.h"
 #include "base/random.h"
 #include "search/route.h"
-#include "search/tree.h"
+#include "vandplan/search.h"
 
-namespace vandplan {
+namespace vandplan::anytime {
+
+using namespace search;
 
 /// The trees of one attempt.
 class TwoTrees {
  public:
   /// `region` is where far samples are drawn, `far_share` how many there are, 0 to 1: they find the
   /// way around obstacles, the others the way out of a slot.
-  TwoTrees(const Problem& problem, const Bounds& region, Edges& edges, double far_share,
+  TwoTrees(const Task& task, const Bounds& region, Connector& connector, double far_share,
            std::uint64_t seed);
 
   /// One sample. True when the trees have met: `route` is then the path.
@@ -53,7 +54,7 @@ class TwoTrees {
   NodeId add(Side& side, NodeId parent, const Piece& piece, const Pose& end);
   void join(NodeId from_start, NodeId from_goal, const Piece& bridge);
 
-  Edges& edges_;
+  Connector& connector_;
   Bounds region_;
   double far_share_;
   Rng rng_;
@@ -63,4 +64,4 @@ class TwoTrees {
   Route route_;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::anytime

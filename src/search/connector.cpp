@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/edges.h"
-
 #include <algorithm>
 #include <cmath>
 
-namespace vandplan {
+#include "vandplan/reeds_shepp.h"
+#include "vandplan/search.h"
+
+namespace vandplan::search {
 namespace {
 
 void append(Piece& piece, const Segment& segment) {
@@ -15,10 +16,33 @@ void append(Piece& piece, const Segment& segment) {
 
 }  // namespace
 
-Piece Edges::steer(const Pose& from, const Pose& to, const Gears& gears) {
+Connector::Connector(const Task& task, const CostRule& rule, bool profile)
+    : checker_(*task.checker),
+      radius_(task.vehicle.min_turning_radius),
+      rule_(rule),
+      steering_(profile),
+      checking_(profile) {}
+
+std::optional<Connection> Connector::connect(const Pose& from, const Pose& to, const Terms& terms) {
+  const Piece piece = steer(from, to, terms.gears);
+  const double total = terms.cost_so_far + cost(piece, terms.gears);
+  if (total >= terms.cutoff || !is_free(from, piece)) return std::nullopt;
+  return Connection{piece, total};
+}
+
+Piece Connector::steer(const Pose& from, const Pose& to, const Gears& gears) {
   ++solves_;
+  steering_.start();
   Piece best = reeds_shepp(from, to, radius_);
-  if (rule_.is_length()) return best;
+  if (!rule_.is_length()) best = cheapest_word(from, to, gears, best);
+  steering_.stop();
+  return best;
+}
+
+/// Among all words, beginning with the shortest one.
+Piece Connector::cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
+                               const Piece& shortest) const {
+  Piece best = shortest;
   double best_cost = cost(best, gears);
   for (const Piece& word : reeds_shepp_words(from, to, radius_)) {
     if (word.length >= best_cost) continue;
@@ -30,29 +54,32 @@ Piece Edges::steer(const Pose& from, const Pose& to, const Gears& gears) {
   return best;
 }
 
-double Edges::least_cost(const Pose& from, const Pose& to) {
+double Connector::least_cost(const Pose& from, const Pose& to) {
   ++solves_;
   return reeds_shepp_length(from, to, radius_);
 }
 
-double Edges::cost(const Piece& piece, const Gears& gears) const {
+double Connector::cost(const Piece& piece, const Gears& gears) const {
   if (rule_.is_length()) return piece.length;
   GearSign gear = gears.before;
   const double sum = drive_cost(rule_, piece.view(), gear);
   return sum + change_cost(rule_, gear, gears.after);
 }
 
-bool Edges::is_free(const Pose& from, const Piece& piece) {
+bool Connector::is_free(const Pose& from, const Piece& piece) {
   ++checks_;
-  return checker_.is_free(from, piece.view());
+  checking_.start();
+  const bool free = checker_.is_free(from, piece.view());
+  checking_.stop();
+  return free;
 }
 
-bool Edges::is_free(const Pose& from, const Segment& segment) {
+bool Connector::is_free(const Pose& from, const Segment& segment) {
   ++checks_;
   return checker_.is_free(from, segment);
 }
 
-Piece Edges::free_prefix(const Pose& from, const Piece& piece) {
+Piece Connector::free_prefix(const Pose& from, const Piece& piece) {
   Piece result;
   Pose pose = from;
   for (const Segment& segment : piece.view()) {
@@ -101,4 +128,4 @@ Pose end_of(const Pose& from, const Piece& piece) {
   return pose;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::search

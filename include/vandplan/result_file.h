@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do I write and read results?
+//
+// Format: docs/formats.md. Everything is in the scenario's frame.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vandplan/planner.h"
+#include "vandplan/scenario_file.h"
+
+namespace vandplan {
+
+/// The furthest goal of a row that somebody says was reached.
+struct StatedFurthest {
+  std::optional<double> distance;  ///< [m]; none: no goal was
+};
+
+/// One planning run with what is needed to write, judge and draw it.
+struct ResultRecord {
+  std::string scenario = {};  ///< name of the scenario
+  std::string planner = {};
+  PlanOptions options = {};             ///< that were in force
+  std::optional<double> distance = {};  ///< of the goal in a row of goals [m]
+  PlanResult result = {};
+  PathClaims claims = {};  ///< what a file that was read says about its path
+  /// What that file says about the row that the record belongs to.
+  std::optional<StatedFurthest> furthest = {};
+};
+
+/// The largest distance among the goals of a row that have a path [m].
+[[nodiscard]] std::optional<double> furthest_reached(const std::vector<ResultRecord>& records);
+
+/// Result file as JSON text: one record for `goal:`, a row of records for `goals:`.
+[[nodiscard]] std::string results_to_json(const ScenarioFile& file,
+                                          const std::vector<ResultRecord>& records);
+
+/// One of many results, for the pair of poses with that number, as one line of JSON.
+[[nodiscard]] std::string result_to_json_line(std::size_t pair, const Problem& problem,
+                                              const ResultRecord& record);
+
+/// Reads a result file written by us or by others. As many records as the scenario has goals.
+[[nodiscard]] std::vector<ResultRecord> read_results(const std::string& file,
+                                                     const ScenarioFile& scenario);
+
+}  // namespace vandplan

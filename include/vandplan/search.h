@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does a planner build on?
+//
+// Budget, costs, connections between poses, trees: what the planners of the library are made of,
+// for those who write their own (docs/own-planner.md). All poses are in the frame of the task.
+
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "vandplan/outcome.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
+
+namespace vandplan::search {
+
+// ---- How long may it go on? ----
+
+/// Counts the iterations and the time of one run: the one place of the core that looks at a clock.
+/// A run begins when its budget is made.
+class Budget {
+ public:
+  explicit Budget(const BudgetOptions& options);
+
+  /// Begins the next iteration. False when there is none: `reason` says why.
+  [[nodiscard]] bool next();
+  /// Why there is no next iteration; none if there is one.
+  [[nodiscard]] std::optional<PlanStatus> exhausted() const;
+  /// How many of the `wanted` iterations there are when `promised` ones are taken first.
+  [[nodiscard]] std::int64_t left(std::int64_t wanted, std::int64_t promised) const;
+  /// Counts iterations that were done.
+  void spend(std::int64_t iterations) { iterations_ += iterations; }
+  /// Out of time or told to stop; may be asked from several threads.
+  [[nodiscard]] bool is_interrupted() const;
+  [[nodiscard]] std::int64_t iterations() const noexcept { return iterations_; }
+  /// Time since the run began [s].
+  [[nodiscard]] double elapsed() const;
+  /// Why `next` said no.
+  [[nodiscard]] PlanStatus reason() const noexcept { return reason_; }
+
+ private:
+  std::optional<double> time_limit_;
+  std::optional<std::int64_t> max_iterations_;
+  const std::atomic<bool>* stop_;
+  std::chrono::steady_clock::time_point begin_;
+  std::int64_t iterations_ = 0;
+  PlanStatus reason_ = PlanStatus::stopped;
+};
+
+/// Adds up the time spent in one phase of a run; costs next to nothing unless switched on.
+class PhaseTimer {
+ public:
+  explicit PhaseTimer(bool on) : on_(on) {}
+  void start() {
+    if (on_) begin_ = std::chrono::steady_clock::now();
+  }
+  void stop() {
+    if (on_) sum_ += std::chrono::steady_clock::now() - begin_;
+  }
+  /// Sum of the times between `start` and `stop` [s].
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(sum_).count(); }
+
+ private:
+  bool on_;
+  std::chrono::steady_clock::time_point begin_ = {};
+  std::chrono::steady_clock::duration sum_ = {};
+};
+
+// ---- What does driving cost? ----
+
+/// Direction of travel: 1 forward, -1 reverse, 0 not driven yet.
+using GearSign = int;
+
+/// Prices of driving: metres, weighted by gear, and a price for each gear change; charged alike
+/// inside a piece, at the joint of two pieces and at the start. Neutral values make the cost the
+/// length. docs/algorithms/anytime.md says what is optimal under it.
+struct CostRule {
+  double forward_weight = 1.0;    ///< per metre driven forward; >= 1
+  double reverse_weight = 1.0;    ///< per metre driven in reverse; >= 1
+  double gear_change_cost = 0.0;  ///< of one change [m]; >= 0
+  GearSign initial_gear = 0;      ///< before the first metre; 0: any, and the first is free
+
+  [[nodiscard]] bool is_length() const {
+    return forward_weight == 1.0 && reverse_weight == 1.0 && gear_change_cost == 0.0;
+  }
+};
+
+[[nodiscard]] CostRule cost_rule(const CostOptions& options);
+
+[[nodiscard]] inline GearSign gear_of(const Segment& segment) {
+  return segment.length < 0.0 ? -1 : 1;
+}
+/// Gear of the first and of the last segment; 0 for an empty piece.
+[[nodiscard]] GearSign first_gear(const Piece& piece);
+[[nodiscard]] GearSign last_gear(const Piece& piece);
+
+/// Price of getting from one gear into another [m].
+[[nodiscard]] double change_cost(const CostRule& rule, GearSign from, GearSign to);
+
+/// Cost of driving the segments [m]; `gear` is the one before them and becomes the one after them.
+[[nodiscard]] double drive_cost(const CostRule& rule, std::span<const Segment> segments,
+                                GearSign& gear);
+
+// ---- Which piece joins two poses, what does it cost, and may it be driven? ----
+
+/// What is driven before and after a piece.
+struct Gears {
+  GearSign before = 0;
+  GearSign after = 0;
+};
+
+/// On which terms a connection is wanted.
+struct Terms {
+  double cost_so_far = 0.0;  ///< of getting to the first pose [m]
+  /// Only what costs less in all is of interest [m].
+  double cutoff = std::numeric_limits<double>::infinity();
+  Gears gears = {};
+};
+
+/// A piece that may be driven.
+struct Connection {
+  Piece piece;
+  double cost = 0.0;  ///< in all, with what it cost to get to its begin [m]
+};
+
+/// Steers, prices and checks for one task, and counts what it is asked. One for each thread.
+class Connector {
+ public:
+  /// The task outlives the connector. With `profile` the time of steering and checking is measured.
+  explicit Connector(const Task& task, const CostRule& rule = {}, bool profile = false);
+
+  /// The cheapest word from pose to pose, if it costs less than the cutoff and is free.
+  [[nodiscard]] std::optional<Connection> connect(const Pose& from, const Pose& to,
+                                                  const Terms& terms = {});
+
+  /// The Reeds-Shepp word of least cost; the shortest one under a neutral rule.
+  [[nodiscard]] Piece steer(const Pose& from, const Pose& to, const Gears& gears = {});
+
+  /// Length of the shortest path on open ground: no path between the poses costs less [m].
+  [[nodiscard]] double least_cost(const Pose& from, const Pose& to);
+
+  /// Cost of a piece between two others [m]; the joint to the next one is its part, if there is
+  /// one.
+  [[nodiscard]] double cost(const Piece& piece, const Gears& gears = {}) const;
+
+  [[nodiscard]] bool is_free(const Pose& from, const Piece& piece);
+  [[nodiscard]] bool is_free(const Pose& from, const Segment& segment);
+  [[nodiscard]] bool is_free(const Pose& pose) const { return checker_.is_free(pose); }
+
+  /// As much of the piece as is free, found by halving.
+  [[nodiscard]] Piece free_prefix(const Pose& from, const Piece& piece);
+
+  /// The vehicle's turning radius [m].
+  [[nodiscard]] double radius() const { return radius_; }
+  [[nodiscard]] const CostRule& rule() const { return rule_; }
+
+  /// How many steering problems it has solved and how many edges it has checked.
+  [[nodiscard]] std::int64_t solves() const { return solves_; }
+  [[nodiscard]] std::int64_t checks() const { return checks_; }
+  /// Time spent in both, when it was asked to measure [s].
+  [[nodiscard]] double steering_time() const { return steering_.seconds(); }
+  [[nodiscard]] double checking_time() const { return checking_.seconds(); }
+
+ private:
+  [[nodiscard]] Piece cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
+                                    const Piece& shortest) const;
+
+  const CollisionChecker& checker_;
+  double radius_;
+  CostRule rule_;
+  std::int64_t solves_ = 0;
+  std::int64_t checks_ = 0;
+  PhaseTimer steering_;
+  PhaseTimer checking_;
+};
+
+/// The first `s` metres of a piece; and the piece without them.
+[[nodiscard]] Piece prefix(const Piece& piece, double s);
+[[nodiscard]] Piece suffix(const Piece& piece, double s);
+
+/// The pose at the end of a piece.
+[[nodiscard]] Pose end_of(const Pose& from, const Piece& piece);
+
+// ---- Which nodes does a search tree have? ----
+
+/// Position of a node in its tree; the root is 0 and parents come before their children.
+using NodeId = std::int32_t;
+
+/// Nodes as structure of arrays. What decides is double; the float copies are for kernels that
+/// rank. An edge is not stored: it is the Reeds-Shepp path from the parent's pose to the node's.
+class Tree {
+ public:
+  /// Reserves room for `capacity` nodes, so that `add` does not allocate.
+  Tree(const Pose& root, std::size_t capacity);
+
+  NodeId add(const Pose& pose, NodeId parent, double cost_to_come);
+
+  [[nodiscard]] std::size_t size() const noexcept { return poses_.size(); }
+  [[nodiscard]] const Pose& pose(NodeId id) const noexcept { return poses_[index(id)]; }
+  [[nodiscard]] NodeId parent(NodeId id) const noexcept { return parents_[index(id)]; }
+  /// Cost of the path from the root [m].
+  [[nodiscard]] double cost_to_come(NodeId id) const noexcept { return costs_[index(id)]; }
+
+  [[nodiscard]] std::span<const float> x() const noexcept { return x_; }
+  [[nodiscard]] std::span<const float> y() const noexcept { return y_; }
+  /// Headings in [-pi, pi).
+  [[nodiscard]] std::span<const float> heading() const noexcept { return heading_; }
+  [[nodiscard]] std::span<const float> cost_to_come() const noexcept { return ranking_cost_; }
+
+  /// The poses from the root to the node, both included.
+  [[nodiscard]] std::vector<Pose> branch(NodeId id) const;
+
+  [[nodiscard]] TreeSnapshot snapshot() const { return {poses_, parents_}; }
+
+ private:
+  static std::size_t index(NodeId id) noexcept { return static_cast<std::size_t>(id); }
+
+  std::vector<Pose> poses_;
+  std::vector<NodeId> parents_;
+  std::vector<double> costs_;
+  std::vector<float> x_, y_, heading_, ranking_cost_;
+};
+
+}  // namespace vandplan::search

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What can be hit, whoever drives? The part of collision checks that vehicles share.
+
+#include <optional>
+
+#include "collision/grid_obstacles.h"
+#include "collision/obstacles.h"
+#include "vandplan/collision.h"
+
+namespace vandplan::collision {
+
+/// Surroundings, ready to be asked quickly. Immutable.
+struct Ground {
+  explicit Ground(const Surroundings& surroundings)
+      : bounds(surroundings.bounds), walls(surroundings.obstacles), kerbs(surroundings.kerbs) {
+    if (surroundings.map) map.emplace(*surroundings.map);
+  }
+
+  Bounds bounds;
+  Obstacles walls;  ///< the body keeps clear of them
+  Obstacles kerbs;  ///< the wheels do
+  std::optional<GridObstacles> map = {};
+};
+
+}  // namespace vandplan::collision

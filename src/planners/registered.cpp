@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/registered.h"
+
+#include <array>
+
+#include "planners/anytime/anytime.h"
+#include "planners/rrt.h"
+#include "planners/shared_options.h"
+
+namespace vandplan {
+namespace {
+
+using rrt::Strategy;
+using search::Estimate;
+
+Planner anytime_planner() {
+  return {.name = "anytime",
+          .summary = "lattice searches and random trees, each path shortened: the one to use",
+          .properties = {.family = "anytime",
+                         .honours_prices = true,
+                         .honours_threads = true,
+                         .anytime = true},
+          .options = {region_option()},
+          .function = anytime::plan_anytime};
+}
+
+/// Which node becomes a parent.
+struct Choice {
+  Strategy strategy;
+  const char* name;
+  const char* summary;
+};
+
+constexpr std::array choices = {
+    Choice{Strategy::nearest, "bsc", "RRT, parent = nearest node by "},
+    Choice{Strategy::least_total_cost, "opt", "RRT, parent = least total path cost, ranked by "}};
+
+/// What ranks nodes.
+struct Ranking {
+  Estimate estimate;
+  const char* name;      ///< in the planner's name
+  const char* property;  ///< its `PlannerProperties::estimate`
+  const char* summary;
+  bool in_thesis;  ///< one of the thesis' five
+};
+
+constexpr std::array rankings = {
+    Ranking{Estimate::euclid, "euc", "euclid", "Euclid", true},
+    Ranking{Estimate::hlut_1, "hlut-1", "hlut-1", "table 1 (10 m, pi/4)", true},
+    Ranking{Estimate::hlut_2, "hlut-2", "hlut-2", "table 2 (20 m, pi/4)", true},
+    Ranking{Estimate::hlut_3, "hlut-3", "hlut-3", "table 3 (10 m, pi/12)", true},
+    Ranking{Estimate::hlut_4, "hlut-4", "hlut-4", "table 4 (30 m, pi/12)", true},
+    Ranking{Estimate::bound, "bound", "bound", "lower bound of its length", false},
+    Ranking{Estimate::reeds_shepp, "rs", "reeds-shepp", "exact Reeds-Shepp length", false}};
+
+Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goal) {
+  const rrt::Variant variant{choice.strategy, ranking.estimate};
+  Planner planner{.name = std::string("rrt-") + choice.name + "-" + ranking.name,
+                  .summary = std::string(choice.summary) + ranking.summary,
+                  .properties = {.family = "rrt",
+                                 .strategy = choice.name,
+                                 .estimate = ranking.property,
+                                 .tries_goal = tries_goal,
+                                 .anytime = true},
+                  .options = rrt::options(tries_goal),
+                  .function = [variant](const Task& task, const PlanOptions& options) {
+                    return rrt::plan(task, options, variant);
+                  }};
+  if (tries_goal) {
+    planner.name += "-goal";
+    planner.summary += ", goal tried from every node";
+  }
+  if (ranking.in_thesis) planner.properties.groups = {tries_goal ? "thesis-goal" : "thesis"};
+  return planner;
+}
+
+}  // namespace
+
+std::vector<Planner> registered_planners() {
+  std::vector<Planner> planners = {anytime_planner()};
+  for (const bool tries_goal : {false, true}) {
+    for (const Choice& choice : choices) {
+      for (const Ranking& ranking : rankings) {
+        planners.push_back(rrt_planner(choice, ranking, tries_goal));
+      }
+    }
+  }
+  return planners;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "problem/checks.h"
+
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "base/decimal.h"
+#include "geometry/polygon.h"
+#include "vandplan/input_error.h"
+#include "vandplan/problem.h"
+
+namespace vandplan {
+namespace problem {
+namespace {
+
+constexpr double largest_coordinate = 1e12;  // [m]; doubles there are 0.1 mm apart
+constexpr double largest_distance = 1e5;     // [m], start to goal: the poses of a path fill 1 GB
+constexpr double largest_heading = 1e6;      // [rad]; wrapped to better than 1e-9
+constexpr double largest_length = 1e6;       // of a vehicle [m]
+constexpr double smallest_length = 1e-6;     // of a vehicle, where it may not be zero [m]
+
+void require(bool holds, const std::string& where, const std::string& fault) {
+  if (!holds) throw InputError(where, fault);
+}
+
+void require_positive(double value, const std::string& where) {
+  require(value > 0.0, where, "is " + shortest_text(value) + ", expected more than 0 m");
+  require(value >= smallest_length, where,
+          "is " + shortest_text(value) + ", expected at least 1e-06 m");
+  require_within(value, largest_length, where);
+}
+
+void require_not_negative(double value, double limit, const std::string& where) {
+  require(value >= 0.0, where, "is " + shortest_text(value) + ", expected 0 m or more");
+  require_within(value, limit, where);
+}
+
+void check_range(double low, double high, const std::string& where) {
+  require_within(low, largest_coordinate, where);
+  require_within(high, largest_coordinate, where);
+  require(low < high, where,
+          "is [" + shortest_text(low) + ", " + shortest_text(high) +
+              "], expected the smaller number first");
+}
+
+Polygon local_polygon(const Polygon& polygon, const Point& origin, const std::string& where) {
+  Polygon local;
+  local.reserve(polygon.size());
+  for (const Point& corner : polygon) {
+    require_within(corner.x, largest_coordinate, where);
+    require_within(corner.y, largest_coordinate, where);
+    local.push_back(local_point(corner, origin));
+  }
+  require(local.size() >= 3, where,
+          "has " + std::to_string(local.size()) + " corner" + (local.size() == 1 ? "" : "s") +
+              ", expected at least 3");
+  local = cleaned(local);
+  const std::string flaw = flaw_of(local, origin);
+  require(flaw.empty(), where, flaw);
+  return local;
+}
+
+}  // namespace
+
+void require_within(double value, double limit, const std::string& where) {
+  if (std::abs(value) <= limit) return;  // most are: no text is made for them
+  throw InputError(where, "is " + shortest_text(value) + ", expected a number between " +
+                              shortest_text(-limit) + " and " + shortest_text(limit));
+}
+
+void check_bounds(const Bounds& bounds) {
+  check_range(bounds.x_min, bounds.x_max, "bounds.x");
+  check_range(bounds.y_min, bounds.y_max, "bounds.y");
+}
+
+void check_pose(const Pose& pose, const std::string& where) {
+  require_within(pose.x, largest_coordinate, where + ".x");
+  require_within(pose.y, largest_coordinate, where + ".y");
+  require_within(pose.heading, largest_heading, where + ".heading");
+}
+
+void check_distance(const Pose& start, const Pose& goal, const std::string& where) {
+  const double distance = std::hypot(goal.x - start.x, goal.y - start.y);
+  require(distance <= largest_distance, where,
+          "is " + std::to_string(std::llround(distance)) + " m from the start, expected at most " +
+              std::to_string(std::llround(largest_distance)) + " m");
+}
+
+void check_row_distance(double distance, const std::string& where) {
+  require_not_negative(distance, largest_coordinate, where);
+}
+
+std::vector<Polygon> local_polygons(const std::vector<Polygon>& polygons, const Point& origin,
+                                    const std::string& name) {
+  std::vector<Polygon> local;
+  local.reserve(polygons.size());
+  for (const Polygon& polygon : polygons) {
+    local.push_back(
+        local_polygon(polygon, origin, name + "[" + std::to_string(local.size()) + "]"));
+  }
+  return local;
+}
+
+Point local_point(const Point& point, const Point& origin) {
+  return {moved(point.x, -origin.x), moved(point.y, -origin.y)};
+}
+
+Pose local_pose(const Pose& pose, const Point& origin) {
+  const Point position = local_point({pose.x, pose.y}, origin);
+  return {position.x, position.y, wrap_angle(pose.heading)};
+}
+
+Point local_origin(const Point& near) { return {std::round(near.x), std::round(near.y)}; }
+
+}  // namespace problem
+
+void check_vehicle(const Vehicle& vehicle) {
+  problem::require_positive(vehicle.wheelbase, "vehicle.wheelbase");
+  problem::require_not_negative(vehicle.front_overhang, problem::largest_length,
+                                "vehicle.front_overhang");
+  problem::require_not_negative(vehicle.rear_overhang, problem::largest_length,
+                                "vehicle.rear_overhang");
+  problem::require_positive(vehicle.width, "vehicle.width");
+  problem::require_positive(vehicle.min_turning_radius, "vehicle.min_turning_radius");
+  if (!vehicle.track_width) return;
+  problem::require_positive(*vehicle.track_width, "vehicle.track_width");
+  problem::require(*vehicle.track_width <= vehicle.width, "vehicle.track_width",
+                   "is " + shortest_text(*vehicle.track_width) + ", expected at most the width, " +
+                       shortest_text(vehicle.width));
+}
+
+void check_map(const OccupancyGrid& map) {
+  using namespace problem;
+  require(map.resolution >= smallest_length && map.resolution <= largest_length, "map.resolution",
+          "is " + shortest_text(map.resolution) + ", expected 1e-06 m to 1e+06 m");
+  require_within(map.origin.x, largest_coordinate, "map.origin");
+  require_within(map.origin.y, largest_coordinate, "map.origin");
+  require_within(map.origin.heading, largest_heading, "map.origin");
+  const std::int64_t count = std::int64_t{map.columns} * map.rows;
+  require(map.columns >= 1 && map.rows >= 1 && count <= most_map_cells, "map",
+          "has " + std::to_string(map.columns) + " x " + std::to_string(map.rows) +
+              " cells, expected 1 to " + std::to_string(most_map_cells));
+  require(map.cells != nullptr && map.cells->size() == static_cast<std::size_t>(count), "map",
+          "does not hold all of its cells, expected " + std::to_string(count));
+}
+
+void check_poses(const Pose& start, const Pose& goal) {
+  problem::check_pose(start, "start");
+  problem::check_pose(goal, "goal");
+  problem::check_distance(start, goal, "goal");
+}
+
+}  // namespace vandplan

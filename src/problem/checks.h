@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Is what a user hands in good, and which key is wrong if not?
+//
+// Each function throws InputError naming the key it was given.
+
+#include <string>
+#include <vector>
+
+#include "vandplan/occupancy_grid.h"
+
+namespace vandplan::problem {
+
+/// A number between -limit and limit; not a NaN.
+void require_within(double value, double limit, const std::string& where);
+
+/// Bounds in the scenario's frame; errors name "bounds.x" or "bounds.y".
+void check_bounds(const Bounds& bounds);
+
+/// A pose in the scenario's frame; errors name `where` and the coordinate.
+void check_pose(const Pose& pose, const std::string& where);
+
+/// A goal that is near enough to its start.
+void check_distance(const Pose& start, const Pose& goal, const std::string& where);
+
+/// How far a goal counts in a row of goals [m].
+void check_row_distance(double distance, const std::string& where);
+
+/// Polygons of the scenario's frame in the frame of `origin`, cleaned and simple; errors name
+/// `name[i]`.
+[[nodiscard]] std::vector<Polygon> local_polygons(const std::vector<Polygon>& polygons,
+                                                  const Point& origin, const std::string& name);
+
+/// A point of the scenario's frame in the frame of `origin`, exact on the decimals that were
+/// written.
+[[nodiscard]] Point local_point(const Point& point, const Point& origin);
+[[nodiscard]] Pose local_pose(const Pose& pose, const Point& origin);
+
+/// `near`, rounded to whole metres.
+[[nodiscard]] Point local_origin(const Point& near);
+
+}  // namespace vandplan::problem

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Prints what every planner answers to the thesis' scenarios: a line for each run with its status,
+// cost, counts and a hash of the path. tools/check_golden_answers compares it with answers.txt.
+// usage: golden_answers FOLDER_OF_SCENARIOS
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "vandplan/planner.h"
+#include "vandplan/scenario_file.h"
+
+namespace {
+
+using namespace vandplan;
+
+/// FNV-1a over the bits of all numbers of the segments.
+unsigned long long hash_of(const Path& path) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const Segment& segment : path.segments) {
+    for (const double value : {segment.curvature, segment.length}) {
+      const auto bits = std::bit_cast<std::uint64_t>(value);
+      for (int byte = 0; byte < 8; ++byte) {
+        hash = (hash ^ (bits >> (8 * byte) & 0xff)) * 0x100000001b3;
+      }
+    }
+  }
+  return hash;
+}
+
+void answer(const std::string& scenario, const Problem& problem, const Planner& planner,
+            PlanOptions options, const char* what) {
+  for (const std::string region : {"bounds", "scene"}) {
+    options.planner.set("region", region);
+    const PlanResult result = plan(problem, planner, options);
+    std::printf("%s %s %s%s: %s, cost %.17g, %lld iterations, %lld nodes, path %016llx\n",
+                scenario.c_str(), region.c_str(), planner.name.c_str(), what,
+                std::string(name_of(result.status)).c_str(), result.cost,
+                static_cast<long long>(result.iterations),
+                static_cast<long long>(counter(result, "nodes")),
+                hash_of(result.path.value_or(Path{})));
+  }
+}
+
+void answer_all(const std::string& file) {
+  const auto [scenario, problems] = read_problems(file);
+  const std::size_t goal = scenario.is_row() ? problems.size() / 2 : 0;
+  std::string name = scenario.scenario.name;
+  if (scenario.is_row()) name += " goal " + std::to_string(goal);
+  for (const Planner& planner : planners()) {
+    const bool honours_prices = planner.properties.honours_prices;
+    PlanOptions options;
+    options.budget.max_iterations = honours_prices ? 2000 : 600;
+    answer(name, problems[goal], planner, options, "");
+    if (!honours_prices) continue;
+    options.cost = {.reverse_weight = 2, .gear_change_cost = 5};
+    answer(name, problems[goal], planner, options, " reverse_weight=2 gear_change_cost=5");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
+    files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  for (const std::string& file : files) answer_all(file);
+}
