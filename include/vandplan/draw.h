@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "vandplan/outcome.h"
 #include "vandplan/path.h"
-#include "vandplan/planner.h"
 #include "vandplan/problem.h"
 
 namespace vandplan {
@@ -19,7 +19,6 @@ namespace vandplan {
 /// What to draw; everything in the scenario's frame.
 struct Drawing {
   const Scenario* scenario = nullptr;
-  std::size_t goal = 0;                ///< which of the scenario's goals
   const Path* path = nullptr;          ///< or none
   const TreeSnapshot* tree = nullptr;  ///< or none
   std::string caption = {};            ///< one line above the picture, UTF-8
@@ -38,8 +37,8 @@ enum class PictureFormat { png, svg, pdf };
 [[nodiscard]] PictureFormat picture_format(const std::string& file);
 
 /// The bytes of a picture. `width` in pixels (PNG) or points (SVG, PDF), 50 to 10000; the height
-/// follows. Throws InputError for another width, a scenario that `check_scenario` refuses, no such
-/// goal, a caption that is not UTF-8, and paths and trees with
+/// follows. Throws InputError for another width, a scenario that `check_scenario` refuses, a
+/// caption that is not UTF-8, and paths and trees with
 /// numbers that are not finite.
 [[nodiscard]] std::string draw(const Drawing& drawing, PictureFormat format, int width);
 [[nodiscard]] std::string draw(const ContactSheet& sheet, PictureFormat format, int width);

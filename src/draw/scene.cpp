@@ -65,10 +65,6 @@ double extent(const Bounds& box) { return std::max(box.x_max - box.x_min, box.y_
 Scene scene_of(const Drawing& drawing) {
   const Scenario& scenario = *drawing.scenario;
   check_scenario(scenario);
-  if (drawing.goal >= scenario.goals.size()) {
-    throw InputError("goal", "there is no goal " + std::to_string(drawing.goal));
-  }
-  const Goal& goal = scenario.goals[drawing.goal];
   Scene scene;
   scene.origin = {origin_near(scenario.start.x), origin_near(scenario.start.y)};
   scene.vehicle = scenario.vehicle;
@@ -76,10 +72,8 @@ Scene scene_of(const Drawing& drawing) {
   scene.bounds = {bounds.x_min - scene.origin.x, bounds.x_max - scene.origin.x,
                   bounds.y_min - scene.origin.y, bounds.y_max - scene.origin.y};
   scene.start = moved(scenario.start, scene.origin, "start");
-  scene.goal = moved(goal.pose, scene.origin, "goal");
+  scene.goal = moved(scenario.goal, scene.origin, "goal");
   scene.obstacles = moved(scenario.obstacles, scene.origin);
-  const std::vector<Polygon> own = moved(goal.obstacles, scene.origin);
-  scene.obstacles.insert(scene.obstacles.end(), own.begin(), own.end());
   scene.kerbs = moved(scenario.kerbs, scene.origin);
   scene.map = scenario.map;
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");
