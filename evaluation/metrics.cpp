@@ -6,7 +6,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 void validate(const DrivingStyle& style) {
   if (!(style.speed > 0.0 && std::isfinite(style.speed)))
@@ -31,4 +31,4 @@ PathMetrics metrics_of(const Path& path, const DrivingStyle& style) {
   return metrics;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation
