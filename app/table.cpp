@@ -11,8 +11,8 @@
 #include "commands.h"
 #include "studies/table_check.h"
 #include "table_source.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 #include "vandplan/table_file.h"
 
 namespace vandplan {
