@@ -6,14 +6,16 @@
 // The distance field frees what is far from everything; for the rest, cells nearby are tested in
 // closed form, blocks of them at once. Theory and proof: docs/algorithms/occupancy_grid.md.
 
-#include "geometry/blocked_cells.h"
 #include "collision/disc_trace.h"
-#include "geometry/distance_field.h"
 #include "collision/sweep.h"
+#include "geometry/blocked_cells.h"
+#include "geometry/distance_field.h"
 #include "vandplan/occupancy_grid.h"
 #include "vandplan/vehicle.h"
 
-namespace vandplan {
+namespace vandplan::collision {
+
+using geometry::BitGrid, geometry::BlockedCells, geometry::CellBox, geometry::DistanceField;
 
 /// The blocked cells of a grid as obstacles for one footprint. Immutable.
 class GridObstacles {
@@ -49,4 +51,4 @@ class GridObstacles {
   BitGrid blocks_;   // with an edge cell
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

@@ -6,8 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "search/budget.h"
 #include "base/random.h"
+#include "geometry/random_pose.h"
+#include "search/budget.h"
 #include "search/tree.h"
 #include "vandplan/nearest.h"
 #include "vandplan/reeds_shepp.h"
@@ -167,7 +168,7 @@ PlanResult plan_rrt(const Problem& problem, const PlanOptions& options, Strategy
                     Estimate estimate) {
   PlanResult result;
   Budget budget(options);
-  Rng rng(options.seed);
+  base::Rng rng(options.seed);
   const Bounds region = sampling_region(problem, options.region);
   const auto max_nodes = static_cast<std::size_t>(options.max_nodes);
   Search search(problem, options, strategy, estimate);  // [1]
@@ -178,9 +179,9 @@ PlanResult plan_rrt(const Problem& problem, const PlanOptions& options, Strategy
       result.status = budget.reason();
       break;
     }
-    const bool is_goal = uniform01(rng) < options.goal_bias;
-    const Pose sample = is_goal ? problem.goal : uniform_pose(region, rng);       // [2]
-    const std::optional<Connection> connection = search.connect(sample, result);  // [3] [4]
+    const bool is_goal = base::uniform01(rng) < options.goal_bias;
+    const Pose sample = is_goal ? problem.goal : geometry::uniform_pose(region, rng);  // [2]
+    const std::optional<Connection> connection = search.connect(sample, result);       // [3] [4]
     if (!connection) continue;
     std::optional<Connection> to_goal;
     if (is_goal) {

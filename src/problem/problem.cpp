@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/decimal.h"
-#include "judge/cell_tree.h"
 #include "geometry/polygon.h"
+#include "judge/cell_tree.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
@@ -33,21 +33,21 @@ std::string element(std::string_view list, std::size_t index) {
 
 void require_within(double value, double limit, const std::string& where) {
   if (std::abs(value) <= limit) return;  // most are: no text is made for them
-  throw InputError(where, "is " + shortest_text(value) + ", expected a number between " +
-                              shortest_text(-limit) + " and " + shortest_text(limit));
+  throw InputError(where, "is " + base::shortest_text(value) + ", expected a number between " +
+                              base::shortest_text(-limit) + " and " + base::shortest_text(limit));
 }
 
 Vehicle checked(const Vehicle& vehicle) {
   const auto positive = [](double value, const std::string& key) {
     const std::string where = "vehicle." + key;
-    require(value > 0.0, where, "is " + shortest_text(value) + ", expected more than 0 m");
+    require(value > 0.0, where, "is " + base::shortest_text(value) + ", expected more than 0 m");
     require(value >= smallest_length, where,
-            "is " + shortest_text(value) + ", expected at least 1e-06 m");
+            "is " + base::shortest_text(value) + ", expected at least 1e-06 m");
     require_within(value, largest_length, where);
   };
   const auto not_negative = [](double value, const std::string& key) {
     const std::string where = "vehicle." + key;
-    require(value >= 0.0, where, "is " + shortest_text(value) + ", expected 0 m or more");
+    require(value >= 0.0, where, "is " + base::shortest_text(value) + ", expected 0 m or more");
     require_within(value, largest_length, where);
   };
   positive(vehicle.wheelbase, "wheelbase");
@@ -58,8 +58,8 @@ Vehicle checked(const Vehicle& vehicle) {
   if (vehicle.track_width) {
     positive(*vehicle.track_width, "track_width");
     require(*vehicle.track_width <= vehicle.width, "vehicle.track_width",
-            "is " + shortest_text(*vehicle.track_width) + ", expected at most the width, " +
-                shortest_text(vehicle.width));
+            "is " + base::shortest_text(*vehicle.track_width) + ", expected at most the width, " +
+                base::shortest_text(vehicle.width));
   }
   return vehicle;
 }
@@ -68,7 +68,7 @@ void check_range(double low, double high, double limit, const std::string& where
   require_within(low, limit, where);
   require_within(high, limit, where);
   require(low < high, where,
-          "is [" + shortest_text(low) + ", " + shortest_text(high) +
+          "is [" + base::shortest_text(low) + ", " + base::shortest_text(high) +
               "], expected the smaller number first");
 }
 
@@ -96,8 +96,8 @@ Polygon checked(const Polygon& polygon, const Point& origin, const std::string& 
   require(polygon.size() >= 3, where,
           "has " + std::to_string(polygon.size()) + " corner" + (polygon.size() == 1 ? "" : "s") +
               ", expected at least 3");
-  Polygon clean = cleaned(polygon);
-  const std::string flaw = flaw_of(clean, origin);
+  Polygon clean = geometry::cleaned(polygon);
+  const std::string flaw = geometry::flaw_of(clean, origin);
   require(flaw.empty(), where, flaw);
   return clean;
 }
@@ -117,7 +117,7 @@ std::vector<Polygon> checked(const std::vector<Polygon>& polygons, const Point& 
 /// A grid whose cells are all there.
 void check(const OccupancyGrid& grid, double limit) {
   require(grid.resolution >= smallest_length && grid.resolution <= largest_length, "map.resolution",
-          "is " + shortest_text(grid.resolution) + ", expected 1e-06 m to 1e+06 m");
+          "is " + base::shortest_text(grid.resolution) + ", expected 1e-06 m to 1e+06 m");
   require_within(grid.origin.x, limit, "map.origin");
   require_within(grid.origin.y, limit, "map.origin");
   require_within(grid.origin.heading, largest_heading, "map.origin");
@@ -143,7 +143,7 @@ Point local_origin(const Scenario& scenario) {
 }
 
 Point local_point(const Point& point, const Point& origin) {
-  return {moved(point.x, -origin.x), moved(point.y, -origin.y)};
+  return {base::moved(point.x, -origin.x), base::moved(point.y, -origin.y)};
 }
 
 Bounds local_bounds(const Bounds& bounds, const Point& origin) {
@@ -206,7 +206,7 @@ void check_goal(const Scenario& scenario, std::size_t index) {
   if (goal.distance) {
     const std::string where = key + ".distance";
     require(*goal.distance >= 0.0, where,
-            "is " + shortest_text(*goal.distance) + ", expected 0 m or more");
+            "is " + base::shortest_text(*goal.distance) + ", expected 0 m or more");
     require_within(*goal.distance, largest_coordinate, where);
   }
   const std::string pose_key = scenario.goals_are_a_row ? key + ".goal" : key;
@@ -291,7 +291,8 @@ Pose to_local(const World& world, const Pose& pose) noexcept {
 }
 
 Pose to_scenario(const World& world, const Pose& pose) noexcept {
-  return {moved(pose.x, world.origin().x), moved(pose.y, world.origin().y), pose.heading};
+  return {base::moved(pose.x, world.origin().x), base::moved(pose.y, world.origin().y),
+          pose.heading};
 }
 
 Bounds sampling_region(const Problem& problem, Region region) noexcept {

@@ -98,7 +98,8 @@ Run::Run(const Problem& problem, const PlanOptions& options)
       open_ground_(open_ground_bound(problem, rule_)) {
   const Bounds region = sampling_region(problem, options.region);
   for (std::size_t i = 0; i < island_count; ++i) {
-    islands_.emplace_back(plans[i].work, problem, rule_, region, stream_seed(options.seed, i));
+    islands_.emplace_back(plans[i].work, problem, rule_, region,
+                          base::stream_seed(options.seed, i));
   }
 }
 

@@ -29,7 +29,7 @@ void Island::prepare() {
       ladder_.emplace(problem_, rule, Root::goal);
       break;
     case Work::random_trees:
-      attempts_.emplace(problem_, rule, region_, stream_seed(seed_, 0));
+      attempts_.emplace(problem_, rule, region_, base::stream_seed(seed_, 0));
       break;
     case Work::bound:
       geodesic_.emplace(*problem_.world, problem_.start, problem_.goal, best_cost_);
@@ -80,7 +80,7 @@ bool Island::step() {
   if (!candidate_) {
     std::optional<Route> route = search();
     if (!route) return false;
-    candidate_.emplace(edges_, *std::move(route), stream_seed(seed_, ++candidates_));
+    candidate_.emplace(edges_, *std::move(route), base::stream_seed(seed_, ++candidates_));
     trials_ = 0;
   } else {
     candidate_->step();
@@ -99,7 +99,8 @@ bool Island::step() {
 void Island::take_over(const Route& best) {
   if (best.cost >= best_cost_) return;
   best_cost_ = best.cost;
-  if (work_ == Work::refine) candidate_.emplace(edges_, best, stream_seed(seed_, ++candidates_));
+  if (work_ == Work::refine)
+    candidate_.emplace(edges_, best, base::stream_seed(seed_, ++candidates_));
 }
 
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {

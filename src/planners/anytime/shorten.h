@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "search/edges.h"
 #include "base/random.h"
+#include "search/edges.h"
 #include "search/route.h"
 
 namespace vandplan {
@@ -41,7 +41,7 @@ class Shortener {
 
   Edges& edges_;
   Route route_;
-  Rng rng_;
+  base::Rng rng_;
   std::vector<Leg> trial_;  // buffer
   int idle_ = 0;            // trials since the last progress worth the name
   double progress_cost_;    // what the route cost then

@@ -101,7 +101,7 @@ Attempts::Attempts(const Problem& problem, const CostRule& rule, const Bounds& r
 
 void Attempts::next_attempt() {
   const double far_share = far_shares[attempt_ % far_shares.size()];
-  trees_.emplace(problem_, region_, edges_, far_share, stream_seed(seed_, attempt_));
+  trees_.emplace(problem_, region_, edges_, far_share, base::stream_seed(seed_, attempt_));
   ++attempt_;
   samples_ = 0;
   met_ = false;

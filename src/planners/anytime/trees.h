@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "search/edges.h"
 #include "base/random.h"
+#include "search/edges.h"
 #include "search/route.h"
 #include "search/tree.h"
 
@@ -56,7 +56,7 @@ class TwoTrees {
   Edges& edges_;
   Bounds region_;
   double far_share_;
-  Rng rng_;
+  base::Rng rng_;
   std::array<Side, 2> sides_;
   std::size_t turn_ = 0;
   std::vector<Edge> nearest_;  // buffer of `rank`, nearest first
