@@ -48,6 +48,7 @@ foreach(number 1 2 3 4)
   add_custom_command(
     OUTPUT ${embedded_tables}/hlut_${number}.h
     COMMAND make_thesis_table ${number} ${embedded_tables}/hlut_${number}.h
+    DEPENDS make_thesis_table
     VERBATIM)
   list(APPEND embedded_headers ${embedded_tables}/hlut_${number}.h)
 endforeach()
@@ -56,5 +57,6 @@ endforeach()
 add_custom_command(
   OUTPUT ${embedded_tables}/bound_entries.h
   COMMAND make_bound_table ${embedded_tables}/bound_entries.h
+  DEPENDS make_bound_table
   VERBATIM)
 list(APPEND embedded_headers ${embedded_tables}/bound_entries.h)
