@@ -97,7 +97,8 @@ TEST(ParallelFor, RunsAsManyAtATimeAsThereAreThreads) {
 TEST(ParallelFor, StartsNoMoreThreadsThanItMay) {
   std::mutex mutex;
   std::set<std::thread::id> threads;
-  parallel_for(1000, 3, [&](std::size_t) {
+  parallel_for(100, 3, [&](std::size_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::lock_guard lock(mutex);
     threads.insert(std::this_thread::get_id());
   });
