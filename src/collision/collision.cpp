@@ -2,8 +2,11 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/collision.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "collision/clothoid_arcs.h"
 #include "collision/grid_obstacles.h"
 #include "collision/obstacles.h"
 #include "collision/sweep.h"
@@ -14,6 +17,12 @@ namespace {
 bool holds(const Bounds& outer, const Bounds& inner) {
   return inner.x_min >= outer.x_min && inner.x_max <= outer.x_max && inner.y_min >= outer.y_min &&
          inner.y_max <= outer.y_max;
+}
+
+/// The furthest point of a footprint from its rear axle [m].
+double reach_of(const Footprint& body) {
+  const double x = std::max(body.rear, body.front);
+  return std::sqrt(x * x + body.half_width * body.half_width);
 }
 
 }  // namespace
@@ -42,11 +51,28 @@ struct CollisionChecker::Data {
            !(map && map->contain(axle));
   }
 
-  /// Whether no side is touched and the bounds are kept. Together with a start outside of all
-  /// that is enough: whatever is entered later is entered across a side.
+  /// Whether no side is touched. Together with a start outside of all that is enough: whatever is
+  /// entered later is entered across a side.
+  [[nodiscard]] bool crosses_no_side(const PlacedSegment& placed) const noexcept {
+    return !walls.is_crossed(placed) && !kerbs.is_crossed(placed) &&
+           !(map && !map->is_clear(placed));
+  }
+
+  /// Whether no side is touched and the bounds are kept; an arc or a line.
   [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed) const noexcept {
-    return holds(bounds, placed.axle_box()) && !walls.is_crossed(placed) &&
-           !kerbs.is_crossed(placed) && !(map && !map->is_clear(placed));
+    return holds(bounds, placed.axle_box()) && crosses_no_side(placed);
+  }
+
+  /// The same for a clothoid; `placement` goes from its start to its end.
+  [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept {
+    const double reach = std::max(reach_of(walls.footprint), reach_of(kerbs.footprint));
+    ClothoidArcs arcs(placement, clothoid, reach);
+    if (!contains(bounds, placement.position) || arcs.are_too_many()) return false;
+    for (; !arcs.is_done(); arcs.advance()) {
+      if (!arcs.keeps_to(bounds) || !crosses_no_side(arcs.arc())) return false;
+    }
+    placement = arcs.here();
+    return true;
   }
 };
 
@@ -76,6 +102,10 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
   if (!data_->is_outside({from.x, from.y})) return false;
   Placement placement = placement_of(from);
   for (const Segment& segment : segments) {
+    if (segment.curvature_rate != 0.0 && segment.length != 0.0) {
+      if (!data_->crosses_nothing(placement, segment)) return false;
+      continue;
+    }
     const PlacedSegment placed(placement, segment);
     if (!data_->crosses_nothing(placed)) return false;
     placement = placed.to;
