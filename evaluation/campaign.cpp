@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "evaluation/hash.h"
 #include "base/random.h"
+#include "evaluation/hash.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
