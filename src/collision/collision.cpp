@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "collision/clothoid_arcs.h"
@@ -51,30 +52,33 @@ struct CollisionChecker::Data {
            !(map && map->contain(axle));
   }
 
-  /// Whether no side is touched. Together with a start outside of all that is enough: whatever is
-  /// entered later is entered across a side.
-  [[nodiscard]] bool crosses_no_side(const PlacedSegment& placed) const noexcept {
-    return !walls.is_crossed(placed) && !kerbs.is_crossed(placed) &&
-           !(map && !map->is_clear(placed));
+  /// Whether no side is touched and the rear axle stays in the box. Together with a start outside
+  /// of all that is enough: whatever is entered later is entered across a side.
+  [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed,
+                                     const Bounds& box) const noexcept {
+    return holds(box, placed.axle_box()) && !walls.is_crossed(placed) &&
+           !kerbs.is_crossed(placed) && !(map && !map->is_clear(placed));
   }
 
-  /// Whether no side is touched and the bounds are kept; an arc or a line.
-  [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed) const noexcept {
-    return holds(bounds, placed.axle_box()) && crosses_no_side(placed);
-  }
-
-  /// The same for a clothoid; `placement` goes from its start to its end.
-  [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept {
-    const double reach = std::max(reach_of(walls.footprint), reach_of(kerbs.footprint));
-    ClothoidArcs arcs(placement, clothoid, reach);
-    if (!contains(bounds, placement.position) || arcs.are_too_many()) return false;
-    for (; !arcs.is_done(); arcs.advance()) {
-      if (!arcs.keeps_to(bounds) || !crosses_no_side(arcs.arc())) return false;
-    }
-    placement = arcs.here();
-    return true;
-  }
+  [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept;
 };
+
+/// Whether a clothoid touches no side and keeps to the bounds; `placement` goes on to its end. Out
+/// of line, so that arcs and lines do not pay for it.
+[[gnu::noinline, gnu::cold]] bool CollisionChecker::Data::crosses_nothing(
+    Placement& placement, const Segment& clothoid) const noexcept {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr Bounds everywhere{-infinity, infinity, -infinity, infinity};
+  const double reach = std::max(reach_of(walls.footprint), reach_of(kerbs.footprint));
+  // The boxes of the arcs do not count: the axle is held to the bounds on the clothoid itself.
+  ClothoidArcs arcs(placement, clothoid, reach);
+  if (!contains(bounds, placement.position) || arcs.are_too_many()) return false;
+  for (; !arcs.is_done(); arcs.advance()) {
+    if (!arcs.keeps_to(bounds) || !crosses_nothing(arcs.arc(), everywhere)) return false;
+  }
+  placement = arcs.here();
+  return true;
+}
 
 CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                                    std::span<const Polygon> obstacles)
@@ -107,7 +111,7 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
       continue;
     }
     const PlacedSegment placed(placement, segment);
-    if (!data_->crosses_nothing(placed)) return false;
+    if (!data_->crosses_nothing(placed, data_->bounds)) return false;
     placement = placed.to;
   }
   return true;
