@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "geometry/random_pose.h"
 #include "support/collision_oracle.h"
 #include "support/shared_files.h"
 #include "vandplan/io.h"
@@ -42,10 +43,10 @@ Edges random_edges(const std::string& file, Region region, double longest) {
   Edges result{make_problem(scenario, scenario.goals.size() - 1), {}};
   const Bounds box = sampling_region(result.problem, region);
   const World& world = *result.problem.world;
-  Rng rng(1);
+  base::Rng rng(1);
   const auto free_pose = [&](const Bounds& within) {
-    Pose pose = uniform_pose(within, rng);
-    while (!world.checker().is_free(pose)) pose = uniform_pose(within, rng);
+    Pose pose = geometry::uniform_pose(within, rng);
+    while (!world.checker().is_free(pose)) pose = geometry::uniform_pose(within, rng);
     return pose;
   };
   while (result.edges.size() < count) {

@@ -20,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include "geometry/random_pose.h"
 #include "large_yard.h"
 #include "vandplan/io.h"
 #include "vandplan/path_check.h"
@@ -37,10 +38,10 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 std::vector<Problem> random_problems(int count) {
   const auto world = std::make_shared<const World>(
       Vehicle{}, Surroundings{.bounds = yard, .map = drawn(ten_obstacles())}, Point{});
-  Rng rng(1);
+  base::Rng rng(1);
   const auto free_pose = [&] {
-    Pose pose = uniform_pose(yard, rng);
-    while (!world->checker().is_free(pose)) pose = uniform_pose(yard, rng);
+    Pose pose = geometry::uniform_pose(yard, rng);
+    while (!world->checker().is_free(pose)) pose = geometry::uniform_pose(yard, rng);
     return pose;
   };
   std::vector<Problem> problems;

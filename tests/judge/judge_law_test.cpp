@@ -12,6 +12,7 @@
 #include <memory>
 #include <numbers>
 
+#include "geometry/random_pose.h"
 #include "judge/cell_tree.h"
 #include "judge/clearance.h"
 #include "support/cases.h"
@@ -27,12 +28,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Bounds wide{-1e4, 1e4, -1e4, 1e4};
 
 /// Around the origin, with blocked cells wherever one looks, and walls around it at times.
-OccupancyGrid crowded_grid(Rng& rng) {
-  const auto side = [&] { return static_cast<std::int32_t>(uniform(5, 30, rng)); };
+OccupancyGrid crowded_grid(base::Rng& rng) {
+  const auto side = [&] { return static_cast<std::int32_t>(base::uniform(5, 30, rng)); };
   OccupancyGrid grid = random_grid(side(), side(), any_size(1e-3, 0.1, rng), rng);
   grid.unknown_is_free = chance(0.3, rng);
-  grid.resolution = uniform(1, 3, rng);
-  const Pose turned{uniform(-5, 5, rng), uniform(-5, 5, rng), uniform(-pi, pi, rng)};
+  grid.resolution = base::uniform(1, 3, rng);
+  const Pose turned{base::uniform(-5, 5, rng), base::uniform(-5, 5, rng),
+                    base::uniform(-pi, pi, rng)};
   grid.origin =
       compose(turned, {-grid.columns * grid.resolution / 2, -grid.rows * grid.resolution / 2, 0});
   return grid;
@@ -56,10 +58,11 @@ struct Counts {
 /// What the judge says of one passage, of cells or of polygons.
 template <typename Clearance>
 void expect_passage(const Clearance& clearance, const Footprint& body,
-                    const std::vector<Polygon>& squares, Rng& rng, Counts& counts) {
-  const Pose pose = uniform_pose({-8, 8, -8, 8}, rng);
+                    const std::vector<Polygon>& squares, base::Rng& rng, Counts& counts) {
+  const Pose pose = geometry::uniform_pose({-8, 8, -8, 8}, rng);
   const double curvature = chance(0.3, rng) ? 0 : any_sign(any_size(1e-6, 5, rng), rng);
   const double half = any_size(1e-4, 20, rng);
+  const double rate = chance(0.5, rng) ? 0 : any_sign(any_size(1e-6, 2, rng) / half, rng);
   const double most = chance(0.5, rng) ? infinity : any_size(1e-3, 10, rng);
   const double exact = gap_at(body, squares, pose).distance;
   const double here = clearance(judge::Passage{position_of(pose)}, most);
@@ -70,15 +73,17 @@ void expect_passage(const Clearance& clearance, const Footprint& body,
     ++counts.cut_off;
   }
   counts.touched += exact == 0;
-  const double bound = clearance(judge::Passage{position_of(pose), curvature, half}, most);
+  const double bound = clearance(judge::Passage{position_of(pose), curvature, half, rate}, most);
   EXPECT_LE(bound, most);
   double least = exact;
   for (int i = 0; i < 40; ++i) {
-    const double s = i < 2 ? any_sign(half, rng) : uniform(-half, half, rng);
-    least = std::min(least, gap_at(body, squares, advance(pose, {curvature, s})).distance);
+    const double s = i < 2 ? any_sign(half, rng) : base::uniform(-half, half, rng);
+    const Pose there = advance(pose, {curvature, s, std::copysign(1.0, s) * rate});
+    least = std::min(least, gap_at(body, squares, there).distance);
   }
-  EXPECT_LE(bound, least + 1e-9) << as_code(pose) << " curvature " << as_code(curvature) << " half "
-                                 << as_code(half) << ": " << as_code(squares);
+  EXPECT_LE(bound, least + 1e-9) << as_code(pose) << " curvature " << as_code(curvature) << " rate "
+                                 << as_code(rate) << " half " << as_code(half) << ": "
+                                 << as_code(squares);
   counts.proven += bound > 0 && bound < most;
   counts.close += bound > 0.8 * std::min(least, most) && least < infinity;
 }
@@ -87,7 +92,7 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
   constexpr int count = 20000;
   Counts cells;
   Counts polygons;
-  for_each_case(1, count, [&](Rng& rng) {
+  for_each_case(1, count, [&](base::Rng& rng) {
     const Footprint body = footprint(any_vehicle(rng));
     const OccupancyGrid grid = chance(0.8, rng) ? any_grid(rng) : crowded_grid(rng);
     const std::vector<Polygon> squares = squares_of(grid);
@@ -113,17 +118,9 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
 
 // ---- Whole paths ----
 
-constexpr double step = 1e-3;   // driven between two looks of the judge, at most [m]
-constexpr double moved = 0.05;  // between two looks at the whole of a path [m]
-
-/// What a body may dip into an obstacle between two looks of the judge.
-double deepest_dip(const Footprint& body, const Path& path) {
-  double fastest = 1;
-  for (const Segment& segment : path.segments) {
-    fastest = std::max(fastest, top_speed(body, segment));
-  }
-  return step * fastest;
-}
+constexpr double step = 1e-3;  // of any point of the body between two looks of the judge [m]
+constexpr double deepest_dip = step / 2;  // into an obstacle, between two looks of the judge [m]
+constexpr double moved = 0.05;            // between two looks at the whole of a path [m]
 
 Footprint shrunk(const Footprint& body, double by) {
   return {body.rear - by, body.front - by, body.half_width - by};
@@ -139,13 +136,13 @@ void expect_valid(double clearance, const Footprint& body, const std::vector<Pol
   const double exact = least_gap(body, squares, path, 1e-4).distance;
   EXPECT_LE(clearance, exact + 1e-3);
   EXPECT_GE(clearance, exact - 1e-4);
-  EXPECT_FALSE(comes_within(0, shrunk(body, deepest_dip(body, path)), squares, path));
+  EXPECT_FALSE(comes_within(0, shrunk(body, deepest_dip), squares, path));
 }
 
 void expect_first_touch(const PathPoint& at, const Footprint& body,
                         const std::vector<Polygon>& squares, const Path& path) {
   EXPECT_LE(gap_at(body, squares, at.pose).distance, 1e-9);
-  const Footprint inner = shrunk(body, deepest_dip(body, path));
+  const Footprint inner = shrunk(body, deepest_dip);
   for (const SlowLook& look : look_everywhere(inner, squares, path, moved)) {
     if (look.s >= at.s - step) break;
     EXPECT_GT(look.distance, 0) << look.s << " before " << at.s;
@@ -188,12 +185,12 @@ void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Pat
 TEST(JudgeLaw, VerdictAndClearanceAreThoseOfLookingEverywhere) {
   constexpr int count = 1000;
   Verdicts verdicts;
-  for_each_case(2, count, [&](Rng& rng) {
+  for_each_case(2, count, [&](base::Rng& rng) {
     const Vehicle vehicle = any_vehicle(rng);
     const Path path = any_edge(rng);
     if (chance(0.2, rng)) return expect_verdict(vehicle, crowded_grid(rng), path, verdicts);
     OccupancyGrid grid = any_grid(rng);
-    if (chance(0.1, rng)) grid.origin = compose({uniform(10, 60, rng), 0, 0}, grid.origin);
+    if (chance(0.1, rng)) grid.origin = compose({base::uniform(10, 60, rng), 0, 0}, grid.origin);
     if (chance(0.6, rng)) graze(grid, footprint(vehicle), path, rng);
     expect_verdict(vehicle, grid, path, verdicts);
   });
