@@ -7,7 +7,7 @@
 
 #include "studies/study_files.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 /// Throws InputError unless every file of a study can be written to the folder, which is made if
 /// it is not there.
@@ -17,4 +17,4 @@ void expect_writable_folder(const std::string& folder, const StudyFiles& files);
 /// Throws std::runtime_error with what gnuplot says if it fails.
 [[nodiscard]] bool write_study(const std::string& folder, const StudyFiles& files);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -12,7 +12,7 @@
 #include "studies/steering.h"
 #include "studies/symmetry.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 [[nodiscard]] std::string summary_of(const RangeStudy& study);
 [[nodiscard]] std::string summary_of(const AccuracyStudy& study);
@@ -26,4 +26,4 @@ namespace vandplan {
 [[nodiscard]] nlohmann::ordered_json json_of(const SymmetryStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const SteeringStudy& study);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

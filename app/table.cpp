@@ -15,7 +15,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/table_file.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -324,4 +324,4 @@ void add_table(CLI::App& vandplan, int& status) {
   add_table_export(*table);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -9,7 +9,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 constexpr std::size_t deepest = 64;  // levels of lists and maps
@@ -258,4 +258,4 @@ void NodeBuilder::add(Node node) {
   }
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

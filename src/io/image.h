@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::io {
 
 /// What becomes of transparency.
 enum class Alpha {
@@ -36,4 +36,4 @@ struct Image {
 /// Throws InputError for a size that no map has.
 void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where);
 
-}  // namespace vandplan
+}  // namespace vandplan::io

@@ -22,6 +22,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 constexpr std::size_t largest_image = std::size_t{256} << 20;  // bytes
 
 enum class Mode { trinary, scale, raw };

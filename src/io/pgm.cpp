@@ -16,7 +16,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/occupancy_grid.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -148,4 +148,4 @@ Image image_from(const std::string& bytes, const std::string& where, Alpha alpha
   throw InputError(where, "is " + kind_of(bytes) + ", expected a PGM (P2 or P5) or PNG image");
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

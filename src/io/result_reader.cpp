@@ -17,6 +17,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 PlanStatus status_from(const Document& file, const Node& node) {
   std::string names;
   for (const PlanStatus status : plan_statuses()) {
