@@ -252,12 +252,12 @@ TEST(Draw, FarObstaclesDoNotShrinkTheScene) {
 
 TEST(Draw, AllThatStandsAroundThePathIsShown) {
   Scenario scenario = yard();  // start and goal take up 18 m
-  scenario.obstacles.push_back({{-26, -30}, {-24, -30}, {-24, -28}, {-26, -28}});
-  scenario.kerbs.push_back({{30, 20}, {32, 20}, {32, 30}, {30, 30}});
+  scenario.obstacles.push_back({{-24, -30}, {-22, -30}, {-22, -28}, {-24, -28}});
+  scenario.kerbs.push_back({{30, 20}, {32, 20}, {32, 24}, {30, 24}});
   const drawing::Framing framing = framing_of(scenario);
   EXPECT_FALSE(framing.is_cropped);
-  EXPECT_TRUE(contains(framing.seen, {-26, -30}));
-  EXPECT_TRUE(contains(framing.seen, {32, 30}));
+  EXPECT_TRUE(contains(framing.seen, {-24, -30}));
+  EXPECT_TRUE(contains(framing.seen, {32, 24}));
 }
 
 TEST(Draw, TheFenceOfAYardIsShownAndGenerousBoundsAreNot) {

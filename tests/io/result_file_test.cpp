@@ -48,11 +48,10 @@ ResultRecord solved(const Scenario& scenario) {
   result.counters = {{"nodes", 5000}, {"edge_checks", 12345}};
   result.time_total = 0.5;
   result.anytime = {{0.0031, 61, 375.9}, {0.0102, 190, 17.65}};
-  result.check = PathCheck{.valid = true,
-                           .length = 17.64,
-                           .reverse_length = 12.34,
-                           .gear_changes = 2,
-                           .clearance = 0.25};
+  PathCheck& check = result.check.emplace();
+  check.valid = true;
+  check.reverse_length = 12.34;
+  check.clearance = 0.25;
   record.options.planner.set("max_nodes", std::int64_t{700});
   return record;
 }
@@ -159,15 +158,6 @@ TEST(ResultFile, PosesFarAwayAreAsGoodAsADoubleIs) {
     EXPECT_EQ(poses[i]["y"], beside["y"].get<double>() - 354286007);
     EXPECT_EQ(poses[i]["heading"], beside["heading"]);
   }
-}
-
-TEST(ResultFile, TheStartIsWrittenAsTheScenarioWritesIt) {
-  Scenario scenario = yard();
-  scenario.start.heading = -6.11698657169903;
-  ResultRecord record = solved(scenario);
-  record.result.path->start.heading = wrap_angle(scenario.start.heading);
-  const Json json = Json::parse(results_to_json({scenario}, {record}));
-  EXPECT_EQ(json["path"]["start"]["heading"], -6.11698657169903);
 }
 
 TEST(ResultFile, WithoutAPathThereIsNothingOfAPath) {
@@ -453,8 +443,8 @@ TEST_F(ReadPairs, MistakesNameTheLineOfTheFile) {
             "r.jsonl:2: key \"start\" is missing, expected it");
   EXPECT_EQ(message_for(good + good + "{\"pair\": \n").substr(0, 23), "r.jsonl:3: is not JSON ");
   std::string far = good;
-  far.replace(far.find("\"x\":20"), 6, "\"x\":9e6");
-  EXPECT_EQ(message_for(good + far).substr(0, 18), "r.jsonl:2: goal: is");
+  far.replace(far.find("\"x\":20.0"), 8, "\"x\":9e6");
+  EXPECT_EQ(message_for(good + far).substr(0, 19), "r.jsonl:2: goal: is");
 }
 
 }  // namespace
