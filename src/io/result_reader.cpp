@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "base/text.h"
 #include "io/document.h"
 #include "vandplan/input_error.h"
 #include "vandplan/io.h"
@@ -21,12 +22,11 @@ constexpr std::initializer_list<PlanStatus> statuses = {
     PlanStatus::stopped};
 
 PlanStatus status_from(const Document& file, const Node& node) {
-  std::string names;
   for (const PlanStatus status : statuses) {
     if (file.text(node) == name_of(status)) return status;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(status));
   }
-  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node), names));
+  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node),
+                              base::joined(statuses, name_of)));
 }
 
 Pose pose_from(const Document& file, const Node& node) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "base/text.h"
 #include "planners/anytime/anytime.h"
 #include "planners/rrt.h"
 #include "vandplan/input_error.h"
@@ -106,12 +107,11 @@ std::span<const PlannerInfo> planners() noexcept { return planner_infos; }
 const PlannerInfo& default_planner() noexcept { return planner_infos.front(); }
 
 const PlannerInfo& planner_named(std::string_view name) {
-  std::string names;
   for (const PlannerInfo& info : planner_infos) {
     if (info.name == name) return info;
-    names += (names.empty() ? "" : ", ") + std::string(info.name);
   }
-  throw InputError("planner", "\"" + std::string(name) + "\" is unknown, expected one of " + names);
+  throw InputError("planner", "\"" + std::string(name) + "\" is unknown, expected one of " +
+                                  base::joined(planner_infos, &PlannerInfo::name));
 }
 
 PlanResult plan(const Problem& problem, const PlannerInfo& planner, const PlanOptions& options) {

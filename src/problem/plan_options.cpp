@@ -7,17 +7,15 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/text.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
 namespace {
 
-// Shortest text that reads back to the same value, whatever the locale.
 template <typename Number>
 std::string text_of(Number value) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
+  return base::shortest_text(value);
 }
 
 std::string text_of(bool value) { return value ? "true" : "false"; }
@@ -110,7 +108,6 @@ void require(bool condition, std::string_view name, const std::string& value,
 std::span<const OptionInfo> option_table() noexcept { return option_infos; }
 
 void set_option(PlanOptions& options, std::string_view name, std::string_view value) {
-  std::string names;
   for (const OptionInfo& info : option_infos) {
     if (info.name == name) {
       try {
@@ -121,9 +118,9 @@ void set_option(PlanOptions& options, std::string_view name, std::string_view va
       }
       return;
     }
-    names += (names.empty() ? "" : ", ") + std::string(info.name);
   }
-  throw InputError(std::string(name), "unknown option, expected one of " + names);
+  throw InputError(std::string(name), "unknown option, expected one of " +
+                                          base::joined(option_infos, &OptionInfo::name));
 }
 
 void validate(const PlanOptions& options) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/decimal.h"
+#include "base/text.h"
 #include "geometry/polygon.h"
 #include "judge/cell_tree.h"
 #include "vandplan/input_error.h"

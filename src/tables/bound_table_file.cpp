@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <bit>
 
-#include "base/decimal.h"
+#include "base/text.h"
 #include "bound_entries.h"
 #include "tables/table_bytes.h"
 #include "vandplan/table_file.h"

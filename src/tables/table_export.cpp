@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/decimal.h"
+#include "base/text.h"
 #include "tables/table_bytes.h"
 #include "vandplan/input_error.h"
 #include "vandplan/table_file.h"
@@ -30,12 +30,6 @@ void append_hex_float(std::string& text, float value) {
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::hex)
           .ptr;
   text.append("0x").append(buffer.data(), end).append("F");
-}
-
-void append_shortest(std::string& text, float value) {
-  std::array<char, 32> buffer{};
-  text.append(buffer.data(),
-              std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
 }
 
 }  // namespace
@@ -97,7 +91,7 @@ std::string table_to_csv(const HeuristicTable& table) {
       for (const std::string& node : headings) {
         for (const std::string& sample : headings) {
           text.append(x).append(y).append(node).append(sample);
-          append_shortest(text, *entry++);
+          text.append(base::shortest_text(*entry++));
           text.push_back('\n');
         }
       }
