@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "base/hash.h"
 #include "base/random.h"
 #include "support/pose_pairs.h"
+#include "support/temporary_folder.h"
 #include "vandplan/dubins.h"
 #include "vandplan/io.h"
 #include "vandplan/path.h"
@@ -87,21 +89,38 @@ void print_plans(const std::string& name, std::int64_t iterations) {
   }
 }
 
+// For the following numbers the C library's tangent and arc tangent do vary.
+
 /// The turning radius of a vehicle whose file gives the angle of its wheels instead.
 void print_radii() {
   Hash hash;
-  for (int i = 1; i < 1500; ++i) {
-    const std::string angle = std::to_string(i) + "e-3";
+  for (const int angle : {26892, 27944, 28981, 42514, 46295, 49993, 53518, 55729}) {
     const Scenario scenario = scenario_from_yaml(
         "name: x\nobstacles: []\nbounds: {x: [-9, 9], y: [-9, 9]}\n"
         "start: {x: 0, y: 0, heading: 0}\ngoal: {x: 1, y: 0, heading: 0}\n"
         "vehicle: {wheelbase: 3, front_overhang: 1, rear_overhang: 1, width: 2, "
         "max_steering_angle: " +
-            angle + "}\n",
+            std::to_string(angle) + "e-6}\n",
         "made up");
     hash.add(scenario.vehicle.min_turning_radius);
   }
   hash.print("radii");
+}
+
+/// The heading from start to goal that a MovingAI problem gets.
+void print_headings() {
+  TemporaryFolder folder;
+  std::string map = "type octile\nheight 30\nwidth 400\nmap\n";
+  for (int row = 0; row < 30; ++row) map += std::string(400, '.') + "\n";
+  const std::string map_file = folder.put("a.map", map);
+  Hash hash;
+  for (const auto& [x, y] : {std::pair{69, 8}, {83, 15}, {138, 17}, {237, 19}, {349, 29}}) {
+    const std::string problem = "version 1\n0\ta.map\t400\t30\t0\t" + std::to_string(y) + "\t" +
+                                std::to_string(x) + "\t0\t1\n";
+    const std::string problems = folder.put("a.scen", problem);
+    hash.add(read_movingai({.map = map_file, .problems = problems}).start);
+  }
+  hash.print("headings");
 }
 
 }  // namespace
@@ -112,4 +131,5 @@ int main() {
   vandplan::print_plans("2-flat-obstacle", 2000);
   vandplan::print_plans("3-h-shape", 2000);
   vandplan::print_radii();
+  vandplan::print_headings();
 }
