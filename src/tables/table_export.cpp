@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include "tables/table_export.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -7,14 +9,10 @@
 #include <vector>
 
 #include "base/text.h"
-#include "tables/table_bytes.h"
 #include "vandplan/input_error.h"
-#include "vandplan/table_file.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 namespace {
-
-namespace table_bytes = tables::table_bytes;
 
 constexpr std::size_t most_entries = std::size_t{1} << 24;  // more than a compiler could bear
 
@@ -34,7 +32,7 @@ void append_hex_float(std::string& text, float value) {
 
 }  // namespace
 
-void table_bytes::check_identifier(std::string_view name) {
+void check_identifier(std::string_view name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
@@ -47,7 +45,7 @@ void table_bytes::check_identifier(std::string_view name) {
 }
 
 std::string table_to_header(const HeuristicTable& table, std::string_view name) {
-  table_bytes::check_identifier(name);
+  check_identifier(name);
   check_size(table);
   const HeuristicTableOptions& options = table.options();
   std::string text =
@@ -100,4 +98,4 @@ std::string table_to_csv(const HeuristicTable& table) {
   return text;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::tables
