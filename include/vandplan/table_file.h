@@ -46,18 +46,4 @@ inline constexpr std::size_t table_file_head_size = 96;
 /// Throws InputError naming `file` unless all of it is there and the checksum fits.
 void check_table_file(std::string_view bytes, const std::string& file);
 
-/// The table as a C++17 header that defines a namespace `name` with the options and the entries,
-/// every float written so that it reads back exactly. Throws InputError if `name` is no identifier
-/// or the table has more than 2^24 entries.
-[[nodiscard]] std::string table_to_header(const HeuristicTable& table, std::string_view name);
-
-/// The table as CSV, a line for each entry: x, y, heading_node, heading_sample, length [m, rad].
-/// Throws InputError if the table has more than 2^24 entries.
-[[nodiscard]] std::string table_to_csv(const HeuristicTable& table);
-
-/// The library's table of bounds as a C++17 header and as CSV, a line for each cell with its planes
-/// as numbers. What they mean: docs/formats.md. Throws InputError if `name` is no identifier.
-[[nodiscard]] std::string bound_table_to_header(std::string_view name);
-[[nodiscard]] std::string bound_table_to_csv();
-
 }  // namespace vandplan

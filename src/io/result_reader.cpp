@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "base/text.h"
 #include "io/document.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
@@ -17,12 +18,11 @@ namespace vandplan {
 namespace {
 
 PlanStatus status_from(const Document& file, const Node& node) {
-  std::string names;
   for (const PlanStatus status : plan_statuses()) {
     if (file.text(node) == name_of(status)) return status;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(status));
   }
-  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node), names));
+  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node),
+                              base::joined(plan_statuses(), name_of)));
 }
 
 Pose pose_from(const Document& file, const Node& node) {

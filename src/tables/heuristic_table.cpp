@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal.h"
+#include "base/text.h"
 #include "simd/table_kernels.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "base/decimal.h"
+#include "base/text.h"
 
 #include <gtest/gtest.h>
 

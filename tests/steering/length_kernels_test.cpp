@@ -23,7 +23,7 @@ TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnes) {
     const Pose sample = geometry::uniform_pose({-200, 200, -200, 200}, rng);
     std::vector<float> x(count), y(count), heading(count), scalar(count), vector(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const PosePair pair = any_pair(radius, rng);  // as seen from the sample
+      const DrawnPair pair = any_pair(radius, rng);  // as seen from the sample
       const Pose node = compose(sample, relative(pair.to, pair.from));
       x[i] = static_cast<float>(node.x);
       y[i] = static_cast<float>(node.y);

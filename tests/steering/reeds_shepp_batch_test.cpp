@@ -37,7 +37,7 @@ void expect_small_errors(std::uint64_t seed, int n, Draw draw) {
   base::Rng rng(seed);
   for (int i = 0; i < cases(n); ++i) {
     const double radius = base::uniform(0.5, 20.0, rng);
-    const PosePair pair = draw(radius, rng);
+    const DrawnPair pair = draw(radius, rng);
     const double e = error(pair.from, pair.to, radius);
     ASSERT_LE(e, static_cast<double>(simd::length_error) / 2)
         << as_code(pair.from) << ", " << as_code(pair.to) << ", " << as_code(radius);
@@ -50,7 +50,7 @@ TEST(ReedsSheppBatch, ErrorsAreSmallAtAnyDistance) {
   expect_small_errors(2, 5'000'000, [](double radius, base::Rng& rng) {
     const double distance = radius * std::pow(10.0, base::uniform(-6.0, 4.0, rng));
     const double bearing = base::uniform(-pi, pi, rng);
-    PosePair pair{
+    DrawnPair pair{
         {0, 0, base::uniform(-pi, pi, rng)},
         {distance * std::cos(bearing), distance * std::sin(bearing), base::uniform(-pi, pi, rng)}};
     if (base::uniform01(rng) < 0.5) {
@@ -71,7 +71,7 @@ TEST(ReedsSheppBatch, ErrorsAreSmallWhereTheLengthIsSteep) {
     const Pose local{radius * (sideways ? other : shift), radius * (sideways ? shift : other),
                      less * base::uniform(-2.0, 2.0, rng)};
     const Pose from{0, 0, base::uniform(-pi, pi, rng)};
-    return PosePair{from, compose(from, local)};
+    return DrawnPair{from, compose(from, local)};
   });
 }
 

@@ -12,13 +12,13 @@
 
 namespace vandplan {
 
-struct PosePair {
+struct DrawnPair {
   Pose from;
   Pose to;
 };
 
 /// The second pose within `reach` of the first, which is anywhere.
-inline PosePair near_pair(double reach, base::Rng& rng) {
+inline DrawnPair near_pair(double reach, base::Rng& rng) {
   const Pose from = geometry::uniform_pose({-1000, 1000, -1000, 1000}, rng);
   Pose to = geometry::uniform_pose({-reach, reach, -reach, reach}, rng);
   to.x += from.x;
@@ -27,7 +27,7 @@ inline PosePair near_pair(double reach, base::Rng& rng) {
 }
 
 /// Whole metres and eighths of a turn, so that arcs vanish and words meet.
-inline PosePair grid_pair(base::Rng& rng) {
+inline DrawnPair grid_pair(base::Rng& rng) {
   const auto whole = [&](int limit) {
     return static_cast<double>(static_cast<int>(rng() % (2 * static_cast<unsigned>(limit) + 1)) -
                                limit);
@@ -39,7 +39,7 @@ inline PosePair grid_pair(base::Rng& rng) {
 
 /// The second pose at the end of a few turns and lines, many of them quarter turns: the ends of
 /// words that lack a part lie on the border of other words.
-inline PosePair border_pair(double radius, base::Rng& rng) {
+inline DrawnPair border_pair(double radius, base::Rng& rng) {
   const double quarter = radius * std::numbers::pi / 2;
   const Pose from = geometry::uniform_pose({-100, 100, -100, 100}, rng);
   Pose to = from;
@@ -53,7 +53,7 @@ inline PosePair border_pair(double radius, base::Rng& rng) {
 }
 
 /// Offsets from 2^-30 to 1, each of its own size.
-inline PosePair tiny_pair(base::Rng& rng) {
+inline DrawnPair tiny_pair(base::Rng& rng) {
   const Pose from{0, 0, base::uniform(-std::numbers::pi, std::numbers::pi, rng)};
   const auto offset = [&] {
     return std::ldexp(base::uniform(-1, 1, rng), -static_cast<int>(rng() % 31));
@@ -62,7 +62,7 @@ inline PosePair tiny_pair(base::Rng& rng) {
 }
 
 /// One of the above.
-inline PosePair any_pair(double radius, base::Rng& rng) {
+inline DrawnPair any_pair(double radius, base::Rng& rng) {
   switch (rng() % 5) {
     case 0:
       return near_pair(10, rng);

@@ -165,6 +165,21 @@ TEST(NearestNodes, HeadingsMayBeAnyAngle) {
   });
 }
 
+TEST(NearestNodes, ACopyGrowsOnItsOwn) {
+  NearestNodes first(7.0);
+  first.add({10, 0, 0});
+  NearestNodes second = first;
+  second.add({1, 0, 0});
+  EXPECT_EQ(first.size(), 1U);
+  EXPECT_EQ(first.nearest({0, 0, 0})->length, 10);
+  EXPECT_EQ(second.size(), 2U);
+  EXPECT_EQ(second.nearest({0, 0, 0})->length, 1);
+  first = second;
+  first.add({0, 0, 0});
+  EXPECT_EQ(second.nearest({0, 0, 0})->length, 1);
+  EXPECT_EQ(first.nearest({0, 0, 0})->node, 2);
+}
+
 TEST(NearestNodes, FewLengthsAreComputed) {
   base::Rng rng(9);
   for (const double reach : {50.0, 200.0}) {
