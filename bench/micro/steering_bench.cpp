@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "support/pose_pairs.h"
 #include "base/trigonometry.h"
+#include "support/pose_pairs.h"
 #include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
 
