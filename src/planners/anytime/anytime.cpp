@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <deque>
 #include <numbers>
-#include <thread>
 
+#include "base/parallel.h"
 #include "planners/anytime/island.h"
 #include "planners/shared_options.h"
 #include "vandplan/dubins.h"
@@ -51,19 +50,6 @@ double open_ground_bound(const Task& task, const CostRule& rule) {
   return std::min({forward + change_cost(rule, rule.initial_gear, 1),
                    reverse + change_cost(rule, rule.initial_gear, -1),
                    shortest + rule.gear_change_cost});
-}
-
-// Calls `work(i)` for every island, on several threads.
-template <typename Work>
-void for_each_island(int threads, Work work) {
-  std::atomic<std::size_t> next = 0;
-  const auto take = [&] {
-    for (std::size_t i = next++; i < island_count; i = next++) work(i);
-  };
-  std::vector<std::jthread> helpers;
-  const std::size_t wanted = std::min(static_cast<std::size_t>(threads), island_count);
-  for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(take);
-  take();
 }
 
 class Run {
@@ -139,8 +125,8 @@ void Run::round() {
   }
   std::array<Slice, island_count> slices;
   const Route* best = best_ ? &*best_ : nullptr;
-  for_each_island(best_ ? threads_ : 1,
-                  [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
+  parallel_for(island_count, best_ ? threads_ : 1,
+               [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
   for (Slice& slice : slices) merge(slice);
   ++rounds_;
 }
