@@ -111,7 +111,7 @@ TEST_P(PlanMany, OfNoProblemsNothingIsTaken) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Jobs, PlanMany, testing::Values(1, 2, 5),
-                         [](const auto& info) { return std::to_string(info.param); });
+                         [](const auto& jobs) { return std::to_string(jobs.param); });
 
 }  // namespace
 }  // namespace vandplan

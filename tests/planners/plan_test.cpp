@@ -94,7 +94,7 @@ TEST_P(OneFrame, APlanFarAwayIsTheSamePlanMoved) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, OneFrame, testing::Values("anytime", "rrt-opt-bound-goal"),
-                         [](const auto& info) { return std::to_string(info.index); });
+                         [](const auto& planner) { return std::to_string(planner.index); });
 
 TEST(OneFrame, TheJudgeSaysWhereInTheScenariosFrame) {
   const Problem problem = make_problem(far_yard());

@@ -41,14 +41,15 @@ const Vehicle car{.wheelbase = 2.7,
                   .width = 1.8,
                   .min_turning_radius = 5};
 
-/// A free yard of 100 m in 1000 x 1000 cells, with a wall across it, 4 m wide in the middle.
+/// A free yard of 100 m in 1000 x 1000 cells, with a wall of single cells and a gate in it.
 std::shared_ptr<const World> mapped_world() {
   constexpr std::int32_t side = 1000;
   std::vector<Cell> cells(std::size_t{side} * side, Cell::free);
   for (std::int32_t row = 0; row < side; ++row) {
     if (row >= 488 && row < 512) continue;  // a gate, 2.4 m wide
     for (std::int32_t column = 490; column < 510; ++column) {
-      cells[static_cast<std::size_t>(row * side + column)] = Cell::occupied;
+      if ((row + column) % 2 == 0)
+        cells[static_cast<std::size_t>(row * side + column)] = Cell::occupied;
     }
   }
   return world_of(
