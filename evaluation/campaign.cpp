@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "evaluation/hash.h"
 #include "base/random.h"
+#include "evaluation/hash.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
@@ -78,9 +78,9 @@ std::vector<RunSpec> runs_of(const Campaign& campaign) {
 
 std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario, std::size_t goal,
                        int repeat) {
-  std::uint64_t seed = stream_seed(campaign_seed, hash_of(scenario));
-  seed = stream_seed(seed, goal);
-  seed = stream_seed(seed, static_cast<std::uint64_t>(repeat));
+  std::uint64_t seed = base::stream_seed(campaign_seed, hash_of(scenario));
+  seed = base::stream_seed(seed, goal);
+  seed = base::stream_seed(seed, static_cast<std::uint64_t>(repeat));
   return seed >> 32;  // short enough to type
 }
 

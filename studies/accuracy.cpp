@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "geometry/random_pose.h"
 #include "studies/percentile.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -26,12 +27,12 @@ struct Case {
 
 std::vector<Case> random_cases(const AccuracyOptions& options) {
   const double reach = options.reach;
-  Rng rng(options.seed);
+  base::Rng rng(options.seed);
   std::vector<Case> cases;
   cases.reserve(static_cast<std::size_t>(options.pairs));
   while (cases.size() < static_cast<std::size_t>(options.pairs)) {
-    const Pose sample{0.0, 0.0, uniform(-pi, pi, rng)};
-    const Pose node = uniform_pose({-reach, reach, -reach, reach}, rng);
+    const Pose sample{0.0, 0.0, base::uniform(-pi, pi, rng)};
+    const Pose node = geometry::uniform_pose({-reach, reach, -reach, reach}, rng);
     const double length = reeds_shepp_length(node, sample, options.turning_radius);
     if (length > 0.0) cases.push_back({node, sample, length});
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "geometry/random_pose.h"
 #include "simd/length_kernels.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
@@ -29,15 +30,15 @@ struct Inputs {
   std::vector<float> out, high;
 
   explicit Inputs(double reach) : out(node_count), high(node_count) {
-    Rng rng(1);
+    base::Rng rng(1);
     const Bounds box{-reach, reach, -reach, reach};
     for (std::size_t i = 0; i < node_count; ++i) {
-      nodes.push_back(uniform_pose(box, rng));
+      nodes.push_back(geometry::uniform_pose(box, rng));
       x.push_back(static_cast<float>(nodes.back().x));
       y.push_back(static_cast<float>(nodes.back().y));
       heading.push_back(static_cast<float>(nodes.back().heading));
     }
-    for (int i = 0; i < 64; ++i) samples.push_back(uniform_pose(box, rng));
+    for (int i = 0; i < 64; ++i) samples.push_back(geometry::uniform_pose(box, rng));
   }
   [[nodiscard]] PoseColumns columns() const { return {x, y, heading}; }
 };
@@ -71,10 +72,10 @@ void exactly(Inputs& in, const Pose& sample) {
 }
 
 void by_scalar_twin(Inputs& in, const Pose& sample) {
-  kernels::scalar::reeds_shepp_lengths(in.x, in.y, in.heading,
-                                       {static_cast<float>(sample.x), static_cast<float>(sample.y),
-                                        static_cast<float>(sample.heading)},
-                                       static_cast<float>(radius), in.out);
+  simd::scalar::reeds_shepp_lengths(in.x, in.y, in.heading,
+                                    {static_cast<float>(sample.x), static_cast<float>(sample.y),
+                                     static_cast<float>(sample.heading)},
+                                    static_cast<float>(radius), in.out);
 }
 
 void in_double(Inputs& in, const Pose& sample) {

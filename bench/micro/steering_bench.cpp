@@ -17,7 +17,7 @@ namespace {
 constexpr double radius = 7;
 
 std::vector<PosePair> pairs_within(double reach) {
-  Rng rng(1);
+  base::Rng rng(1);
   std::vector<PosePair> pairs(4096);
   for (PosePair& pair : pairs) pair = near_pair(reach, rng);
   return pairs;
@@ -41,7 +41,7 @@ void BM_sin_cos(benchmark::State& state) {
   const std::vector<PosePair> pairs = pairs_within(1);
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(sin_cos(pairs[i++ % pairs.size()].from.heading));
+    benchmark::DoNotOptimize(base::sin_cos(pairs[i++ % pairs.size()].from.heading));
   }
 }
 BENCHMARK(BM_sin_cos)->Name("sin_cos");
@@ -51,7 +51,7 @@ void BM_atan_2(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const Pose& pose = pairs[i++ % pairs.size()].from;
-    benchmark::DoNotOptimize(atan_2(pose.y, pose.x));
+    benchmark::DoNotOptimize(base::atan_2(pose.y, pose.x));
   }
 }
 BENCHMARK(BM_atan_2)->Name("atan_2");

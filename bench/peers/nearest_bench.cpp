@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "geometry/random_pose.h"
 #include "support/ompl_poses.h"
 #include "support/rounds.h"
 #include "vandplan/nearest.h"
@@ -28,16 +29,16 @@ struct Poses {
   std::vector<Pose> ours;
   OmplPoses<ompl::base::ReedsSheppStateSpace> theirs{radius};
 
-  Poses(std::size_t count, double reach, Rng& rng) {
+  Poses(std::size_t count, double reach, base::Rng& rng) {
     for (std::size_t i = 0; i < count; ++i) {
-      ours.push_back(uniform_pose({-reach, reach, -reach, reach}, rng));
+      ours.push_back(geometry::uniform_pose({-reach, reach, -reach, reach}, rng));
       theirs.add(ours.back());
     }
   }
 };
 
 void compare_lengths(double reach) {
-  Rng rng(1);
+  base::Rng rng(1);
   const Poses nodes(5000, reach, rng);
   const Poses samples(64, reach, rng);
   std::vector<float> x, y, heading, out(nodes.ours.size());
@@ -71,7 +72,7 @@ void compare_lengths(double reach) {
 }
 
 void compare_nearest(std::size_t count, double reach) {
-  Rng rng(2);
+  base::Rng rng(2);
   const Poses nodes(count, reach, rng);
   const Poses samples(256, reach, rng);
   // The lengths are equal; ours build the tree of 100 000 nodes in seconds instead of minutes.

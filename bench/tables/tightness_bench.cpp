@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "geometry/random_pose.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
 #include "vandplan/reeds_shepp.h"
@@ -27,11 +28,11 @@ struct Pair {
 };
 
 std::vector<Pair> pairs_within(double reach) {
-  Rng rng(1);
+  base::Rng rng(1);
   std::vector<Pair> pairs(1'000'000);
   for (Pair& pair : pairs) {
-    pair.node = uniform_pose({-reach, reach, -reach, reach}, rng);
-    pair.sample = {0.0, 0.0, uniform(-pi, pi, rng)};
+    pair.node = geometry::uniform_pose({-reach, reach, -reach, reach}, rng);
+    pair.sample = {0.0, 0.0, base::uniform(-pi, pi, rng)};
     pair.length = reeds_shepp_length(pair.node, pair.sample, radius);
   }
   return pairs;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace vandplan {
+namespace vandplan::base {
 namespace {
 
 using Text = std::array<char, 40>;
@@ -71,4 +71,4 @@ std::string shortest_text(double value) {
   return {text.data(), end};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::base

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace vandplan {
+namespace vandplan::base {
 
 /// `value` + `whole`, with `whole` a whole number below 2^63. A scenario that was moved by whole
 /// metres as a text has bit for bit the same coordinates after moving it back.
@@ -18,4 +18,4 @@ namespace vandplan {
 /// The shortest decimal that reads back as `value`, whatever the locale.
 [[nodiscard]] std::string shortest_text(double value);
 
-}  // namespace vandplan
+}  // namespace vandplan::base

@@ -9,24 +9,20 @@
 #include <cstdint>
 #include <random>
 
-#include "vandplan/geometry.h"
+namespace vandplan::base {
 
-namespace vandplan {
-
+/// A stream of random bits.
 using Rng = std::mt19937_64;
 
-/// In [0, 1), 53 random bits.
+/// A random number in [0, 1), of 53 random bits.
 inline double uniform01(Rng& rng) { return static_cast<double>(rng() >> 11) * 0x1.0p-53; }
 
-/// In [low, high).
+/// A random number in [low, high).
 inline double uniform(double low, double high, Rng& rng) {
   return low + (high - low) * uniform01(rng);
 }
 
-/// Position uniform in the box, heading uniform in [-pi, pi).
-Pose uniform_pose(const Bounds& box, Rng& rng);
-
 /// A seed for an independent stream: the `stream`-th one of `seed` (splitmix64, Steele 2014).
 std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream);
 
-}  // namespace vandplan
+}  // namespace vandplan::base

@@ -6,7 +6,7 @@
 // All of the core goes through these, never through <cmath>, so that an answer does not depend on
 // which variant of a function the C library picks for a processor.
 
-namespace vandplan {
+namespace vandplan::base {
 
 struct SinCos {
   double sin;
@@ -20,4 +20,4 @@ struct SinCos {
 /// zeros, infinities and NaN.
 [[nodiscard, gnu::const]] double atan_2(double y, double x) noexcept;
 
-}  // namespace vandplan
+}  // namespace vandplan::base

@@ -8,6 +8,10 @@
 #include "collision/sweep.h"
 
 namespace vandplan {
+
+using collision::DiscRows, collision::Obstacles, collision::Placement, collision::placement_of;
+using collision::PlacedSegment, collision::Sides, collision::Sweep;
+
 namespace {
 
 bool holds(const Bounds& outer, const Bounds& inner) {

@@ -15,7 +15,7 @@
 #include "geometry/distance_field.h"
 #include "vandplan/vehicle.h"
 
-namespace vandplan {
+namespace vandplan::collision {
 
 /// Equal discs that cover a footprint, their centres in a row along its middle.
 struct DiscRow {
@@ -55,7 +55,7 @@ struct DiscTrace {
 };
 
 /// Follows a segment that lies in the frame of the cells, whose side is that long [m].
-[[nodiscard]] DiscTrace trace_discs(const DistanceField& field, double side, const DiscRows& discs,
-                                    const PlacedSegment& placed) noexcept;
+[[nodiscard]] DiscTrace trace_discs(const geometry::DistanceField& field, double side,
+                                    const DiscRows& discs, const PlacedSegment& placed) noexcept;
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

@@ -7,7 +7,7 @@
 
 #include "base/trigonometry.h"
 
-namespace vandplan {
+namespace vandplan::collision {
 namespace {
 
 constexpr double block = 0.4;          // side of blocks of edge cells, about [m]
@@ -136,8 +136,8 @@ GridObstacles::GridObstacles(const OccupancyGrid& grid)
       cells_(grid),
       field_(cells_, doublings(grid.resolution, field_block)),
       block_shift_(doublings(grid.resolution, block)),
-      blocks_(blocks_of(cells_.edges(), block_shift_)) {
-  const auto [sin, cos] = sin_cos(grid.origin.heading);
+      blocks_(geometry::blocks_of(cells_.edges(), block_shift_)) {
+  const auto [sin, cos] = base::sin_cos(grid.origin.heading);
   along_ = {cos, sin};
   // The frame is a cell wide.
   origin_ = {grid.origin.x - side_ * (cos - sin), grid.origin.y - side_ * (sin + cos)};
@@ -205,4 +205,4 @@ bool GridObstacles::is_within(const Point& point, double distance) const noexcep
   });
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

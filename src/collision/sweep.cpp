@@ -10,7 +10,7 @@
 
 #include "base/trigonometry.h"
 
-namespace vandplan {
+namespace vandplan::collision {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -35,7 +35,7 @@ struct Turned {
 Turned turned(double length, double curvature) noexcept {
   const double turn = length * curvature;
   // Half the turn gives 1 - cos(turn) without cancellation.
-  const SinCos half = sin_cos(turn / 2);
+  const base::SinCos half = base::sin_cos(turn / 2);
   const double sin = 2 * half.sin * half.cos;
   const double cos = 1 - 2 * half.sin * half.sin;
   // As small a turn moves nothing aside that double could tell.
@@ -46,7 +46,7 @@ Turned turned(double length, double curvature) noexcept {
 }  // namespace
 
 Placement placement_of(const Pose& pose) noexcept {
-  const auto [sin, cos] = sin_cos(pose.heading);
+  const auto [sin, cos] = base::sin_cos(pose.heading);
   return {{pose.x, pose.y}, {cos, sin}};
 }
 
@@ -322,4 +322,4 @@ bool Sweep::touches_turning(const std::array<double, 5>& x,
   return false;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

@@ -10,7 +10,7 @@
 #include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 
-namespace vandplan {
+namespace vandplan::collision {
 
 /// A pose whose heading is a unit vector.
 struct Placement {
@@ -105,4 +105,4 @@ class Sweep {
   double most_x_;   // of the area, seen from the end
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::geometry {
 
 /// A rectangle of cells: columns from `x_min` to `x_max`, rows likewise, both included.
 struct CellBox {
@@ -91,4 +91,4 @@ class BitGrid {
   std::vector<std::uint64_t> bits_;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

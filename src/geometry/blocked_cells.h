@@ -10,7 +10,7 @@
 #include "geometry/bit_grid.h"
 #include "vandplan/occupancy_grid.h"
 
-namespace vandplan {
+namespace vandplan::geometry {
 
 /// Bits of a frame and the grid in it. Immutable.
 class BlockedCells {
@@ -42,4 +42,4 @@ class BlockedCells {
 /// Whether a block of 2^shift times 2^shift cells holds one that is set.
 [[nodiscard]] BitGrid blocks_of(const BitGrid& cells, int shift);
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

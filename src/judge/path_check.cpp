@@ -9,7 +9,6 @@
 #include <limits>
 #include <vector>
 
-#include "base/derived.h"
 #include "judge/along.h"
 #include "judge/cell_tree.h"
 #include "judge/claims.h"
@@ -134,9 +133,8 @@ std::vector<Thing> polygons_of(const Surroundings& ground, const Vehicle& vehicl
 
 /// The cells of a world's map, ready to be asked; made when the judge needs them first.
 std::shared_ptr<const CellTree> cells_of(const World& world) {
-  return world.derived().find_or_make<CellTree>(
-      [](const CellTree&) { return true; },
-      [&] { return std::make_shared<const CellTree>(*world.local().map); });
+  return std::static_pointer_cast<const CellTree>(world.kept(
+      typeid(CellTree), [&] { return std::make_shared<const CellTree>(*world.local().map); }));
 }
 
 Thing map_of(const World& world, const Vehicle& vehicle) {

@@ -19,9 +19,9 @@ Piece reversed(const Piece& piece) noexcept {
 Pose advance(const Pose& pose, const Segment& segment) noexcept {
   // The chord of an arc of angle a and length s is s * sin(a/2) / (a/2), under heading + a/2.
   const double half = segment.curvature * segment.length / 2;
-  const double ratio = std::abs(half) < 1e-4 ? 1 - half * half / 6 : sin_cos(half).sin / half;
+  const double ratio = std::abs(half) < 1e-4 ? 1 - half * half / 6 : base::sin_cos(half).sin / half;
   const double chord = segment.length * ratio;
-  const auto [sin, cos] = sin_cos(pose.heading + half);
+  const auto [sin, cos] = base::sin_cos(pose.heading + half);
   return {pose.x + chord * cos, pose.y + chord * sin, wrap_angle(pose.heading + 2 * half)};
 }
 

@@ -18,7 +18,7 @@
 #include "simd/kernels_highway-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace vandplan::kernels::HWY_NAMESPACE {
+namespace vandplan::simd::HWY_NAMESPACE {
 namespace {
 
 using Which = hn::Mask<F>;
@@ -235,11 +235,11 @@ void lengths(const float* x, const float* y, const float* heading, const LengthS
 }
 
 }  // namespace
-}  // namespace vandplan::kernels::HWY_NAMESPACE
+}  // namespace vandplan::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace vandplan::kernels {
+namespace vandplan::simd {
 namespace {
 
 HWY_EXPORT(lengths);
@@ -253,5 +253,5 @@ void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
   (x.data(), y.data(), heading.data(), sample, radius, out.data(), out.size());
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd
 #endif  // HWY_ONCE

@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 /// Where the paths lead to [m, rad]; heading in [-pi, pi].
 struct LengthSample {
@@ -48,4 +48,4 @@ inline constexpr float arc_tangent_rest[] = {8.0699567e-2F, -0.138832571F, 0.199
                                              -0.333329676F};
 inline constexpr float tan_eighth = 0.41421356F;  ///< tan(pi/8)
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

@@ -8,7 +8,7 @@
 #include "simd/length_kernels.h"
 #include "simd/series.h"
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -150,4 +150,4 @@ void scalar::reeds_shepp_lengths(std::span<const float> x, std::span<const float
   }
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 /// A table and a turning radius, in the form the look-up wants. All in float.
 struct TableView {
@@ -58,4 +58,4 @@ void table_distances(const TableView& table, std::span<const float> x, std::span
                      std::span<float> out) noexcept;
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

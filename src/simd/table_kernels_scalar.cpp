@@ -5,7 +5,7 @@
 
 #include "simd/table_kernels.h"
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -57,4 +57,4 @@ void scalar::table_distances(const TableView& table, std::span<const float> x,
   }
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

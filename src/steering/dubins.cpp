@@ -8,11 +8,14 @@
 #include <optional>
 #include <utility>
 
-#include "steering/mean_frame.h"
 #include "base/trigonometry.h"
+#include "steering/mean_frame.h"
 
 namespace vandplan {
 namespace {
+
+using base::atan_2;
+using steering::Circles, steering::MeanFrame, steering::mean_frame;
 
 constexpr double pi = std::numbers::pi;
 

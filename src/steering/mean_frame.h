@@ -9,7 +9,7 @@
 #include "base/trigonometry.h"
 #include "vandplan/geometry.h"
 
-namespace vandplan {
+namespace vandplan::steering {
 
 /// The relative pose. Lengths are in turning radii. The first pose is (-x/2, -y/2, -half_turn), the
 /// second (x/2, y/2, half_turn). Swapping the poses changes the three signs and not a bit besides.
@@ -24,7 +24,7 @@ struct MeanFrame {
 /// The same with what formulas share about the circles of radius 1 that the poses can turn on.
 struct Circles {
   explicit Circles(const MeanFrame& frame) noexcept : x(frame.x), y(frame.y), a(frame.half_turn) {
-    const auto [sin, cos] = sin_cos(a);
+    const auto [sin, cos] = base::sin_cos(a);
     s = sin;
     c = cos;
     const double shared = (x - 2 * s) * (x + 2 * s);
@@ -38,4 +38,4 @@ struct Circles {
   double rl;       ///< squared distance from the first right to the last left circle, less 4
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::steering

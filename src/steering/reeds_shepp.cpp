@@ -9,14 +9,15 @@
 #include <string_view>
 #include <utility>
 
+#include "simd/length_kernels.h"
 #include "steering/mean_frame.h"
 #include "steering/reeds_shepp_formulas.h"
-#include "simd/length_kernels.h"
 
 namespace vandplan {
 namespace {
 
-using namespace reeds_shepp_formulas;
+using namespace steering::reeds_shepp_formulas;
+using steering::Circles, steering::MeanFrame, steering::mean_frame;
 
 /// One turn or line of a word.
 struct Step {
@@ -139,10 +140,9 @@ void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double ra
                          std::span<float> out) noexcept {
   assert(nodes.x.size() == out.size() && nodes.y.size() == out.size() &&
          nodes.heading.size() == out.size());
-  const kernels::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
-                                 static_cast<float>(wrap_angle(sample.heading))};
-  kernels::reeds_shepp_lengths(nodes.x, nodes.y, nodes.heading, to, static_cast<float>(radius),
-                               out);
+  const simd::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
+                              static_cast<float>(wrap_angle(sample.heading))};
+  simd::reeds_shepp_lengths(nodes.x, nodes.y, nodes.heading, to, static_cast<float>(radius), out);
 }
 
 namespace {

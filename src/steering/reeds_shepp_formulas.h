@@ -11,10 +11,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "steering/mean_frame.h"
 #include "base/trigonometry.h"
+#include "steering/mean_frame.h"
 
-namespace vandplan::reeds_shepp_formulas {
+namespace vandplan::steering::reeds_shepp_formulas {
+
+using base::atan_2;
 
 /// One per formula: left, straight, right; `_` is a change of gear.
 enum class Word { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l };
@@ -144,4 +146,4 @@ inline Solution shortest(const Circles& p) {
   return {Word::r_lr, r_lr(p)};
 }
 
-}  // namespace vandplan::reeds_shepp_formulas
+}  // namespace vandplan::steering::reeds_shepp_formulas

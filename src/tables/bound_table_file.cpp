@@ -2,16 +2,18 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <bit>
 
-#include "bound_entries.h"
 #include "base/decimal.h"
+#include "bound_entries.h"
 #include "tables/table_bytes.h"
 #include "vandplan/table_file.h"
 
 namespace vandplan {
 namespace {
 
-using kernels::bound_unit;
-using kernels::BoundEntry;
+namespace table_bytes = tables::table_bytes;
+
+using simd::bound_unit;
+using simd::BoundEntry;
 
 // Bits `skip` to `skip + count` of a word, counted from the highest one, as a signed number.
 double signed_bits(std::uint32_t word, int skip, int count) {
@@ -20,31 +22,31 @@ double signed_bits(std::uint32_t word, int skip, int count) {
 
 // "base,width,slope_radial,slope_side,slope_turn" [turning radii].
 std::string planes_of(const BoundEntry& entry) {
-  const double slope_unit = kernels::slope_step * bound_unit;
+  const double slope_unit = simd::slope_step * bound_unit;
   const double numbers[] = {signed_bits(entry.base_width, 0, 16) * bound_unit,
                             static_cast<double>(entry.base_width & 0xFFFFU) * bound_unit,
                             signed_bits(entry.slopes, 0, 11) * slope_unit,
                             signed_bits(entry.slopes, 11, 11) * slope_unit,
                             signed_bits(entry.slopes, 22, 10) * bound_unit};
   std::string text;
-  for (const double number : numbers) text += "," + shortest_text(number);
+  for (const double number : numbers) text += "," + base::shortest_text(number);
   return text;
 }
 
 }  // namespace
 
 std::string bound_table_to_bytes() {
-  constexpr auto cells = static_cast<std::uint64_t>(kernels::radial_cells) |
-                         static_cast<std::uint64_t>(kernels::side_cells) << 16 |
-                         static_cast<std::uint64_t>(kernels::turn_cells) << 32 |
-                         static_cast<std::uint64_t>(kernels::slope_step) << 48;
-  std::string bytes = table_bytes::start_of(
-      {.kind = &table_bytes::bounds,
-       .parameters = {std::bit_cast<std::uint64_t>(1.0),
-                      std::bit_cast<std::uint64_t>(kernels::radial_reach),
-                      std::bit_cast<std::uint64_t>(kernels::bound_unit), cells},
-       .count = kernels::bound_cells});
-  for (const kernels::BoundEntry& entry : kernels::bound_entries) {
+  constexpr auto cells = static_cast<std::uint64_t>(simd::radial_cells) |
+                         static_cast<std::uint64_t>(simd::side_cells) << 16 |
+                         static_cast<std::uint64_t>(simd::turn_cells) << 32 |
+                         static_cast<std::uint64_t>(simd::slope_step) << 48;
+  std::string bytes =
+      table_bytes::start_of({.kind = &table_bytes::bounds,
+                             .parameters = {std::bit_cast<std::uint64_t>(1.0),
+                                            std::bit_cast<std::uint64_t>(simd::radial_reach),
+                                            std::bit_cast<std::uint64_t>(simd::bound_unit), cells},
+                             .count = simd::bound_cells});
+  for (const simd::BoundEntry& entry : simd::bound_entries) {
     table_bytes::append(bytes, entry.base_width);
     table_bytes::append(bytes, entry.slopes);
   }
@@ -61,17 +63,17 @@ std::string bound_table_to_header(std::string_view name) {
   text.append(name).append(" {\n\n");
   const auto constant = [&text](const char* what, double value) {
     text.append("inline constexpr ").append(what).append(" = ");
-    text.append(shortest_text(value)).append(";\n");
+    text.append(base::shortest_text(value)).append(";\n");
   };
-  constant("int radial_cells", kernels::radial_cells);
-  constant("int side_cells", kernels::side_cells);
-  constant("int turn_cells", kernels::turn_cells);
-  constant("double radial_reach", kernels::radial_reach);
+  constant("int radial_cells", simd::radial_cells);
+  constant("int side_cells", simd::side_cells);
+  constant("int turn_cells", simd::turn_cells);
+  constant("double radial_reach", simd::radial_reach);
   constant("double unit", bound_unit);
-  constant("int slope_step", kernels::slope_step);
+  constant("int slope_step", simd::slope_step);
   text.append("\ninline constexpr unsigned entries[][2] = {");
   int column = 0;
-  for (const BoundEntry& entry : kernels::bound_entries) {
+  for (const BoundEntry& entry : simd::bound_entries) {
     text.append(column++ % 4 == 0 ? "\n    " : " ");
     text.append("{").append(std::to_string(entry.base_width)).append("U, ");
     text.append(std::to_string(entry.slopes)).append("U},");
@@ -81,10 +83,10 @@ std::string bound_table_to_header(std::string_view name) {
 
 std::string bound_table_to_csv() {
   std::string text = "radial,side,turn,base,width,slope_radial,slope_side,slope_turn\n";
-  for (int radial = 0; radial < kernels::radial_cells; ++radial) {
-    for (int side = 0; side < kernels::side_cells; ++side) {
-      for (int turn = 0; turn < kernels::turn_cells; ++turn) {
-        const BoundEntry& entry = kernels::bound_entries[kernels::bound_index(radial, side, turn)];
+  for (int radial = 0; radial < simd::radial_cells; ++radial) {
+    for (int side = 0; side < simd::side_cells; ++side) {
+      for (int turn = 0; turn < simd::turn_cells; ++turn) {
+        const BoundEntry& entry = simd::bound_entries[simd::bound_index(radial, side, turn)];
         text += std::to_string(radial) + "," + std::to_string(side) + "," + std::to_string(turn) +
                 planes_of(entry) + "\n";
       }

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "simd/bound_grid.h"
-#include "vandplan/reeds_shepp.h"
 #include "tables/words_in_box.h"
+#include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 namespace {
 
 using namespace words_in_box;
@@ -87,7 +87,7 @@ double shortest_length(const Polar& centre) {
 }
 
 Chart chart_of(const PairBox& box) {
-  constexpr double reach = kernels::radial_reach;
+  constexpr double reach = simd::radial_reach;
   const auto distance = [](double radial) { return reach / ((1 - radial) * (1 - radial)); };
   const auto nearness = [](double radial) { return 1 / (reach * radial * radial); };
   return {increasing(box.radial, distance),
@@ -173,4 +173,4 @@ double excess_at(double radial, double side, double turn) {
   return shortest_length(there) - there.distance.low;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::tables

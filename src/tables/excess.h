@@ -11,7 +11,7 @@
 #include "tables/interval.h"
 #include "tables/words_in_box.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 
 /// Some of the 48 words.
 using WordSet = std::bitset<48>;
@@ -30,4 +30,4 @@ struct Excess {
 /// The same for a single pair.
 [[nodiscard]] double excess_at(double radial, double side, double turn);
 
-}  // namespace vandplan
+}  // namespace vandplan::tables

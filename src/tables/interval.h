@@ -12,7 +12,9 @@
 
 #include "base/trigonometry.h"
 
-namespace vandplan {
+namespace vandplan::tables {
+
+using base::atan_2, base::sin_cos;
 
 /// [low, high]; empty when low > high.
 struct Interval {
@@ -113,4 +115,4 @@ inline bool contains_origin(Interval x, Interval y) {
   return x.low <= 0.0 && x.high >= 0.0 && y.low <= 0.0 && y.high >= 0.0;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::tables

@@ -135,7 +135,7 @@ class NearestNodes::Search {
     while (next >= 0) {
       if (count_ + Block::capacity > batch) find_candidates();
       const Block& block = all_.blocks_[static_cast<std::size_t>(next)];
-      const float reach = limit_ * (1 + kernels::noise);
+      const float reach = limit_ * (1 + simd::noise);
       for (std::size_t i = 0; i < block.count; ++i) {
         const auto dx = static_cast<float>(block.x[i] - sample_.x);
         const auto dy = static_cast<float>(block.y[i] - sample_.y);
@@ -150,9 +150,9 @@ class NearestNodes::Search {
   }
 
   void find_candidates() {
-    kernels::length_bounds(kernels::bound_entries, first(x_), first(y_), first(node_heading_),
-                           {0.0F, 0.0F, heading_}, static_cast<float>(all_.radius_), first(low_),
-                           first(high_));
+    simd::length_bounds(simd::bound_entries, first(x_), first(y_), first(node_heading_),
+                        {0.0F, 0.0F, heading_}, static_cast<float>(all_.radius_), first(low_),
+                        first(high_));
     for (std::size_t i = 0; i < count_; ++i) limit_ = std::min(limit_, high_[i]);
     for (std::size_t i = 0; i < count_; ++i) {
       if (low_[i] > limit_) continue;

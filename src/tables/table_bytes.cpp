@@ -4,7 +4,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan::table_bytes {
+namespace vandplan::tables::table_bytes {
 namespace {
 
 constexpr std::string_view magic = "vp-table";
@@ -117,4 +117,4 @@ std::uint64_t checksum(std::string_view bytes) noexcept {
   return bytes.size() <= head_size ? head : hash(head, bytes.substr(head_size));
 }
 
-}  // namespace vandplan::table_bytes
+}  // namespace vandplan::tables::table_bytes

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace vandplan::table_bytes {
+namespace vandplan::tables::table_bytes {
 
 inline constexpr std::size_t head_size = 96;
 inline constexpr std::uint64_t most_entries = std::uint64_t{1} << 28;
@@ -67,4 +67,4 @@ template <class Unsigned>
   return value;
 }
 
-}  // namespace vandplan::table_bytes
+}  // namespace vandplan::tables::table_bytes

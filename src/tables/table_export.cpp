@@ -14,6 +14,8 @@
 namespace vandplan {
 namespace {
 
+namespace table_bytes = tables::table_bytes;
+
 constexpr std::size_t most_entries = std::size_t{1} << 24;  // more than a compiler could bear
 
 void check_size(const HeuristicTable& table) {
@@ -62,7 +64,7 @@ std::string table_to_header(const HeuristicTable& table, std::string_view name) 
   text.append(name).append(" {\n\n");
   const auto constant = [&text](std::string_view type, std::string_view what, double value) {
     text.append("inline constexpr ").append(type).append(" ").append(what).append(" = ");
-    text.append(shortest_text(value)).append(";\n");
+    text.append(base::shortest_text(value)).append(";\n");
   };
   constant("double", "turning_radius", options.turning_radius);
   constant("double", "extent", options.extent);
@@ -83,10 +85,10 @@ std::string table_to_csv(const HeuristicTable& table) {
   check_size(table);
   std::vector<std::string> positions, headings;
   for (int i = 0; i < table.positions(); ++i) {
-    positions.push_back(shortest_text(table.node_of({i, 0, 0, 0}).x) + ",");
+    positions.push_back(base::shortest_text(table.node_of({i, 0, 0, 0}).x) + ",");
   }
   for (int i = 0; i < table.headings(); ++i) {
-    headings.push_back(shortest_text(table.node_of({0, 0, i, 0}).heading) + ",");
+    headings.push_back(base::shortest_text(table.node_of({0, 0, i, 0}).heading) + ",");
   }
   std::string text = "x,y,heading_node,heading_sample,length\n";
   auto entry = table.entries().begin();  // row-major

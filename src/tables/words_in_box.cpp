@@ -8,7 +8,7 @@
 
 #include "simd/bound_grid.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 namespace words_in_box {
 namespace {
 
@@ -233,10 +233,10 @@ std::optional<Pieces> pieces_of(const Polar& box, Formula formula, const View& v
 }  // namespace words_in_box
 
 double distance_at(double radial) {
-  return radial < 1.0 ? kernels::radial_reach * radial / (1.0 - radial)
+  return radial < 1.0 ? simd::radial_reach * radial / (1.0 - radial)
                       : std::numeric_limits<double>::infinity();
 }
 
 double bearing_at(double side) { return atan_2(side, 1.0 - side); }
 
-}  // namespace vandplan
+}  // namespace vandplan::tables

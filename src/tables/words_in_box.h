@@ -12,7 +12,7 @@
 
 #include "tables/interval.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 
 /// Pairs of poses by the coordinates of simd/bound_grid.h, each in [0, 1].
 struct PairBox {
@@ -121,4 +121,4 @@ struct Pieces {
 [[nodiscard]] std::optional<Pieces> pieces_of(const Polar& box, Formula formula, const View& view);
 
 }  // namespace words_in_box
-}  // namespace vandplan
+}  // namespace vandplan::tables

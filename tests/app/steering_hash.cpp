@@ -42,7 +42,7 @@ class Hash {
 }  // namespace
 
 int main() {
-  vandplan::Rng rng(1);
+  vandplan::base::Rng rng(1);
   Hash hash;
   for (int i = 0; i < 100'000; ++i) {
     const auto [from, to] = vandplan::any_pair(7, rng);

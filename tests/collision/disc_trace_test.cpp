@@ -29,17 +29,17 @@ struct Case {
   OccupancyGrid grid;  // its frame begins at the origin
 };
 
-Case any_case(Rng& rng) {
+Case any_case(base::Rng& rng) {
   Case c;
   c.body = footprint(any_vehicle(rng));
   c.segment = any_segment(rng);
   const double side = any_size(0.02, 0.3, rng);
   const double extent = count * side;
-  const Pose near{uniform(0.3, 0.7, rng) * extent, uniform(0.3, 0.7, rng) * extent,
-                  uniform(-3, 3, rng)};
-  const double driven = c.segment.length * uniform01(rng);
+  const Pose near{base::uniform(0.3, 0.7, rng) * extent, base::uniform(0.3, 0.7, rng) * extent,
+                  base::uniform(-3, 3, rng)};
+  const double driven = c.segment.length * base::uniform01(rng);
   c.from = advance(near, {c.segment.curvature, -driven});
-  const Point corner = corners(c.body, near)[static_cast<std::size_t>(4 * uniform01(rng))];
+  const Point corner = corners(c.body, near)[static_cast<std::size_t>(4 * base::uniform01(rng))];
   const double away = any_size(1e-3, 2, rng);
   const double beyond = 1 + away / std::hypot(corner.x - near.x, corner.y - near.y);
   const auto index = [&](double from, double to) {
@@ -64,11 +64,12 @@ TEST(DiscTrace, WhatIsNotInDoubtIsSo) {
   constexpr int cases_count = 4000;
   int hits = 0;
   int partly = 0;
-  for_each_case(1, cases_count, [&](Rng& rng) {
+  for_each_case(1, cases_count, [&](base::Rng& rng) {
     const Case c = any_case(rng);
-    const DistanceField distances(BlockedCells(c.grid), 1);
-    const PlacedSegment placed(placement_of(c.from), c.segment);
-    const DiscTrace trace = trace_discs(distances, c.grid.resolution, DiscRows(c.body), placed);
+    const geometry::DistanceField distances(geometry::BlockedCells(c.grid), 1);
+    const collision::PlacedSegment placed(collision::placement_of(c.from), c.segment);
+    const collision::DiscTrace trace =
+        collision::trace_discs(distances, c.grid.resolution, collision::DiscRows(c.body), placed);
     const std::vector<Polygon> squares = squares_of(c.grid);
     const double length = std::abs(c.segment.length);
     const auto expect = [&](bool touched, double begin, double end) {
@@ -97,10 +98,11 @@ TEST(DiscTrace, OpenGroundIsClearFurtherThanTheFieldKnowsCells) {
   rows.back()[0] = '#';
   OccupancyGrid grid = grid_of(rows, 0.1, {0.1, 0.1, 0});
   grid.unknown_is_free = true;
-  const DistanceField distances(BlockedCells(grid), 3);
-  const DiscRows discs(footprint({}));
-  const auto is_clear = [&](const Placement& from) {
-    const DiscTrace trace = trace_discs(distances, 0.1, discs, {from, {0, 45}});
+  const geometry::DistanceField distances(geometry::BlockedCells(grid), 3);
+  const collision::DiscRows discs(footprint({}));
+  const auto is_clear = [&](const collision::Placement& from) {
+    const collision::DiscTrace trace =
+        collision::trace_discs(distances, 0.1, discs, {from, {0, 45}});
     return !trace.is_hit && trace.in_doubt().empty();
   };
   EXPECT_TRUE(is_clear({{10, 10}, {1, 0}}));

@@ -20,14 +20,14 @@ namespace {
 
 // Drives straight to the goal; how long that took and what was found on the way is made up.
 PlanResult plan_directly(const Problem& problem, const PlanOptions& options) {
-  Rng rng(options.seed);
+  base::Rng rng(options.seed);
   PlanResult result;
   result.status = PlanStatus::solved;
   const double radius = problem.world->vehicle().min_turning_radius;
   const Piece piece = reeds_shepp(problem.start, problem.goal, radius);
   result.path = Path{problem.start, {piece.view().begin(), piece.view().end()}};
   result.cost = length(result.path->segments);
-  result.anytime = {{uniform01(rng), 1, 2.0 * result.cost}, {1.0, 2, result.cost}};
+  result.anytime = {{base::uniform01(rng), 1, 2.0 * result.cost}, {1.0, 2, result.cost}};
   result.iterations = static_cast<std::int64_t>(options.seed);
   return result;
 }

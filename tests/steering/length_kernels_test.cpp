@@ -5,6 +5,7 @@
 // machine.
 
 #include "simd/length_kernels.h"
+#include "geometry/random_pose.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +18,9 @@ namespace vandplan {
 namespace {
 
 TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnes) {
-  on_every_target([](std::size_t count, Rng& rng) {
-    const double radius = uniform(0.5, 20.0, rng);
-    const Pose sample = uniform_pose({-200, 200, -200, 200}, rng);
+  on_every_target([](std::size_t count, base::Rng& rng) {
+    const double radius = base::uniform(0.5, 20.0, rng);
+    const Pose sample = geometry::uniform_pose({-200, 200, -200, 200}, rng);
     std::vector<float> x(count), y(count), heading(count), scalar(count), vector(count);
     for (std::size_t i = 0; i < count; ++i) {
       const PosePair pair = any_pair(radius, rng);  // as seen from the sample
@@ -28,18 +29,18 @@ TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnes) {
       y[i] = static_cast<float>(node.y);
       heading[i] = static_cast<float>(node.heading);
     }
-    const kernels::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
-                                   static_cast<float>(sample.heading)};
+    const simd::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
+                                static_cast<float>(sample.heading)};
     const auto r = static_cast<float>(radius);
-    kernels::scalar::reeds_shepp_lengths(x, y, heading, to, r, scalar);
-    kernels::reeds_shepp_lengths(x, y, heading, to, r, vector);
+    simd::scalar::reeds_shepp_lengths(x, y, heading, to, r, scalar);
+    simd::reeds_shepp_lengths(x, y, heading, to, r, vector);
     EXPECT_TRUE(same_bits(scalar, vector));
   });
 }
 
 // Small numbers without rounding, so that lanes lie on the borders between words.
 TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnesOnAGrid) {
-  on_every_target([](std::size_t count, Rng& rng) {
+  on_every_target([](std::size_t count, base::Rng& rng) {
     const auto eighths = [&rng](int most) {
       const auto range = static_cast<unsigned>(2 * most + 1);
       return static_cast<float>(static_cast<int>(rng() % range) - most) / 8;
@@ -50,9 +51,9 @@ TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnesOnAGrid) {
       y[i] = eighths(32);
       heading[i] = eighths(24);
     }
-    const kernels::LengthSample to{eighths(8), eighths(8), eighths(24)};
-    kernels::scalar::reeds_shepp_lengths(x, y, heading, to, 1.0F, scalar);
-    kernels::reeds_shepp_lengths(x, y, heading, to, 1.0F, vector);
+    const simd::LengthSample to{eighths(8), eighths(8), eighths(24)};
+    simd::scalar::reeds_shepp_lengths(x, y, heading, to, 1.0F, scalar);
+    simd::reeds_shepp_lengths(x, y, heading, to, 1.0F, vector);
     EXPECT_TRUE(same_bits(scalar, vector));
   });
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/random_pose.h"
 #include "simd/length_kernels.h"
 #include "support/cases.h"
 #include "support/pose_pairs.h"
@@ -22,7 +23,7 @@ constexpr double pi = std::numbers::pi;
 
 /// The error of the float length as a share of length + radius.
 double error(const Pose& node, const Pose& sample, double radius) {
-  const float length = kernels::reeds_shepp_length(
+  const float length = simd::reeds_shepp_length(
       static_cast<float>(node.x - sample.x), static_cast<float>(node.y - sample.y),
       static_cast<float>(wrap_angle(node.heading)), static_cast<float>(wrap_angle(sample.heading)),
       static_cast<float>(radius));
@@ -33,12 +34,12 @@ double error(const Pose& node, const Pose& sample, double radius) {
 /// `n` pairs that `draw(radius, rng)` gives stay within half of the error that is allowed for.
 template <typename Draw>
 void expect_small_errors(std::uint64_t seed, int n, Draw draw) {
-  Rng rng(seed);
+  base::Rng rng(seed);
   for (int i = 0; i < cases(n); ++i) {
-    const double radius = uniform(0.5, 20.0, rng);
+    const double radius = base::uniform(0.5, 20.0, rng);
     const PosePair pair = draw(radius, rng);
     const double e = error(pair.from, pair.to, radius);
-    ASSERT_LE(e, static_cast<double>(kernels::length_error) / 2)
+    ASSERT_LE(e, static_cast<double>(simd::length_error) / 2)
         << as_code(pair.from) << ", " << as_code(pair.to) << ", " << as_code(radius);
   }
 }
@@ -46,15 +47,15 @@ void expect_small_errors(std::uint64_t seed, int n, Draw draw) {
 TEST(ReedsSheppBatch, ErrorsAreSmall) { expect_small_errors(1, 5'000'000, any_pair); }
 
 TEST(ReedsSheppBatch, ErrorsAreSmallAtAnyDistance) {
-  expect_small_errors(2, 5'000'000, [](double radius, Rng& rng) {
-    const double distance = radius * std::pow(10.0, uniform(-6.0, 4.0, rng));
-    const double bearing = uniform(-pi, pi, rng);
+  expect_small_errors(2, 5'000'000, [](double radius, base::Rng& rng) {
+    const double distance = radius * std::pow(10.0, base::uniform(-6.0, 4.0, rng));
+    const double bearing = base::uniform(-pi, pi, rng);
     PosePair pair{
-        {0, 0, uniform(-pi, pi, rng)},
-        {distance * std::cos(bearing), distance * std::sin(bearing), uniform(-pi, pi, rng)}};
-    if (uniform01(rng) < 0.5) {
-      const double turn = std::pow(10.0, uniform(-8.0, 0.0, rng));
-      pair.to.heading = pair.from.heading + (uniform01(rng) < 0.7 ? turn : pi - turn);
+        {0, 0, base::uniform(-pi, pi, rng)},
+        {distance * std::cos(bearing), distance * std::sin(bearing), base::uniform(-pi, pi, rng)}};
+    if (base::uniform01(rng) < 0.5) {
+      const double turn = std::pow(10.0, base::uniform(-8.0, 0.0, rng));
+      pair.to.heading = pair.from.heading + (base::uniform01(rng) < 0.7 ? turn : pi - turn);
     }
     return pair;
   });
@@ -62,14 +63,14 @@ TEST(ReedsSheppBatch, ErrorsAreSmallAtAnyDistance) {
 
 // Where the length is steepest: a shift sideways, or almost, by headings that almost agree.
 TEST(ReedsSheppBatch, ErrorsAreSmallWhereTheLengthIsSteep) {
-  expect_small_errors(3, 5'000'000, [](double radius, Rng& rng) {
-    const double shift = std::pow(10.0, uniform(-6.0, 1.0, rng));
-    const double less = shift * (uniform01(rng) < 0.5 ? shift : 1.0);
-    const bool sideways = uniform01(rng) < 0.5;
-    const double other = shift * shift * uniform(-2.0, 2.0, rng);
+  expect_small_errors(3, 5'000'000, [](double radius, base::Rng& rng) {
+    const double shift = std::pow(10.0, base::uniform(-6.0, 1.0, rng));
+    const double less = shift * (base::uniform01(rng) < 0.5 ? shift : 1.0);
+    const bool sideways = base::uniform01(rng) < 0.5;
+    const double other = shift * shift * base::uniform(-2.0, 2.0, rng);
     const Pose local{radius * (sideways ? other : shift), radius * (sideways ? shift : other),
-                     less * uniform(-2.0, 2.0, rng)};
-    const Pose from{0, 0, uniform(-pi, pi, rng)};
+                     less * base::uniform(-2.0, 2.0, rng)};
+    const Pose from{0, 0, base::uniform(-pi, pi, rng)};
     return PosePair{from, compose(from, local)};
   });
 }
@@ -81,12 +82,12 @@ TEST(ReedsSheppBatch, EqualPosesAreAtNoDistance) {
 }
 
 TEST(ReedsSheppBatch, LengthsBelongToTheirNodes) {
-  Rng rng(4);
-  const Pose sample = uniform_pose({-50, 50, -50, 50}, rng);
+  base::Rng rng(4);
+  const Pose sample = geometry::uniform_pose({-50, 50, -50, 50}, rng);
   for (const std::size_t count : {0, 1, 3, 100}) {
     std::vector<float> x, y, heading, out(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const Pose node = uniform_pose({-50, 50, -50, 50}, rng);
+      const Pose node = geometry::uniform_pose({-50, 50, -50, 50}, rng);
       x.push_back(static_cast<float>(node.x));
       y.push_back(static_cast<float>(node.y));
       heading.push_back(static_cast<float>(node.heading));

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "geometry/random_pose.h"
 #include "studies/accuracy.h"
 #include "studies/growth.h"
 #include "studies/range.h"
@@ -123,9 +124,9 @@ TEST(GrowthStudy, EveryEdgeIsOneInputFromTheNodeNearestToItsSample) {
   ASSERT_EQ(tree.poses.size(), 300U);
   EXPECT_EQ(tree.poses[0], Pose{});
   EXPECT_EQ(tree.parents[0], -1);
-  Rng rng(options.seed);
+  base::Rng rng(options.seed);
   for (std::size_t i = 1; i < tree.poses.size(); ++i) {
-    const Pose sample = uniform_pose({-40.0, 40.0, -40.0, 40.0}, rng);
+    const Pose sample = geometry::uniform_pose({-40.0, 40.0, -40.0, 40.0}, rng);
     const auto left = [&](const Pose& pose) {
       return std::hypot(pose.x - sample.x, pose.y - sample.y);
     };

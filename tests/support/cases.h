@@ -32,7 +32,7 @@ template <typename Law>
 void for_each_case(std::uint64_t seed, int n, Law law) {
   for (int i = 0; i < cases(n) && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(i));
-    Rng rng(stream_seed(seed, static_cast<std::uint64_t>(i)));
+    base::Rng rng(base::stream_seed(seed, static_cast<std::uint64_t>(i)));
     law(rng);
   }
 }

@@ -39,8 +39,8 @@ void on_every_target(Law law) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     const ForcedTarget forced(target);
     SCOPED_TRACE(hwy::TargetName(target));
-    ASSERT_EQ(kernels::simd_target(), std::string_view(hwy::TargetName(target)));
-    Rng rng(11);
+    ASSERT_EQ(simd::simd_target(), std::string_view(hwy::TargetName(target)));
+    base::Rng rng(11);
     for (std::size_t i = 0; i < static_cast<std::size_t>(cases(1000)); ++i) {
       const std::size_t count = i < 300 ? i : rng() % 1000;
       SCOPED_TRACE("case " + std::to_string(i));

@@ -43,7 +43,7 @@ class Shortener {
 
   Connector& connector_;
   Route route_;
-  Rng rng_;
+  base::Rng rng_;
   std::vector<Leg> trial_;  // buffer
   int idle_ = 0;            // trials since the last progress worth the name
   double progress_cost_;    // what the route cost then

@@ -57,7 +57,7 @@ class TwoTrees {
   Connector& connector_;
   Bounds region_;
   double far_share_;
-  Rng rng_;
+  base::Rng rng_;
   std::array<Side, 2> sides_;
   std::size_t turn_ = 0;
   std::vector<Edge> nearest_;  // buffer of `rank`, nearest first
