@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "evaluation/page.h"
 #include "evaluation/report.h"
@@ -103,8 +104,11 @@ Json scenario_json(const Scenario& scenario, const StoredScenario& file, MapList
 
 Json path_json(const RunRecord& run) {
   Json segments = Json::array();
-  for (const Segment& segment : run.result.path->segments)
-    segments.push_back({segment.curvature, segment.length});
+  for (const Segment& segment : run.result.path->segments) {
+    Json item = {segment.curvature, segment.length};
+    if (segment.curvature_rate != 0.0) item.push_back(segment.curvature_rate);
+    segments.push_back(std::move(item));
+  }
   return segments;
 }
 

@@ -46,7 +46,7 @@ CREATE TABLE costs(
   PRIMARY KEY(run, number)) STRICT, WITHOUT ROWID;
 CREATE TABLE segments(
   run INTEGER NOT NULL REFERENCES runs(id), number INTEGER NOT NULL,
-  curvature REAL NOT NULL, length REAL NOT NULL,
+  curvature REAL NOT NULL, length REAL NOT NULL, curvature_rate REAL NOT NULL,
   PRIMARY KEY(run, number)) STRICT, WITHOUT ROWID;
 CREATE TABLE sessions(
   id INTEGER PRIMARY KEY,
@@ -121,7 +121,7 @@ struct Store::Statements {
                 " exact_solves, edge_checks, time_ranking, time_steering, time_checking)"
                 " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
         add_cost(database, "INSERT INTO costs VALUES (?, ?, ?, ?, ?)"),
-        add_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?)") {}
+        add_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?, ?)") {}
 
   // The id in the first row, or 0.
   template <class... Values>
@@ -223,7 +223,8 @@ bool Store::insert(const RunRecord& run) {
   if (!result.path) return true;
   number = 0;
   for (const Segment& segment : result.path->segments)
-    statements_->add_segment.run(id, number++, segment.curvature, segment.length);
+    statements_->add_segment.run(id, number++, segment.curvature, segment.length,
+                                 segment.curvature_rate);
   return true;
 }
 
@@ -302,7 +303,8 @@ std::vector<RunRecord> Store::runs() {
   Statement costs(database_,
                   "SELECT time, iteration, cost FROM costs WHERE run = ? ORDER BY number");
   Statement segments(database_,
-                     "SELECT curvature, length FROM segments WHERE run = ? ORDER BY number");
+                     "SELECT curvature, length, curvature_rate FROM segments WHERE run = ?"
+                     " ORDER BY number");
   std::vector<RunRecord> found;
   while (rows.step()) {
     RunRecord run = run_of(rows);
@@ -316,7 +318,7 @@ std::vector<RunRecord> Store::runs() {
     if (run.result.path) {
       segments.bind(rows.integer(0));
       while (segments.step())
-        run.result.path->segments.push_back({segments.real(0), segments.real(1)});
+        run.result.path->segments.push_back({segments.real(0), segments.real(1), segments.real(2)});
     }
     found.push_back(std::move(run));
   }

@@ -23,7 +23,7 @@ namespace vandplan {
 class Store {
  public:
   /// Raised when the tables change.
-  static constexpr int format = 2;
+  static constexpr int format = 3;
 
   /// Opens a store. Throws InputError when it is missing, damaged, of another format, or no store.
   [[nodiscard]] static Store open(const std::string& file);

@@ -451,20 +451,38 @@
 
   // ---- paths ----
 
-  // Poses along [curvature, length] segments from a start, every `step` metres and at each end.
+  // Where an arc leads.
+  function advance([x, y, h], curvature, length) {
+    const turn = curvature * length;
+    const chord = Math.abs(turn) < 1e-9 ? length : Math.sin(turn / 2) / (curvature / 2);
+    return [x + chord * Math.cos(h + turn / 2), y + chord * Math.sin(h + turn / 2), h + turn];
+  }
+
+  // A part of a clothoid as arcs of at most 10 cm: good enough to be drawn.
+  function advanceClothoid(pose, [curvature, length, rate], begin, end) {
+    const count = Math.ceil((end - begin) / 0.1);
+    const part = (end - begin) / count;
+    for (let i = 0; i < count; ++i) {
+      pose = advance(pose, curvature + rate * (begin + (i + 0.5) * part), Math.sign(length) * part);
+    }
+    return pose;
+  }
+
+  // Poses along [curvature, length] or [curvature, length, curvature rate] segments from a start,
+  // every `step` metres and at each end.
   function drive(start, segments, step) {
-    let [x, y, h] = start;
+    let first = start;
     const stretches = [];
-    for (const [curvature, length] of segments) {
+    for (const segment of segments) {
+      const [curvature, length, rate = 0] = segment;
       const pieces = Math.max(1, Math.ceil(Math.abs(length) / step));
-      const poses = [[x, y, h]];
+      const poses = [first];
       for (let i = 1; i <= pieces; ++i) {
-        const s = (length * i) / pieces;
-        const turn = curvature * s;
-        const chord = Math.abs(turn) < 1e-9 ? s : Math.sin(turn / 2) / (curvature / 2);
-        poses.push([x + chord * Math.cos(h + turn / 2), y + chord * Math.sin(h + turn / 2), h + turn]);
+        const at = (k) => (Math.abs(length) * k) / pieces;
+        poses.push(rate === 0 ? advance(first, curvature, (length * i) / pieces)
+          : advanceClothoid(poses[i - 1], segment, at(i - 1), at(i)));
       }
-      [x, y, h] = poses[pieces];
+      first = poses[pieces];
       stretches.push({forward: length >= 0, poses});
     }
     return stretches;

@@ -45,11 +45,22 @@ double curvature_from(const Document& file, const Node& node, double radius) {
   file.fail(*turn, fmt::format("is \"{}\", expected left, straight or right", word));
 }
 
+Segment segment_from(const Document& file, const Node& node, double radius) {
+  Segment segment{.curvature = curvature_from(file, node, radius),
+                  .length = file.number(file.at(node, "length"))};
+  if (const Node* const rate = file.find(node, "curvature_rate")) {
+    if (file.find(node, "turn") != nullptr) {
+      file.fail(*rate, "stands beside turn, expected it beside curvature");
+    }
+    segment.curvature_rate = file.number(*rate);
+  }
+  return segment;
+}
+
 Path path_from(const Document& file, const Node& node, double radius) {
   Path path{pose_from(file, file.at(node, "start")), {}};
   for (const Node& segment : file.list(file.at(node, "segments"), "a list of segments")) {
-    path.segments.push_back(
-        {curvature_from(file, segment, radius), file.number(file.at(segment, "length"))});
+    path.segments.push_back(segment_from(file, segment, radius));
   }
   return path;
 }

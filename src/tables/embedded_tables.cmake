@@ -8,6 +8,7 @@ add_library(
   tables/heuristic_table.cpp
   base/input_error.cpp
   steering/mean_frame.cpp
+  path/clothoid.cpp
   path/path.cpp
   steering/reeds_shepp.cpp
   simd/bound_kernels_scalar.cpp

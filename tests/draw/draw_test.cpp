@@ -324,6 +324,8 @@ TEST(Draw, BadInputIsNamed) {
   EXPECT_THROW((void)draw_png({.scenario = &scenario}, 10001), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario, .goal = 1}, 300), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario, .path = &broken}, 300), InputError);
+  const Path winding{{0, 0, 0}, {{0, 1, std::numeric_limits<double>::infinity()}}};
+  EXPECT_THROW((void)draw_png({.scenario = &scenario, .path = &winding}, 300), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario, .caption = "\xff\xfe"}, 300), InputError);
   EXPECT_THROW((void)draw(ContactSheet{.columns = 0}, PictureFormat::png, 300), InputError);
 }

@@ -95,6 +95,21 @@ TEST(ResultFile, SegmentsAreTurnsAtFullSteeringOrCurvatures) {
       {"curvature": 0.05, "length": 2.0}])"));
 }
 
+TEST(ResultFile, ClothoidsSayTheirCurvatureRate) {
+  ResultRecord record = solved(yard());
+  // The curvature goes from 0 to that of full steering, and back in reverse.
+  record.result.path->segments = {{0, 2, 1.0 / 14}, {1.0 / 7, -4, -1.0 / 28}};
+  const Json json = Json::parse(results_to_json(yard(), {record}));
+  const Json& segments = json["path"]["segments"];
+  EXPECT_EQ(segments[0], (Json{{"curvature", 0.0}, {"curvature_rate", 1.0 / 14}, {"length", 2.0}}));
+  EXPECT_EQ(keys_of(segments[1]), (Keys{"curvature", "curvature_rate", "length"}));
+  const Json& poses = json["path"]["poses"];
+  EXPECT_EQ(poses[0]["curvature"], 0.0);
+  EXPECT_EQ(poses[10]["curvature"], 1.0 / 14);
+  EXPECT_EQ(poses[20]["curvature"], 1.0 / 7);
+  EXPECT_EQ(poses.back()["curvature"], 0.0);
+}
+
 TEST(ResultFile, PosesFollowThePathAtMostTenCentimetresApart) {
   const ResultRecord record = solved(yard());
   const Json json = Json::parse(results_to_json(yard(), {record}));
@@ -264,7 +279,8 @@ TEST_F(ResultReader, SomebodyElsesFileNeedsOnlyThePath) {
 
 TEST_F(ResultReader, NumbersAreReadExactly) {
   ResultRecord record = solved(yard());
-  record.result.path->segments = {{std::nextafter(1.0 / 7, 0), 0.1 + 0.2}, {1e-17, 5e-324}};
+  record.result.path->segments = {
+      {std::nextafter(1.0 / 7, 0), 0.1 + 0.2}, {1e-17, 5e-324}, {1.0 / 7, -0.3, 0.1 + 0.2}};
   const auto copies = read(results_to_json(yard(), {record}), yard());
   EXPECT_EQ(copies[0].result.path, record.result.path);
 }
@@ -334,6 +350,13 @@ TEST_F(ResultReader, EveryErrorNamesLineKeyAndWhatWasExpected) {
        "r.json:6: path.segments[1]: has neither, expected either turn or curvature"},
       {result_with("{\"turn\": \"left\", \"curvature\": 0, \"length\": 1}"),
        "r.json:6: path.segments[1]: has both, expected either turn or curvature"},
+      {result_with("{\"turn\": \"left\", \"curvature_rate\": 0.1, \"length\": 1}"),
+       "r.json:6: path.segments[1].curvature_rate: stands beside turn, expected it beside "
+       "curvature"},
+      {result_with("{\"curvature\": 0, \"curvature_rate\": \"much\", \"length\": 1}"),
+       "r.json:6: path.segments[1].curvature_rate: is \"much\", expected a number"},
+      {result_with("{\"curvature\": 0, \"curvature_rate\": 1e999, \"length\": 1}"),
+       "r.json:6: is not JSON"},
       {result_with("7"), "r.json:6: path.segments[1]: is \"7\", expected a map of keys"},
   };
   for (const BadResult& one : bad) {
