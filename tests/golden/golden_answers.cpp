@@ -19,9 +19,11 @@ namespace {
 
 using namespace vandplan;
 
-/// The numbers that make a segment.
+/// The numbers that make a segment; those of arcs and lines are two.
 std::vector<double> numbers_of(const Segment& segment) {
-  return {segment.curvature, segment.length};
+  std::vector<double> numbers = {segment.curvature, segment.length};
+  if (segment.curvature_rate != 0.0) numbers.push_back(segment.curvature_rate);
+  return numbers;
 }
 
 /// FNV-1a over the bits of all numbers of the segments.
