@@ -9,9 +9,15 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/foreign -B ${WORK}/build
-    -DCMAKE_PREFIX_PATH=${prefix} -DEXAMPLE=${SOURCE}/examples/plan_one.cpp ${ARGUMENTS})
+    -DCMAKE_PREFIX_PATH=${prefix} -DEXAMPLES=${SOURCE}/examples ${ARGUMENTS})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/plan_one)
+file(GLOB examples ${SOURCE}/examples/*.cpp)
+foreach(example IN LISTS examples)
+  get_filename_component(name ${example} NAME_WE)
+  message(STATUS ${name})
+  execute_process(COMMAND ${WORK}/build/${name} WORKING_DIRECTORY ${WORK} OUTPUT_QUIET
+                  COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
 run(${WORK}/build/draw_file ${SOURCE}/scenarios/thesis/3-h-shape.yaml ${WORK}/picture.png)
 if(NOT EXISTS ${WORK}/picture.png)
   message(FATAL_ERROR "no picture")

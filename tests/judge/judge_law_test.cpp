@@ -17,6 +17,7 @@
 #include "judge/clearance.h"
 #include "support/cases.h"
 #include "support/map_cases.h"
+#include "support/problems.h"
 #include "support/slow_judge.h"
 #include "vandplan/path_check.h"
 
@@ -164,8 +165,7 @@ void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Pat
                as_code(grid.origin) + ": " + as_code(squares));
   for (const Surroundings& surroundings :
        {Surroundings{.bounds = wide, .map = grid}, {.bounds = wide, .obstacles = squares}}) {
-    const auto world = std::make_shared<World>(vehicle, surroundings, Point{});
-    const PathCheck check = check_path({world, path.start, end_pose(path)}, path, {});
+    const PathCheck check = check_path(problem_of_path(surroundings, path, vehicle), path);
     ASSERT_TRUE(check.clearance);
     const Footprint body = footprint(vehicle);
     if (check.valid) {

@@ -128,7 +128,7 @@ void Run::round() {
   const Route* best = best_ ? &*best_ : nullptr;
   parallel_for(island_count, best_ ? threads_ : 1,
                [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
-  for (Slice& slice : slices) merge(slice);
+  for (Slice& slice : slices) merge(slice);  // [8]
   ++rounds_;
 }
 
@@ -172,15 +172,16 @@ PlannerAnswer Run::result() const {
 
 }  // namespace
 
+// The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
 PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
   Run run(task, options);
-  run.try_open_ground();
+  run.try_open_ground();  // [1]
   std::optional<PlanStatus> end;
   while (!run.is_optimal() && !end) {
     end = run.budget().exhausted();
-    if (!end) run.round();
+    if (!end) run.round();  // [2] to [8]
   }
-  if (run.is_optimal()) run.tidy(options.budget.seed);
+  if (run.is_optimal()) run.tidy(options.budget.seed);  // [9]
   PlannerAnswer answer = run.result();
   if (!answer.segments) answer.status = *end;
   return answer;
