@@ -13,6 +13,7 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/foreign -B ${WORK}/build
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/plan_one)
 run(${WORK}/build/draw_file ${SOURCE}/scenarios/thesis/3-h-shape.yaml ${WORK}/picture.png)
+run(${WORK}/build/load_plugin ${WORK}/build/libplugin.so)
 if(NOT EXISTS ${WORK}/picture.png)
   message(FATAL_ERROR "no picture")
 endif()
