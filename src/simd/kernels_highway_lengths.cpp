@@ -66,17 +66,17 @@ Floats atan_2(Floats y, Floats x) {
   return hn::IfThenElse(hn::Lt(y, hn::Zero(F())), hn::Neg(angle), angle);
 }
 
-struct Circles {
+struct LaneCircles {
   Floats x, y, a, s, c, lr, rl;
 };
 
-Circles circles(Floats dx, Floats dy, Floats node, Floats sample, float radius) {
+LaneCircles circles(Floats dx, Floats dy, Floats node, Floats sample, float radius) {
   const Floats mean = hn::Mul(set(0.5F), hn::Add(node, sample));
   const Floats turns = hn::Round(hn::Mul(mean, set(1 / pi)));
   const Floats reduced = hn::Sub(mean, hn::Mul(turns, set(pi)));
   const auto [sin, cos] = direction(hn::Sub(reduced, hn::Mul(turns, set(rest_of_pi))));
   const Floats scale = set(1.0F / radius);
-  Circles p;
+  LaneCircles p;
   p.x = hn::Mul(hn::Abs(sum_of_products(dx, cos, dy, sin)), scale);
   p.y = hn::Mul(hn::Abs(difference_of_products(dy, cos, dx, sin)), scale);
   const Floats difference = hn::Abs(hn::Sub(node, sample));
@@ -116,7 +116,7 @@ struct Words {
   Which l_r_l, r_lsl, lsl, r_lsr_l, r_lsr, lsr;
   Floats less, x, ahead, square;
 
-  explicit Words(const Circles& f) {
+  explicit Words(const LaneCircles& f) {
     const Floats zero = hn::Zero(F());
     const Floats two_s = hn::Mul(set(2.0F), f.s);
     less = hn::Sub(f.x, two_s);
@@ -142,7 +142,7 @@ struct Words {
 };
 
 /// The words with a line; of those before 8.11 the line only.
-Parts with_line(const Circles& f, const Words& is) {
+Parts with_line(const LaneCircles& f, const Words& is) {
   Floats square = hn::IfThenElse(is.r_lsr, hn::Sub(is.square, set(4.0F)), f.lr);         // 8.9, 8.2
   square = hn::IfThenElse(is.r_lsr_l, f.rl, square);                                     // 8.11
   square = hn::IfThenElse(is.lsl, sum_of_products(is.less, is.less, f.y, f.y), square);  // 8.1
@@ -162,7 +162,7 @@ Parts with_line(const Circles& f, const Words& is) {
 }
 
 /// 8.8 where `is_r_lr_l`, else 8.4.
-Parts of_arcs(const Circles& f, const Words& is, Which is_r_lr_l) {
+Parts of_arcs(const LaneCircles& f, const Words& is, Which is_r_lr_l) {
   const Floats one = set(1.0F);
   const Floats two = set(2.0F);
   const Floats sixteenth = set(0.0625F);
@@ -176,14 +176,14 @@ Parts of_arcs(const Circles& f, const Words& is, Which is_r_lr_l) {
 }
 
 /// 8.7; `between` the left and the right circle.
-Floats lr_lr(const Circles& f, Floats between) {
+Floats lr_lr(const LaneCircles& f, Floats between) {
   const Floats eight = set(8.0F);
   const Floats sin_squared = hn::Div(hn::Neg(f.lr), hn::Mul(eight, hn::Add(set(2.0F), between)));
   const Floats quarter = atan_2(root(sin_squared), root(hn::Sub(set(1.0F), sin_squared)));
   return hn::Sub(hn::Mul(eight, quarter), hn::Mul(set(2.0F), f.a));
 }
 
-Floats shortest(const Circles& f) {
+Floats shortest(const LaneCircles& f) {
   const Floats zero = hn::Zero(F());
   const Floats two = set(2.0F);
   const Words is(f);
@@ -222,7 +222,7 @@ void lengths(const float* x, const float* y, const float* heading, const LengthS
     const Floats dx = hn::Sub(hn::LoadU(d, node_x), set(sample.x));
     const Floats dy = hn::Sub(hn::LoadU(d, node_y), set(sample.y));
     const Floats node = hn::LoadU(d, node_heading);
-    const Circles pair = circles(dx, dy, node, set(sample.heading), radius);
+    const LaneCircles pair = circles(dx, dy, node, set(sample.heading), radius);
     hn::StoreU(hn::Mul(shortest(pair), set(radius)), d, length);
   };
   std::size_t i = 0;
