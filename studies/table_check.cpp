@@ -18,7 +18,8 @@ namespace {
 // Float rounds to 6e-8 of the value; the rest is for other compilers' libraries.
 constexpr double tolerance = 1e-6;
 
-void compare(const HeuristicTable& table, const HeuristicTable::Cell& cell, EntryCheck& check) {
+void compare(const HeuristicTable& table, const HeuristicTable::GridPoint& cell,
+             EntryCheck& check) {
   const double exact = reeds_shepp_length(table.node_of(cell), table.sample_of(cell),
                                           table.options().turning_radius);
   const double entry = static_cast<double>(table.entries()[table.index_of(cell)]);

@@ -136,12 +136,12 @@ struct Range {
 };
 
 Range range_of(const steering::reeds_shepp_formulas::Solution& solution) {
-  using steering::reeds_shepp_formulas::Word;
-  const auto& [word, arcs] = solution;
+  using steering::reeds_shepp_formulas::Formula;
+  const auto& [formula, arcs] = solution;
   const auto [least, most] = std::minmax(arcs.first, arcs.last);
   const bool has_line = arcs.line != 0 || arcs.inner == 0;
   const double quarter = std::numbers::pi / 2;
-  if (word == Word::l_r_l) return {least, most, std::numbers::pi};
+  if (formula == Formula::l_r_l) return {least, most, std::numbers::pi};
   return {least, most, has_line ? quarter : std::min(arcs.inner, quarter)};
 }
 
