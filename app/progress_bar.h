@@ -22,7 +22,8 @@ class ProgressBar {
  private:
   bool terminal_;
   bool drawn_ = false;
-  double next_ = 0.0;  // when to show something again [s]
+  bool finished_ = false;  // the end is shown once
+  double next_ = 0.0;      // when to show something again [s]
 };
 
 /// "2 min 05 s".
