@@ -43,9 +43,9 @@ int main() {
   vandplan::PlanOptions options;
   options.budget.max_iterations = 5000;
   const vandplan::PlanResult result = vandplan::plan(scenario, options);
-  std::printf("%s: %.2f m, %.2f m from the map at its closest\n",
+  std::printf("%s: %.2f m, %.1f mm from the map at its closest\n",
               std::string(vandplan::name_of(result.status)).c_str(), result.cost,
-              result.check ? result.check->clearance.value_or(0) : 0);
+              1e3 * (result.check ? result.check->clearance.value_or(0) : 0));
   // The gate is a detour: straight ahead it would be 40 m.
   return result.path && result.cost > 50 && result.check->clearance > 0 ? 0 : 1;
 }
