@@ -15,6 +15,10 @@
 namespace vandplan {
 namespace {
 
+using evaluation::DrivingStyle;
+using evaluation::metrics_of;
+using evaluation::PathMetrics;
+
 struct CheckArguments {
   std::string scenario;
   std::string result;

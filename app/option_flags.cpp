@@ -93,7 +93,9 @@ std::string help_on_family(const std::string& family) {
   return help;
 }
 
-TypedOption from_setting(const std::string& setting) {
+}  // namespace
+
+TypedOption typed_setting(const std::string& setting) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) {
     throw InputError("--set", "\"" + setting + "\" is not KEY=VALUE");
@@ -101,8 +103,6 @@ TypedOption from_setting(const std::string& setting) {
   const std::string key = setting.substr(0, equals);
   return {key, key, setting.substr(equals + 1)};
 }
-
-}  // namespace
 
 void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
   for (const Flag& flag : flags) {
@@ -115,7 +115,7 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
         ->default_str(text.standard);
   }
   const auto add = [&typed](const std::vector<std::string>& settings) {
-    for (const std::string& setting : settings) typed.push_back(from_setting(setting));
+    for (const std::string& setting : settings) typed.push_back(typed_setting(setting));
   };
   command
       .add_option_function<std::vector<std::string>>("--set", add,

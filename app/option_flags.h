@@ -25,6 +25,9 @@ struct TypedOption {
 /// What is typed is added to `typed`, in that order, which has to live as long as the command.
 void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed);
 
+/// "KEY=VALUE" as it stands behind --set. Throws InputError for anything else.
+[[nodiscard]] TypedOption typed_setting(const std::string& setting);
+
 /// What was typed, for a planner. Throws InputError naming what was typed when the planner does not
 /// honour it or the value is no good.
 [[nodiscard]] PlanOptions options_for(const Planner& planner,

@@ -5,9 +5,11 @@
 
 #include <string>
 
-#include "evaluation/runner.h"
+#include "vandplan/evaluation.h"
 
 namespace vandplan {
+
+using evaluation::Progress;
 
 /// Shows progress on standard error: a bar that is redrawn on a terminal, else a line now and then.
 class ProgressBar {
