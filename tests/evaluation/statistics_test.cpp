@@ -11,7 +11,7 @@
 
 #include "base/random.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -132,4 +132,4 @@ TEST(PairedComparison, OfNothingSaysNothing) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::evaluation
