@@ -17,7 +17,7 @@ namespace {
 constexpr double radius = 7;
 
 std::vector<PosePair> pairs_within(double reach) {
-  base::Rng rng(1);
+  Rng rng(1);
   std::vector<PosePair> pairs(4096);
   for (PosePair& pair : pairs) pair = near_pair(reach, rng);
   return pairs;

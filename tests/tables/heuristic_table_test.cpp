@@ -9,9 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "vandplan/input_error.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -125,11 +124,11 @@ TEST(HeuristicTable, ScalesWithTheTurningRadius) {
 
 TEST(HeuristicTable, BatchGivesWhatSingleLookUpsGive) {
   const HeuristicTable table = thesis_table(4);
-  base::Rng rng(7);
+  Rng rng(7);
   const Bounds box{-40.0, 40.0, -40.0, 40.0};
   std::vector<float> x, y, heading;
   for (int i = 0; i < 1000; ++i) {
-    const Pose pose = geometry::uniform_pose(box, rng);
+    const Pose pose = uniform_pose(box, rng);
     x.push_back(static_cast<float>(pose.x));
     y.push_back(static_cast<float>(pose.y));
     heading.push_back(static_cast<float>(pose.heading));
