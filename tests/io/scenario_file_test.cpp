@@ -207,7 +207,7 @@ TEST(ScenarioFile, SteeringAndTrackMayBeGiven) {
   const Vehicle car =
       scenario_from_yaml(with_vehicle(lengths + ", max_steering_angle: 0.75, track_width: 1.7}"),
                          "s.yaml")
-          .vehicle;
+          .scenario.vehicle;
   EXPECT_NEAR(car.min_turning_radius, 3.005593, 1e-6);
   EXPECT_EQ(car.track_width, 1.7);
   EXPECT_EQ(message_for(with_vehicle(lengths + ", max_steering_angle: 1.6}")),
