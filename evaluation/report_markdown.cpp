@@ -197,7 +197,7 @@ std::string options_text(const ReportOptions& options) {
 std::string rejected_text(const Report& report) {
   std::string text;
   for (const OrderedJson& rejected : rejected_json(report.runs))
-    text += fmt::format("{} paths of {} were rejected by the judge: {}.\n",
+    text += fmt::format("{} paths of {} were rejected by the judge, the first because {}.\n",
                         rejected.at("runs").get<int>(), rejected.at("planner").get<std::string>(),
                         rejected.at("reason").get<std::string>());
   return text;

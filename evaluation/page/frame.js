@@ -50,6 +50,6 @@ function renderFrame() {
       ['storing', share(overhead.storing)], ['judging paths', share(overhead.judging)],
       ['the rest', share(overhead.rest)],
       ['left out', `${data.left_out} runs of other programs, machines or options, or of files changed since`],
-      ...data.rejected.map((r) => [`rejected paths of ${r.planner}`, `${r.runs}: ${r.reason}`])]),
+      ...data.rejected.map((r) => [`rejected paths of ${r.planner}`, `${r.runs}, the first because ${r.reason}`])]),
     facts('Planners', data.planners.map((p) => [p.name, p.summary])));
 }
