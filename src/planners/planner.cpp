@@ -93,6 +93,9 @@ PathClaims claims_of(const PlanResult& result, const CostOptions& options) {
 void judge(const Problem& problem, const PlanOptions& options, PlanResult& result) {
   result.check = check_path(problem, *result.path, claims_of(result, options.cost));
   if (result.check->valid) {
+    if (result.anytime.empty()) {  // a planner that keeps no trace
+      result.anytime.push_back({result.time_total, result.iterations, result.cost});
+    }
     result.lower_bound = std::min(result.lower_bound, result.cost);  // rounding apart
     return;
   }
