@@ -41,6 +41,7 @@ PlannerAnswer grow(const Task& task, const PlanOptions& options) {
     const search::NodeId node = tree.add(sample, nearest, tree.cost_to_come(nearest) + edge->cost);
     nodes.add(sample);
     if (!is_goal) continue;
+    answer.anytime = {{budget.elapsed(), budget.iterations(), tree.cost_to_come(node)}};
     answer.segments.emplace();
     const std::vector<Pose> poses = tree.branch(node);
     for (std::size_t i = 1; i < poses.size(); ++i) {
