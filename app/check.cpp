@@ -8,11 +8,16 @@
 
 #include "commands.h"
 #include "evaluation/metrics.h"
-#include "vandplan/io.h"
 #include "vandplan/path_check.h"
+#include "vandplan/result_file.h"
+#include "wording.h"
 
 namespace vandplan {
 namespace {
+
+using evaluation::DrivingStyle;
+using evaluation::metrics_of;
+using evaluation::PathMetrics;
 
 struct CheckArguments {
   std::string scenario;
@@ -22,18 +27,12 @@ struct CheckArguments {
   DrivingStyle style;
 };
 
-/// The verdict on one goal; none without a path. The place is in the scenario's frame.
+/// The verdict on one goal; none without a path.
 using Verdict = std::optional<PathCheck>;
 
 Verdict judge(const Problem& problem, const ResultRecord& record) {
   if (!record.result.path) return std::nullopt;
-  Path path = *record.result.path;
-  path.start = to_local(*problem.world, path.start);
-  PathClaims claims = record.claims;
-  for (StatedPose& stated : claims.poses) stated.pose = to_local(*problem.world, stated.pose);
-  PathCheck check = check_path(problem, path, claims);
-  if (check.at) check.at->pose = to_scenario(*problem.world, check.at->pose);
-  return check;
+  return check_path(problem, *record.result.path, record.claims);
 }
 
 nlohmann::ordered_json json_of(const ResultRecord& record, const Verdict& verdict) {
@@ -41,9 +40,11 @@ nlohmann::ordered_json json_of(const ResultRecord& record, const Verdict& verdic
   if (record.distance) json["distance"] = *record.distance;
   json["status"] = name_of(record.result.status);
   json["valid"] = verdict && verdict->valid;
+  if (!verdict && !record.result.reason.empty()) json["reason"] = record.result.reason;
   if (!verdict) return json;
   json["length"] = verdict->length;
   json["gear_changes"] = verdict->gear_changes;
+  json["reverse_length"] = verdict->reverse_length;
   // JSON has no infinity: without obstacles there is no clearance.
   if (verdict->clearance && std::isfinite(*verdict->clearance)) {
     json["clearance"] = *verdict->clearance;
@@ -57,14 +58,8 @@ nlohmann::ordered_json json_of(const ResultRecord& record, const Verdict& verdic
 }
 
 std::string text_of(const ResultRecord& record, const Verdict& verdict) {
-  if (!verdict) return fmt::format("no path: {}", name_of(record.result.status));
-  if (verdict->valid) {
-    const std::string clearance = std::isfinite(*verdict->clearance)
-                                      ? fmt::format("clearance {:.3f} m", *verdict->clearance)
-                                      : "no obstacles";
-    return fmt::format("valid: length {:.3f} m, gear changes {}, {}", verdict->length,
-                       verdict->gear_changes, clearance);
-  }
+  if (!verdict) return no_path_text(record.result);
+  if (verdict->valid) return "valid: " + path_text(*verdict);
   if (!verdict->at) return fmt::format("invalid: {}", verdict->reason);
   const auto& [s, pose, curvature, direction] = *verdict->at;
   return fmt::format("invalid: {} at s = {:.4f} m, where x = {} m, y = {} m, heading = {} rad",
@@ -104,33 +99,79 @@ std::string false_furthest(const std::vector<ResultRecord>& records) {
                      text_of(stated->distance), text_of(reached));
 }
 
-int run(const CheckArguments& arguments) {
-  validate(arguments.style);
-  const Scenario scenario = read_scenario(arguments.scenario);
-  const std::vector<ResultRecord> records = read_results(arguments.result, scenario);
-  const std::vector<Problem> problems = make_problems(scenario);
-  nlohmann::ordered_json goals = nlohmann::ordered_json::array();
+/// How many paths there were, and how many of them are good.
+struct Tally {
   int valid = 0;
   int invalid = 0;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    const Verdict verdict = judge(problems[i], records[i]);
-    if (verdict) ++(verdict->valid ? valid : invalid);
-    goals.push_back(json_of(records[i], verdict));
-    std::string text = text_of(records[i], verdict);
-    if (arguments.metrics && records[i].result.path) {
-      const PathMetrics metrics = metrics_of(*records[i].result.path, arguments.style);
-      goals.back()["metrics"] = json_of(metrics, arguments.style);
-      text += "\n  " + text_of(metrics, arguments.style);
-    }
-    if (arguments.json) continue;
-    if (scenario.goals_are_a_row) fmt::print("goals[{}]: ", i);
-    fmt::print("{}\n", text);
+  int without_path = 0;
+
+  void add(const Verdict& verdict) {
+    ++(!verdict ? without_path : verdict->valid ? valid : invalid);
   }
-  const std::string reason = scenario.goals_are_a_row ? false_furthest(records) : "";
+  [[nodiscard]] bool passed() const { return valid > 0 && invalid == 0; }
+};
+
+/// What is said of one result.
+struct Statement {
+  std::string text;
+  nlohmann::ordered_json json;
+};
+
+Statement statement_on(const ResultRecord& record, const Verdict& verdict,
+                       const CheckArguments& arguments) {
+  Statement statement{text_of(record, verdict), json_of(record, verdict)};
+  if (!arguments.metrics || !record.result.path) return statement;
+  const PathMetrics metrics = metrics_of(*record.result.path, arguments.style);
+  statement.json["metrics"] = json_of(metrics, arguments.style);
+  statement.text += "\n  " + text_of(metrics, arguments.style);
+  return statement;
+}
+
+/// Each pair of starts and goals in the world of the scenario.
+int check_pairs(const ScenarioProblems& read, ResultReader& reader,
+                const CheckArguments& arguments) {
+  const Problem& pattern = read.problems.front();
+  Tally tally;
+  while (const std::optional<PairRecord> pair = reader.next()) {
+    const Problem problem =
+        make_problem(pattern.world(), pattern.vehicle(), pair->poses.start, pair->poses.goal);
+    const Verdict verdict = judge(problem, pair->record);
+    tally.add(verdict);
+    const Statement statement = statement_on(pair->record, verdict, arguments);
+    if (arguments.json) {
+      nlohmann::ordered_json line = {{"pair", pair->pair}};
+      line.update(statement.json);
+      print_line(line);
+    } else {
+      fmt::print("{}: {}\n", pair->pair, statement.text);
+    }
+  }
+  if (!arguments.json) {
+    fmt::print("{}: {} valid, {} invalid, {} without a path\n", printable(read.file.scenario.name),
+               tally.valid, tally.invalid, tally.without_path);
+  }
+  return tally.passed() ? exit_status::done : exit_status::failed;
+}
+
+int check_goals(const ScenarioProblems& read, const std::vector<ResultRecord>& records,
+                const CheckArguments& arguments) {
+  const bool is_row = read.file.is_row();
+  nlohmann::ordered_json goals = nlohmann::ordered_json::array();
+  Tally tally;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Verdict verdict = judge(read.problems[i], records[i]);
+    tally.add(verdict);
+    const Statement statement = statement_on(records[i], verdict, arguments);
+    goals.push_back(statement.json);
+    if (arguments.json) continue;
+    if (is_row) fmt::print("goals[{}]: ", i);
+    fmt::print("{}\n", statement.text);
+  }
+  const std::string reason = is_row ? false_furthest(records) : "";
   if (!reason.empty() && !arguments.json) fmt::print("invalid: {}\n", reason);
   // A row of goals may hold some that were not reached.
-  const bool passed = valid > 0 && invalid == 0 && reason.empty();
-  if (arguments.json && scenario.goals_are_a_row) {
+  const bool passed = tally.passed() && reason.empty();
+  if (arguments.json && is_row) {
     nlohmann::ordered_json row = {{"valid", passed}};
     if (!reason.empty()) row["reason"] = reason;
     row["goals"] = goals;
@@ -141,6 +182,15 @@ int run(const CheckArguments& arguments) {
   return passed ? exit_status::done : exit_status::failed;
 }
 
+int run(const CheckArguments& arguments) {
+  validate(arguments.style);
+  const ScenarioProblems read = read_problems(arguments.scenario);
+  warn(read.file.warnings);
+  ResultReader reader(arguments.result, read.file);
+  if (reader.has_pairs()) return check_pairs(read, reader, arguments);
+  return check_goals(read, reader.all(), arguments);
+}
+
 }  // namespace
 
 void add_check(CLI::App& vandplan, int& status) {
@@ -148,11 +198,14 @@ void add_check(CLI::App& vandplan, int& status) {
       "check",
       "Let the independent judge look at a result: start, goal, curvature, bounds,\n"
       "collisions, and whatever the file states: length, gear changes, cost, gap, poses,\n"
-      "furthest goal.");
+      "furthest goal. Many results (plan --poses) are judged line by line.");
+  command->footer(
+      "Exit status: 0 valid (in a row or of many: one at least, and none is invalid), 1 invalid\n"
+      "or no path, 2 bad input or usage.");
   const auto arguments = std::make_shared<CheckArguments>();
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
       ->required();
-  command->add_option("RESULT", arguments->result, "Result file (JSON)")->required();
+  command->add_option("RESULT", arguments->result, "Result file (JSON or JSON Lines)")->required();
   CLI::Option* const metrics = command->add_flag(
       "--metrics", arguments->metrics,
       "Also what the path is like to drive: share in reverse, turning, curvature changes, time");

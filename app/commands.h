@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 namespace vandplan {
 
@@ -30,5 +32,11 @@ void add_table(CLI::App& vandplan, int& status);
 
 /// What `--json` prints instead of a summary.
 void print(const nlohmann::ordered_json& object);
+
+/// One of many objects that `--json` prints, on a line of its own.
+void print_line(const nlohmann::ordered_json& object);
+
+/// Says on the standard error what deserves a look though nothing is wrong, a line each.
+void warn(const std::vector<std::string>& warnings);
 
 }  // namespace vandplan

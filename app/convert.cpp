@@ -7,8 +7,11 @@
 #include <memory>
 
 #include "commands.h"
+#include "endings.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
+#include "wording.h"
 
 namespace vandplan {
 namespace {
@@ -39,8 +42,9 @@ void write_map(Scenario& scenario, const std::string& output) {
 }
 
 void write(Scenario scenario, const ConvertArguments& arguments) {
+  expect_ending(arguments.output, scenario_file);
   if (scenario.map) write_map(scenario, arguments.output);
-  write_file(arguments.output, scenario_to_yaml(scenario));
+  write_file(arguments.output, to_yaml(scenario));
   if (arguments.json) {
     print({{"scenario", scenario.name}, {"output", arguments.output}});
     return;
@@ -48,7 +52,7 @@ void write(Scenario scenario, const ConvertArguments& arguments) {
   const std::string what =
       scenario.map ? fmt::format("{} x {} cells", scenario.map->columns, scenario.map->rows)
                    : fmt::format("{} obstacles", scenario.obstacles.size());
-  fmt::print("{}: {}, written to {}\n", scenario.name, what, arguments.output);
+  fmt::print("{}: {}, written to {}\n", printable(scenario.name), what, arguments.output);
 }
 
 /// What all formats have.

@@ -7,6 +7,8 @@
 
 #include "commands.h"
 #include "pictures.h"
+#include "vandplan/input_error.h"
+#include "wording.h"
 
 namespace vandplan {
 namespace {
@@ -14,20 +16,41 @@ namespace {
 struct DrawArguments {
   std::string scenario;
   std::optional<std::string> result;
+  std::optional<std::size_t> pair;
   std::string output;
   bool json = false;
 };
 
+/// Draws, and says how much of a file with many pairs was drawn: "48 pairs, there are more".
+std::string drawn(const DrawArguments& arguments, const ScenarioFile& scenario) {
+  if (!arguments.result) {
+    write_picture(arguments.output, scenario, std::vector<ResultRecord>{});
+    return "";
+  }
+  ResultReader reader(*arguments.result, scenario);
+  if (!reader.has_pairs()) {
+    if (arguments.pair) throw InputError("--pair", "the result is one, not many with numbers");
+    write_picture(arguments.output, scenario, reader.all());
+    return "";
+  }
+  const DrawnPairs pairs = write_picture(arguments.output, scenario, reader, arguments.pair);
+  if (arguments.pair) return fmt::format("pair {}", *arguments.pair);
+  return fmt::format("{} pairs{}", pairs.drawn, pairs.is_all ? "" : ", there are more: --pair N");
+}
+
 void run(const DrawArguments& arguments) {
   expect_picture(arguments.output);
-  const Scenario scenario = read_scenario(arguments.scenario);
-  std::vector<ResultRecord> records;
-  if (arguments.result) records = read_results(*arguments.result, scenario);
-  write_picture(arguments.output, scenario, records);
+  const ScenarioFile scenario = read_scenario_file(arguments.scenario);
+  warn(scenario.warnings);
+  const std::string& name = scenario.scenario.name;
+  const std::string what = drawn(arguments, scenario);
   if (arguments.json) {
-    print({{"scenario", scenario.name}, {"output", arguments.output}});
+    nlohmann::ordered_json json = {{"scenario", name}, {"output", arguments.output}};
+    if (!what.empty()) json["drawn"] = what;
+    print(json);
   } else {
-    fmt::print("{}: drawn to {}\n", scenario.name, arguments.output);
+    fmt::print("{}: {}drawn to {}\n", printable(name), what.empty() ? "" : what + " ",
+               arguments.output);
   }
 }
 
@@ -37,11 +60,16 @@ void add_draw(CLI::App& vandplan, int&) {
   CLI::App* const command = vandplan.add_subcommand(
       "draw",
       "Draw a scenario: obstacles, start and goal. With a result also the footprints\n"
-      "along its path, and its tree if it holds one (plan --set keep_tree=true).");
+      "along its path, and its tree if it holds one (plan --set keep_tree=true). Many results\n"
+      "(plan --poses) become a sheet of pictures.");
   const auto arguments = std::make_shared<DrawArguments>();
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
       ->required();
-  command->add_option("RESULT", arguments->result, "Result file (JSON)");
+  command->add_option("RESULT", arguments->result, "Result file (JSON or JSON Lines)");
+  command
+      ->add_option("--pair", arguments->pair, "Of many results draw the one of this number, from 1")
+      ->type_name("N")
+      ->needs("RESULT");
   command->add_option("-o,--output", arguments->output, "Picture (.svg, .png or .pdf)")
       ->type_name("FILE")
       ->required();

@@ -13,8 +13,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 
 namespace vandplan {
 namespace {

@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "vandplan/input_error.h"
 #include "vandplan/version.h"
+#include "wording.h"
 
 namespace vandplan {
 namespace {
@@ -21,7 +22,7 @@ constexpr AddCommand commands[] = {add_plan,  add_check, add_draw,    add_evalua
 /// Says on one line what is wrong.
 int complain(std::string problem, int status) {
   std::replace(problem.begin(), problem.end(), '\n', ' ');
-  fmt::print(stderr, "vandplan: {}\n", problem);
+  fmt::print(stderr, "vandplan: {}\n", printable(problem));
   return status;
 }
 
@@ -45,9 +46,20 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
+constexpr auto replace_bad_text = nlohmann::ordered_json::error_handler_t::replace;
+
 void print(const nlohmann::ordered_json& object) {
-  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  fmt::print("{}\n", object.dump(2, ' ', false, replace));
+  fmt::print("{}\n", object.dump(2, ' ', false, replace_bad_text));
+}
+
+void print_line(const nlohmann::ordered_json& object) {
+  fmt::print("{}\n", object.dump(-1, ' ', false, replace_bad_text));
+}
+
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    fmt::print(stderr, "vandplan: warning: {}\n", printable(warning));
+  }
 }
 
 }  // namespace vandplan

@@ -4,31 +4,56 @@
 
 #include <fmt/format.h>
 
+#include <deque>
+#include <utility>
+
 #include "vandplan/draw.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
+#include "wording.h"
 
 namespace vandplan {
 namespace {
 
-constexpr int width = 1200;  // pixels or points
+constexpr int width = 1200;       // pixels or points
+constexpr std::size_t room = 48;  // pictures on a sheet of pairs
+
+std::string outcome_of(const PlanResult& result) {
+  if (!result.path) return std::string(name_of(result.status));
+  const std::vector<Segment>& segments = result.path->segments;
+  return fmt::format("{:.2f} m, gear changes {}", length(segments), gear_changes(segments));
+}
 
 std::string caption_of(const Scenario& scenario, const ResultRecord& record) {
   std::string caption = scenario.name;
   if (record.distance) caption += fmt::format(" {:.6g} m", *record.distance);
-  caption += fmt::format(", {}, seed {}: ", record.planner, record.options.seed);
-  if (!record.result.path) return caption + std::string(name_of(record.result.status));
-  const std::vector<Segment>& segments = record.result.path->segments;
-  return caption +
-         fmt::format("{:.2f} m, gear changes {}", length(segments), gear_changes(segments));
+  if (!record.planner.empty()) {
+    caption += fmt::format(", {}, seed {}", record.planner, record.options.budget.seed);
+  }
+  return printable(caption + ": " + outcome_of(record.result));
 }
 
-Drawing drawing_of(const Scenario& scenario, std::size_t goal, const ResultRecord* record) {
-  Drawing drawing{.scenario = &scenario, .goal = goal, .caption = scenario.name};
+Drawing drawing_of(const Scenario& scenario, const ResultRecord* record) {
+  Drawing drawing{.scenario = &scenario, .caption = printable(scenario.name)};
   if (record == nullptr) return drawing;
   const PlanResult& result = record->result;
   if (result.path) drawing.path = &*result.path;
   if (result.tree) drawing.tree = &*result.tree;
   drawing.caption = caption_of(scenario, *record);
   return drawing;
+}
+
+/// A pair and the scenario that it makes.
+struct PairPicture {
+  Scenario scenario;
+  PairRecord pair;
+};
+
+PairPicture picture_of(const ScenarioFile& file, PairRecord pair) {
+  PairPicture picture{scenario_at(file, 0), std::move(pair)};
+  picture.scenario.start = picture.pair.poses.start;
+  picture.scenario.goal = picture.pair.poses.goal;
+  return picture;
 }
 
 }  // namespace
@@ -38,15 +63,45 @@ void expect_picture(const std::string& file) {
   expect_writable(file);
 }
 
-void write_picture(const std::string& file, const Scenario& scenario,
+void write_picture(const std::string& file, const ScenarioFile& scenario,
                    const std::vector<ResultRecord>& records) {
   const PictureFormat format = picture_format(file);
+  std::deque<Scenario> scenarios;
   ContactSheet sheet;
-  for (std::size_t i = 0; i < scenario.goals.size(); ++i) {
-    sheet.drawings.push_back(drawing_of(scenario, i, records.empty() ? nullptr : &records[i]));
+  for (std::size_t i = 0; i < scenario.size(); ++i) {
+    scenarios.push_back(scenario_at(scenario, i));
+    sheet.drawings.push_back(drawing_of(scenarios.back(), records.empty() ? nullptr : &records[i]));
   }
   const bool one = sheet.drawings.size() == 1;
   write_file(file, one ? draw(sheet.drawings.front(), format, width) : draw(sheet, format, width));
+}
+
+DrawnPairs write_picture(const std::string& file, const ScenarioFile& scenario,
+                         ResultReader& results, std::optional<std::size_t> pair) {
+  const PictureFormat format = picture_format(file);
+  std::deque<PairPicture> pictures;
+  ContactSheet sheet;
+  DrawnPairs drawn;
+  while (std::optional<PairRecord> next = results.next()) {
+    if (pair && next->pair != *pair) continue;
+    drawn.is_all = sheet.drawings.size() < room;
+    if (!drawn.is_all) break;
+    const PairPicture& picture = pictures.emplace_back(picture_of(scenario, *std::move(next)));
+    Drawing drawing = drawing_of(picture.scenario, &picture.pair.record);
+    if (pair) {
+      write_file(file, draw(drawing, format, width));
+      return {1, true};
+    }
+    drawing.caption =
+        fmt::format("{}: {}", picture.pair.pair, outcome_of(picture.pair.record.result));
+    sheet.drawings.push_back(std::move(drawing));
+  }
+  if (pair) throw InputError("--pair", fmt::format("there is no pair {}", *pair));
+  drawn.drawn = sheet.drawings.size();
+  sheet.caption = printable(scenario.scenario.name);
+  if (!drawn.is_all) sheet.caption += fmt::format(": the first {} of more pairs", drawn.drawn);
+  write_file(file, draw(sheet, format, width));
+  return drawn;
 }
 
 }  // namespace vandplan

@@ -3,10 +3,12 @@
 #pragma once
 // How does a result become a picture file?
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "vandplan/io.h"
+#include "vandplan/result_file.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 
@@ -14,7 +16,18 @@ namespace vandplan {
 void expect_picture(const std::string& file);
 
 /// Draws what was planned, a row of goals as a sheet of pictures; without records the scene alone.
-void write_picture(const std::string& file, const Scenario& scenario,
+void write_picture(const std::string& file, const ScenarioFile& scenario,
                    const std::vector<ResultRecord>& records);
+
+/// What was drawn of a file with results of many pairs.
+struct DrawnPairs {
+  std::size_t drawn = 0;
+  bool is_all = true;  ///< there are no more
+};
+
+/// Draws results of many pairs as a sheet of pictures, as many as a sheet has room for, or the pair
+/// of that number alone. Throws InputError when there is no such pair.
+DrawnPairs write_picture(const std::string& file, const ScenarioFile& scenario,
+                         ResultReader& results, std::optional<std::size_t> pair);
 
 }  // namespace vandplan

@@ -8,21 +8,22 @@
 #include <thread>
 
 #include "commands.h"
+#include "endings.h"
 #include "interrupt.h"
+#include "option_flags.h"
 #include "pictures.h"
 #include "plan_poses.h"
-#include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/files.h"
+#include "vandplan/result_file.h"
+#include "wording.h"
 
 namespace vandplan {
 namespace {
 
-constexpr double default_time = 1.0;  // [s]
-
 struct PlanArguments {
   std::string scenario;
   std::string planner{default_planner().name};
-  PlanOptions options;
+  std::vector<TypedOption> options;
   std::optional<std::string> output;
   std::optional<std::string> picture;
   std::optional<std::string> poses;
@@ -30,84 +31,75 @@ struct PlanArguments {
   bool json = false;
 };
 
-/// An option of the planners that has a flag of its own.
-struct Flag {
-  const char* flag;
-  const char* option;
-  const char* value;
-};
-
-constexpr Flag flags[] = {
-    {"--time", "time_limit", "S"},     {"--max-iterations", "max_iterations", "N"},
-    {"--max-nodes", "max_nodes", "N"}, {"--seed", "seed", "N"},
-    {"--threads", "threads", "N"},     {"--region", "region", "bounds|scene"}};
-
-std::vector<ResultRecord> plan_goals(const Scenario& scenario, const PlannerInfo& planner,
+std::vector<ResultRecord> plan_goals(const ScenarioProblems& read, const Planner& planner,
                                      const PlanOptions& options) {
-  const std::vector<Problem> problems = make_problems(scenario);
   std::vector<ResultRecord> records;
-  for (std::size_t i = 0; i < problems.size(); ++i) {
-    const Problem& problem = problems[i];
+  for (std::size_t i = 0; i < read.problems.size(); ++i) {
     ResultRecord record;
-    record.scenario = scenario.name;
+    record.scenario = read.file.scenario.name;
     record.planner = planner.name;
     record.options = options;
-    record.distance = scenario.goals[i].distance;
-    record.result = plan(problem, planner, options);
-    records.push_back(in_scenario(*problem.world, std::move(record)));
+    if (read.file.is_row()) record.distance = read.file.row[i].distance;
+    record.result = plan(read.problems[i], planner, options);
+    records.push_back(std::move(record));
   }
   return records;
 }
 
 std::string outcome_of(const PlanResult& result) {
-  if (!result.path) return fmt::format("no path: {}", name_of(result.status));
-  const std::vector<Segment>& segments = result.path->segments;
+  if (!result.path) return no_path_text(result);
   const double bound = result.lower_bound;  // 0 if the planner proves none
   const std::string gap =
       bound > 0 ? fmt::format(", gap {:.1f} %", 100 * (result.cost / bound - 1)) : "";
-  return fmt::format("solved: length {:.3f} m, gear changes {}{}, first path after {:.4f} s",
-                     length(segments), gear_changes(segments), gap, result.anytime.front().time);
+  return fmt::format("solved: {}{}, first path after {}", path_text(*result.check), gap,
+                     seconds_text(result.anytime.front().time));
 }
 
-void print_summary(const Scenario& scenario, const std::vector<ResultRecord>& records) {
+void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
   const ResultRecord& any = records.front();
-  fmt::print("{}, {}, seed {}\n", scenario.name, any.planner, any.options.seed);
+  fmt::print("{}, {}, seed {}\n", printable(file.scenario.name), any.planner,
+             any.options.budget.seed);
   for (const ResultRecord& record : records) {
     const PlanResult& result = record.result;
     if (record.distance) fmt::print("{:7.6g} m: ", *record.distance);
-    fmt::print("{}; {} iterations, {} nodes, {:.3f} s\n", outcome_of(result), result.iterations,
-               result.nodes, result.time_total);
+    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(result), result.iterations,
+               counter(result, "nodes"), seconds_text(result.time_total));
   }
-  if (!scenario.goals_are_a_row) return;
+  if (!file.is_row()) return;
   const std::optional<double> furthest = furthest_reached(records);
   fmt::print("furthest: {}\n", furthest ? fmt::format("{:.6g} m", *furthest) : "none");
 }
 
+/// What cannot be written is said before time is spent.
+void check_outputs(const PlanArguments& arguments) {
+  if (arguments.output && arguments.poses) expect_ending(*arguments.output, result_lines_file);
+  if (arguments.output && !arguments.poses) expect_ending(*arguments.output, result_file);
+  if (arguments.output) expect_writable(*arguments.output);
+  if (arguments.picture) expect_picture(*arguments.picture);
+}
+
 int run(const PlanArguments& arguments) {
-  const PlannerInfo& planner = planner_named(arguments.planner);
-  PlanOptions options = arguments.options;
-  if (!options.time_limit && !options.max_iterations) options.time_limit = default_time;
-  options.stop = stop_on_signal();
-  const Scenario scenario = read_scenario(arguments.scenario);
+  const Planner& planner = planner_named(arguments.planner);
+  PlanOptions options = complete(planner, options_for(planner, arguments.options));
+  options.budget.stop = stop_on_signal();
+  check_outputs(arguments);
+  const ScenarioProblems read = read_problems(arguments.scenario);
+  warn(read.file.warnings);
   if (arguments.poses) {
     const auto processors = static_cast<int>(std::thread::hardware_concurrency());
     const int jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1, processors);
-    return plan_poses(scenario, planner, options,
+    return plan_poses(read, planner, options,
                       {*arguments.poses, arguments.output, jobs, arguments.json});
   }
-  // What cannot be written is said before time is spent.
-  if (arguments.output) expect_writable(*arguments.output);
-  if (arguments.picture) expect_picture(*arguments.picture);
-
-  const std::vector<ResultRecord> records = plan_goals(scenario, planner, options);
+  const std::vector<ResultRecord> records = plan_goals(read, planner, options);
   const bool wants_json = arguments.output || arguments.json;
-  const std::string json = wants_json ? results_to_json(scenario, records) : "";
+  const std::string json = wants_json ? results_to_json(read.file, records) : "";
   if (arguments.output) write_file(*arguments.output, json);
-  if (arguments.picture) write_picture(*arguments.picture, scenario, records);
+  if (arguments.picture) write_picture(*arguments.picture, read.file, records);
   if (arguments.json) {
     fmt::print("{}", json);
   } else {
-    print_summary(scenario, records);
+    print_summary(read.file, records);
   }
   const bool solved = std::any_of(records.begin(), records.end(), [](const ResultRecord& record) {
     return record.result.status == PlanStatus::solved;
@@ -117,62 +109,16 @@ int run(const PlanArguments& arguments) {
 
 // ---- the command line ----
 
-/// The default as one types it.
-std::string default_of(const OptionInfo& info) {
-  std::string text = info.get(PlanOptions{});
-  std::erase(text, '"');
-  return text;
-}
-
-const OptionInfo& info_of(std::string_view name) {
-  return *std::find_if(option_table().begin(), option_table().end(),
-                       [&](const OptionInfo& info) { return info.name == name; });
-}
-
-/// Sets an option; an error names the flag that was typed.
-void set_by_flag(PlanOptions& options, const Flag& flag, const std::string& value) {
-  try {
-    set_option(options, flag.option, value);
-    validate(options);
-  } catch (const InputError& error) {
-    throw InputError(flag.flag, error.problem());
-  }
-}
-
-void set_by_key(PlanOptions& options, const std::string& setting) {
-  const std::size_t equals = setting.find('=');
-  if (equals == std::string::npos) {
-    throw InputError("--set", "\"" + setting + "\" is not KEY=VALUE");
-  }
-  set_option(options, setting.substr(0, equals), setting.substr(equals + 1));
-  validate(options);
-}
-
 std::string help_on_keys() {
-  std::string text = "Keys of --set, with their defaults:\n";
-  for (const OptionInfo& info : option_table()) {
-    const std::string setting = fmt::format("{}={}", info.name, default_of(info));
-    text += fmt::format("  {:<28}{}\n", setting, info.summary);
-  }
-  return text +
+  return "Keys of --set, with their defaults:\n" + help_on_common_options() +
+         help_on_own_options() +
          fmt::format(
+             "A key, or its flag, that the planner does not honour is refused.\n"
              "Without a limit of time or iterations a run takes {} s. In a row of goals each\n"
              "goal has the whole budget. Ctrl-C ends the run with the best path so far.\n"
              "Exit status: 0 solved (in a row: a goal at least; with --poses: all), 1 no path,\n"
              "2 bad input or usage.",
-             default_time);
-}
-
-void add_flags(CLI::App& command, const std::shared_ptr<PlanArguments>& arguments) {
-  for (const Flag& flag : flags) {
-    const OptionInfo& info = info_of(flag.option);
-    const auto set = [arguments, flag](const std::string& value) {
-      set_by_flag(arguments->options, flag, value);
-    };
-    command.add_option_function<std::string>(flag.flag, set, std::string(info.summary))
-        ->type_name(flag.value)
-        ->default_str(default_of(info));
-  }
+             default_time_limit);
 }
 
 }  // namespace
@@ -186,7 +132,7 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->add_option("--planner", arguments->planner, "One of those that `vandplan planners` lists")
       ->type_name("NAME")
       ->capture_default_str();
-  add_flags(*command, arguments);
+  add_option_flags(*command, arguments->options);
   command->add_option("--output", arguments->output, "Write the result here (JSON)")
       ->type_name("FILE");
   command->add_option("--draw", arguments->picture, "Draw it here (.svg, .png or .pdf)")
@@ -204,14 +150,6 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->check(CLI::Range(0, 1024))
       ->needs("--poses")
       ->capture_default_str();
-  const auto set = [arguments](const std::vector<std::string>& settings) {
-    for (const std::string& setting : settings) set_by_key(arguments->options, setting);
-  };
-  command
-      ->add_option_function<std::vector<std::string>>("--set", set,
-                                                      "Set any option by its key, see below")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->footer(help_on_keys());
   command->callback([arguments, &status] { status = run(*arguments); });

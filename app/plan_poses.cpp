@@ -4,18 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <deque>
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <utility>
 
 #include "commands.h"
 #include "progress_bar.h"
-#include "vandplan/io.h"
+#include "vandplan/files.h"
+#include "vandplan/result_file.h"
+#include "wording.h"
 
 namespace vandplan {
 namespace {
@@ -24,144 +20,86 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Calls `work(i)` for all i below `count`, `jobs` at a time, and `take_in(i, result)` one by one.
-template <typename Work, typename TakeIn>
-void for_all(std::size_t count, int jobs, Work work, TakeIn take_in) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto take = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        auto result = work(i);
-        const std::lock_guard lock(mutex);
-        take_in(i, std::move(result));
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < jobs; ++i) helpers.emplace_back(take);
-    take();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
-
-std::vector<Problem> problems_of(const std::shared_ptr<const World>& world,
-                                 const std::string& file) {
+std::vector<Problem> problems_of(const Problem& pattern, const PosesJob& job) {
+  const PosePairs read = read_pose_pairs(job.poses);
+  warn(read.warnings);
   std::vector<Problem> problems;
-  for (const PosePair& pair : read_pose_pairs(file)) {
-    problems.push_back(make_problem(world, pair.start, pair.goal));
+  for (const PosePair& pair : read.pairs) {
+    problems.push_back(make_problem(pattern.world(), pattern.vehicle(), pair.start, pair.goal));
   }
   return problems;
 }
 
-std::string summary_of(std::size_t pair, const PlanResult& result) {
-  if (!result.path) {
-    return fmt::format("{}: no path: {}, {:.4f} s\n", pair, name_of(result.status),
-                       result.time_total);
-  }
-  const std::vector<Segment>& segments = result.path->segments;
-  return fmt::format("{}: solved: length {:.3f} m, gear changes {}, {:.4f} s\n", pair,
-                     length(segments), gear_changes(segments), result.time_total);
+std::string summary_of(const PlanResult& result) {
+  const std::string time = seconds_text(result.time_total);
+  if (!result.path) return no_path_text(result) + ", " + time;
+  return "solved: " + path_text(*result.check) + ", " + time;
 }
 
-/// The result as one line of JSON, in the scenario's frame.
-std::string line_of(std::size_t pair, const Scenario& scenario, const World& world,
-                    ResultRecord record) {
-  record.result.tree.reset();
-  return result_to_json_line(pair, scenario, in_scenario(world, std::move(record)));
-}
-
-/// What is said of one pair.
-struct Answer {
-  bool is_planned = false;
-  bool is_solved = false;
-  std::string summary;
-  std::string json;  ///< empty unless somebody wants it
-};
-
-/// Where JSON goes: a pair's line as soon as all before it are there.
-class Lines {
+/// Takes results in as they come: JSON is written at once, a summary kept until the end, lest it
+/// come between the lines of the progress bar.
+class Results {
  public:
-  Lines(const PosesJob& job, std::vector<Answer>& answers) : answers_(answers) {
+  Results(const ResultRecord& pattern, const PosesJob& job) : pattern_(pattern), job_(job) {
     if (job.output) outputs_.emplace_back(*job.output);
     if (job.json) outputs_.emplace_back("-");
   }
 
-  [[nodiscard]] bool are_wanted() const { return !outputs_.empty(); }
-  void write() {
-    for (; next_ < answers_.size() && answers_[next_].is_planned; ++next_) {
-      const std::string line = std::exchange(answers_[next_].json, {});
-      for (FileWriter& output : outputs_) output.write(line);
-    }
+  void take(std::size_t pair, const Problem& problem, PlanResult result) {
+    solved_ += result.path ? 1U : 0U;
+    if (!job_.json) summaries_ += fmt::format("{}: {}\n", pair, summary_of(result));
+    if (outputs_.empty()) return;
+    ResultRecord record = pattern_;
+    record.result = std::move(result);
+    record.result.tree.reset();
+    const std::string line = result_to_json_line(pair, problem, record);
+    for (FileWriter& output : outputs_) output.write(line);
   }
+
   void commit() {
     for (FileWriter& output : outputs_) output.commit();
   }
+  [[nodiscard]] std::size_t solved() const { return solved_; }
+  [[nodiscard]] const std::string& summaries() const { return summaries_; }
 
  private:
-  std::vector<Answer>& answers_;
+  const ResultRecord& pattern_;
+  const PosesJob& job_;
   std::deque<FileWriter> outputs_;
-  std::size_t next_ = 0;
+  std::string summaries_;
+  std::size_t solved_ = 0;
 };
-
-void print(const Scenario& scenario, const PlannerInfo& planner, const std::vector<Answer>& answers,
-           double elapsed) {
-  std::size_t solved = 0;
-  for (const Answer& answer : answers) {
-    solved += answer.is_solved ? 1U : 0U;
-    fmt::print("{}", answer.summary);
-  }
-  fmt::print("{}, {}: {} of {} solved in {:.3f} s, {:.1f} plans per second\n", scenario.name,
-             planner.name, solved, answers.size(), elapsed,
-             static_cast<double>(answers.size()) / elapsed);
-}
 
 }  // namespace
 
-int plan_poses(const Scenario& scenario, const PlannerInfo& planner, const PlanOptions& options,
+int plan_poses(const ScenarioProblems& read, const Planner& planner, const PlanOptions& options,
                const PosesJob& job) {
-  const std::shared_ptr<const World> world = make_problem(scenario, 0).world;
-  const std::vector<Problem> problems = problems_of(world, job.poses);
-  std::vector<Answer> answers(problems.size());
-  Lines lines(job, answers);
-  const auto answer_of = [&](std::size_t i) {
-    PlanResult result = plan(problems[i], planner, options);
-    Answer answer{true, result.path.has_value(), summary_of(i + 1, result), ""};
-    if (!lines.are_wanted()) return answer;
-    answer.json = line_of(i + 1, scenario, *world,
-                          {.scenario = scenario.name,
-                           .planner = std::string(planner.name),
-                           .options = options,
-                           .distance = {},
-                           .result = std::move(result),
-                           .claims = {},
-                           .furthest = {}});
-    return answer;
-  };
+  const std::vector<Problem> problems = problems_of(read.problems.front(), job);
+  ResultRecord pattern;
+  pattern.scenario = read.file.scenario.name;
+  pattern.planner = planner.name;
+  pattern.options = options;
+  Results results(pattern, job);
   const auto begin = std::chrono::steady_clock::now();
   {
     ProgressBar bar;
     Progress progress;
     progress.total = static_cast<int>(problems.size());
-    for_all(problems.size(), job.jobs, answer_of, [&](std::size_t i, Answer answer) {
-      answers[i] = std::move(answer);
-      lines.write();
+    plan_many(problems, planner, options, job.jobs, [&](std::size_t i, PlanResult result) {
+      results.take(i + 1, problems[i], std::move(result));
       ++progress.done;
       progress.elapsed = seconds_since(begin);
       bar.show(progress);
     });
   }
-  lines.commit();
-  if (!job.json) print(scenario, planner, answers, seconds_since(begin));
-  const bool all_solved = std::all_of(answers.begin(), answers.end(),
-                                      [](const Answer& answer) { return answer.is_solved; });
-  return all_solved ? exit_status::done : exit_status::failed;
+  results.commit();
+  const double elapsed = seconds_since(begin);
+  if (!job.json) {
+    fmt::print("{}{}, {}: {} of {} solved in {}, {:.1f} plans per second\n", results.summaries(),
+               printable(pattern.scenario), planner.name, results.solved(), problems.size(),
+               seconds_text(elapsed), static_cast<double>(problems.size()) / elapsed);
+  }
+  return results.solved() == problems.size() ? exit_status::done : exit_status::failed;
 }
 
 }  // namespace vandplan

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "vandplan/planner.h"
-#include "vandplan/problem.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 
@@ -18,9 +18,9 @@ struct PosesJob {
   bool json = false;                  ///< print the results instead of a summary
 };
 
-/// Plans all pairs, prints a line for each, in their order, and how many there were. Returns the
-/// exit status: 0 if all of them are solved.
-[[nodiscard]] int plan_poses(const Scenario& scenario, const PlannerInfo& planner,
+/// Plans all pairs in the world of a scenario, prints a line for each, in their order, and how many
+/// there were. Returns the exit status: 0 if all of them are solved.
+[[nodiscard]] int plan_poses(const ScenarioProblems& read, const Planner& planner,
                              const PlanOptions& options, const PosesJob& job);
 
 }  // namespace vandplan

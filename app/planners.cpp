@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// vandplan planners: which planners are there?
+// vandplan planners: which planners are there, and what can be set?
 #include "vandplan/planner.h"
 
 #include <fmt/format.h>
@@ -9,35 +9,91 @@
 #include <memory>
 
 #include "commands.h"
+#include "option_flags.h"
 
 namespace vandplan {
 namespace {
 
-void print_json() {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const PlannerInfo& planner : planners()) {
-    list.push_back({{"name", planner.name}, {"summary", planner.summary}});
-  }
-  print({{"default", default_planner().name}, {"planners", list}});
+using Json = nlohmann::ordered_json;
+
+Json json_of_option(const OptionInfo& info) {
+  return {{"name", info.name},
+          {"summary", info.summary},
+          {"default", Json::parse(json_of(info.standard))},
+          {"range", info.range()}};
 }
 
-void print_text() {
+Json json_of_planner(const Planner& planner) {
+  const PlannerProperties& properties = planner.properties;
+  Json json = {{"name", planner.name}, {"summary", planner.summary}};
+  json["properties"] = {{"family", properties.family},
+                        {"strategy", properties.strategy},
+                        {"estimate", properties.estimate},
+                        {"tries_goal", properties.tries_goal},
+                        {"honours_prices", properties.honours_prices},
+                        {"honours_threads", properties.honours_threads},
+                        {"anytime", properties.anytime},
+                        {"deterministic", properties.deterministic},
+                        {"groups", properties.groups}};
+  json["options"] = Json::array();
+  for (const OptionInfo& info : planner.options) json["options"].push_back(json_of_option(info));
+  json["common_options"] = Json::array();
+  for (const CommonOption& option : common_options()) {
+    if (honours(planner, option.name)) json["common_options"].push_back(option.name);
+  }
+  return json;
+}
+
+void print_list(bool as_json) {
+  if (as_json) {
+    Json list = Json::array();
+    for (const Planner& planner : planners()) list.push_back(json_of_planner(planner));
+    print({{"default", default_planner().name}, {"planners", list}});
+    return;
+  }
   std::size_t width = 0;
-  for (const PlannerInfo& planner : planners()) width = std::max(width, planner.name.size());
-  for (const PlannerInfo& planner : planners()) {
+  for (const Planner& planner : planners()) width = std::max(width, planner.name.size());
+  for (const Planner& planner : planners()) {
     const bool is_default = planner.name == default_planner().name;
     fmt::print("{:{}}  {}{}\n", planner.name, width, planner.summary,
                is_default ? " (the default)" : "");
   }
 }
 
+void print_one(const Planner& planner, bool as_json) {
+  if (as_json) {
+    print(json_of_planner(planner));
+    return;
+  }
+  std::string common;
+  for (const CommonOption& option : common_options()) {
+    if (!honours(planner, option.name)) continue;
+    common += (common.empty() ? "" : ", ") + std::string(option.name);
+  }
+  fmt::print("{}: {}\nIts own options (plan --set):\n{}It honours: {}\n", planner.name,
+             planner.summary, help_on_options_of(planner), common);
+}
+
+struct PlannersArguments {
+  std::string name;
+  bool json = false;
+};
+
 }  // namespace
 
 void add_planners(CLI::App& vandplan, int&) {
-  CLI::App* const command = vandplan.add_subcommand("planners", "List every planner.");
-  const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "Print one JSON object instead of a table");
-  command->callback([json] { *json ? print_json() : print_text(); });
+  CLI::App* const command = vandplan.add_subcommand(
+      "planners", "List every planner, or tell what can be set for one of them.");
+  const auto arguments = std::make_shared<PlannersArguments>();
+  command->add_option("NAME", arguments->name, "Planner to be told about");
+  command->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
+  command->callback([arguments] {
+    if (arguments->name.empty()) {
+      print_list(arguments->json);
+    } else {
+      print_one(planner_named(arguments->name), arguments->json);
+    }
+  });
 }
 
 }  // namespace vandplan

@@ -17,8 +17,8 @@ constexpr double line_interval = 15.0;   // [s], elsewhere
 
 std::string text_of(const Progress& progress) {
   const int finished = progress.kept + progress.done;
-  return fmt::format("{:3.0f} %  {} of {} runs, {} left", 100.0 * finished / progress.total,
-                     finished, progress.total,
+  const int percent = static_cast<int>(100LL * finished / progress.total);  // 100: all of them
+  return fmt::format("{:3} %  {} of {} runs, {} left", percent, finished, progress.total,
                      progress.done > 0 ? duration_text(progress.left()) : "?");
 }
 
@@ -31,8 +31,9 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::show(const Progress& progress) {
-  const bool finished = progress.kept + progress.done == progress.total;
-  if (progress.elapsed < next_ && !finished) return;
+  if (finished_) return;
+  finished_ = progress.kept + progress.done == progress.total;
+  if (progress.elapsed < next_ && !finished_) return;
   next_ = progress.elapsed + (terminal_ ? redraw_interval : line_interval);
   if (!terminal_) {
     fmt::print(stderr, "{}\n", text_of(progress));

@@ -5,9 +5,11 @@
 
 #include <string>
 
-#include "evaluation/runner.h"
+#include "vandplan/evaluation.h"
 
 namespace vandplan {
+
+using evaluation::Progress;
 
 /// Shows progress on standard error: a bar that is redrawn on a terminal, else a line now and then.
 class ProgressBar {
@@ -22,7 +24,8 @@ class ProgressBar {
  private:
   bool terminal_;
   bool drawn_ = false;
-  double next_ = 0.0;  // when to show something again [s]
+  bool finished_ = false;  // the end is shown once
+  double next_ = 0.0;      // when to show something again [s]
 };
 
 /// "2 min 05 s".

@@ -12,8 +12,8 @@
 #include "studies/table_check.h"
 #include "table_source.h"
 #include "tables/table_export.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 #include "vandplan/table_file.h"
 
 namespace vandplan {

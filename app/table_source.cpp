@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "vandplan/io.h"
+#include "vandplan/files.h"
 
 namespace vandplan {
 namespace {

@@ -2,34 +2,80 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "evaluation/campaign.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "base/hash.h"
-#include "base/random.h"
+#include "evaluation/methods.h"
 #include "vandplan/input_error.h"
+#include "vandplan/random.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
-// One turn: every planner and region runs one problem with one seed.
-struct Turn {
-  std::size_t scenario;
-  std::size_t goal;
-  int repeat;
-  double when;  // in (0, 1): where in the campaign it belongs
+// Planners that have equally many repeats: indices into the campaign.
+struct Lineup {
+  int repeats = 0;
+  int repeats_per_goal = 0;
+  std::vector<std::size_t> planners;
 };
 
-std::vector<Turn> turns_of(const Campaign& campaign) {
+// One turn: every planner of a lineup runs one problem with one seed, in every region.
+struct Turn {
+  std::size_t scenario = 0;
+  std::size_t goal = 0;
+  int repeat = 0;
+  double when = 0.0;  // in (0, 1): where in the campaign it belongs
+  const std::vector<std::size_t>* planners = nullptr;
+};
+
+int at_most(const Campaign& campaign, const Planner& planner, int repeats) {
+  for (const RepeatCap& cap : campaign.caps)
+    if (is_in_group(planner, cap.group)) repeats = std::min(repeats, cap.repeats);
+  return repeats;
+}
+
+std::vector<Lineup> lineups_of(const Campaign& campaign) {
+  std::vector<Lineup> lineups;
+  for (std::size_t i = 0; i < campaign.planners.size(); ++i) {
+    const int repeats = at_most(campaign, campaign.planners[i], campaign.repeats);
+    const int per_goal = at_most(campaign, campaign.planners[i], campaign.repeats_per_goal);
+    auto found = std::ranges::find_if(lineups, [&](const Lineup& lineup) {
+      return lineup.repeats == repeats && lineup.repeats_per_goal == per_goal;
+    });
+    if (found == lineups.end()) found = lineups.insert(found, {repeats, per_goal, {}});
+    found->planners.push_back(i);
+  }
+  return lineups;
+}
+
+std::vector<Turn> turns_of(const Campaign& campaign, const std::vector<Lineup>& lineups) {
   std::vector<Turn> turns;
-  for (std::size_t s = 0; s < campaign.scenarios.size(); ++s) {
-    const Scenario& scenario = campaign.scenarios[s].scenario;
-    const int repeats = scenario.goals_are_a_row ? campaign.repeats_per_goal : campaign.repeats;
-    for (std::size_t goal = 0; goal < scenario.goals.size(); ++goal)
-      for (int repeat = 0; repeat < repeats; ++repeat)
-        turns.push_back({s, goal, repeat, (repeat + 0.5) / repeats});
+  for (const Lineup& lineup : lineups) {
+    for (std::size_t s = 0; s < campaign.scenarios.size(); ++s) {
+      const ScenarioFile& scenario = campaign.scenarios[s].scenario;
+      const int repeats = scenario.is_row() ? lineup.repeats_per_goal : lineup.repeats;
+      for (std::size_t goal = 0; goal < scenario.size(); ++goal)
+        for (int repeat = 0; repeat < repeats; ++repeat)
+          turns.push_back({s, goal, repeat, (repeat + 0.5) / repeats, &lineup.planners});
+    }
   }
   std::ranges::stable_sort(turns, {}, &Turn::when);
   return turns;
+}
+
+void check_settings(const Campaign& campaign) {
+  for (const Setting& setting : campaign.settings) {
+    for (const char* const own : {"seed", "region", "profile"})
+      if (setting.name == own)
+        throw InputError(setting.name, "is set by the comparison itself, run by run");
+    const auto takes_it = [&](const Planner& planner) { return honours(planner, setting.name); };
+    if (std::ranges::any_of(campaign.planners, takes_it)) continue;
+    PlanOptions options;
+    set_option(options, campaign.planners.front(), setting.name, setting.value);  // throws
+  }
 }
 
 void check(const Campaign& campaign) {
@@ -38,58 +84,147 @@ void check(const Campaign& campaign) {
   if (campaign.regions.empty()) throw InputError("region", "none given");
   if (campaign.repeats < 1) throw InputError("repeats", "must be at least 1");
   if (campaign.repeats_per_goal < 1) throw InputError("goal-repeats", "must be at least 1");
-  validate(campaign.options);
+  for (const RepeatCap& cap : campaign.caps)
+    if (cap.repeats < 1) throw InputError("repeats", "must be at least 1 for " + cap.group);
+  for (const Planner& planner : campaign.planners)
+    if (std::ranges::count(campaign.planners, planner.name, &Planner::name) > 1)
+      throw InputError("planners", "two of them have the name \"" + planner.name + "\"");
+  check_settings(campaign);
+}
+
+std::vector<std::size_t> profiled_planners(const Campaign& campaign) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < campaign.planners.size(); ++i)
+    if (honours(campaign.planners[i], "profile")) found.push_back(i);
+  return found;
 }
 
 // One run more on each problem, the middle one of a row of goals. Measuring slows a run down, so
 // these are kept apart from those whose time counts.
-std::vector<Turn> profiling_turns_of(const Campaign& campaign) {
+std::vector<Turn> profiling_turns_of(const Campaign& campaign,
+                                     const std::vector<std::size_t>& planners) {
   std::vector<Turn> turns;
   for (std::size_t s = 0; s < campaign.scenarios.size(); ++s)
-    turns.push_back({s, campaign.scenarios[s].scenario.goals.size() / 2, 0, 1.0});
+    turns.push_back({s, campaign.scenarios[s].scenario.size() / 2, 0, 1.0, &planners});
   return turns;
 }
 
-void add_turns(const Campaign& campaign, const std::vector<Turn>& turns, bool profile,
-               std::vector<RunSpec>& runs) {
-  for (const Turn& turn : turns) {
-    PlanOptions options = campaign.options;
-    options.profile = profile;
-    options.seed = run_seed(campaign.seed, campaign.scenarios[turn.scenario].scenario.name,
-                            turn.goal, turn.repeat);
-    const std::size_t first = turn.scenario + turn.goal + static_cast<std::size_t>(turn.repeat);
-    for (const Region region : campaign.regions) {
-      options.region = region;
-      for (std::size_t i = 0; i < campaign.planners.size(); ++i)
-        runs.push_back({turn.scenario, turn.goal, (first + i) % campaign.planners.size(), options});
+// Makes the runs of turns.
+class RunList {
+ public:
+  explicit RunList(const Campaign& campaign) : campaign_(campaign) {
+    for (const Planner& planner : campaign.planners)
+      options_.push_back(options_of(campaign, planner));
+  }
+
+  void add(const std::vector<Turn>& turns, bool profile) {
+    for (const Turn& turn : turns) {
+      const std::vector<std::size_t>& planners = *turn.planners;
+      const std::size_t first = turn.scenario + turn.goal + static_cast<std::size_t>(turn.repeat);
+      for (const Region region : campaign_.regions)
+        for (std::size_t i = 0; i < planners.size(); ++i)
+          add(turn, region, planners[(first + i) % planners.size()], profile);
     }
   }
+
+  std::vector<RunSpec> take() { return std::move(runs_); }
+
+ private:
+  void add(const Turn& turn, Region region, std::size_t planner, bool profile) {
+    RunSpec run{turn.scenario, turn.goal, planner, region, options_[planner]};
+    run.options.budget.seed =
+        run_seed(campaign_.seed, campaign_.scenarios[turn.scenario].scenario.scenario.name,
+                 turn.goal, turn.repeat);
+    if (takes_region(campaign_.planners[planner]))
+      run.options.planner.set("region", std::string(name_of(region)));
+    if (profile) run.options.planner.set("profile", true);
+    runs_.push_back(std::move(run));
+  }
+
+  const Campaign& campaign_;
+  std::vector<PlanOptions> options_;  // of each planner
+  std::vector<RunSpec> runs_;
+};
+
+std::string counted(std::size_t count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
+
+// A line "  40 = 2 planners x ...", and its sum.
+class Sum {
+ public:
+  void add(const std::vector<std::pair<std::size_t, std::string>>& factors,
+           const std::string& why = "") {
+    std::size_t product = 1;
+    std::string text;
+    for (const auto& [count, what] : factors) {
+      product *= count;
+      text += (text.empty() ? "" : " x ") + counted(count, what);
+    }
+    if (product == 0) return;
+    total_ += product;
+    lines_ += fmt::format("  {:5} = {}{}\n", product, text, why);
+  }
+  std::string text() const { return counted(total_, "run") + "\n" + lines_; }
+
+ private:
+  std::size_t total_ = 0;
+  std::string lines_;
+};
 
 }  // namespace
 
 std::vector<RunSpec> runs_of(const Campaign& campaign) {
   check(campaign);
-  std::vector<RunSpec> runs;
-  add_turns(campaign, turns_of(campaign), campaign.options.profile, runs);
-  if (campaign.profile) add_turns(campaign, profiling_turns_of(campaign), true, runs);
-  return runs;
+  RunList runs(campaign);
+  const std::vector<Lineup> lineups = lineups_of(campaign);
+  runs.add(turns_of(campaign, lineups), false);
+  if (!campaign.profile) return runs.take();
+  const std::vector<std::size_t> profiled = profiled_planners(campaign);
+  if (!profiled.empty()) runs.add(profiling_turns_of(campaign, profiled), true);
+  return runs.take();
+}
+
+PlanOptions options_of(const Campaign& campaign, const Planner& planner) {
+  PlanOptions options;
+  for (const Setting& setting : campaign.settings)
+    if (honours(planner, setting.name)) set_option(options, planner, setting.name, setting.value);
+  return complete(planner, options);
+}
+
+std::string explain_runs(const Campaign& campaign) {
+  check(campaign);
+  std::size_t single = 0, goals = 0;
+  for (const auto& [scenario, file] : campaign.scenarios)
+    (scenario.is_row() ? goals : single) += scenario.size();
+  const std::pair<std::size_t, std::string> regions = {campaign.regions.size(), "region"};
+  Sum sum;
+  for (const Lineup& lineup : lineups_of(campaign)) {
+    const std::pair<std::size_t, std::string> planners = {lineup.planners.size(), "planner"};
+    sum.add({planners,
+             regions,
+             {single, "scenario"},
+             {static_cast<std::size_t>(lineup.repeats), "repeat"}});
+    sum.add({planners,
+             regions,
+             {goals, "goal"},
+             {static_cast<std::size_t>(lineup.repeats_per_goal), "repeat"}},
+            ", in rows of goals");
+  }
+  if (campaign.profile)
+    sum.add({{profiled_planners(campaign).size(), "planner"},
+             regions,
+             {campaign.scenarios.size(), "scenario"}},
+            ", once more to measure phases");
+  return sum.text();
 }
 
 std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario, std::size_t goal,
                        int repeat) {
-  std::uint64_t seed = base::stream_seed(campaign_seed, base::hash_of(scenario));
-  seed = base::stream_seed(seed, goal);
-  seed = base::stream_seed(seed, static_cast<std::uint64_t>(repeat));
+  std::uint64_t seed = stream_seed(campaign_seed, base::hash_of(scenario));
+  seed = stream_seed(seed, goal);
+  seed = stream_seed(seed, static_cast<std::uint64_t>(repeat));
   return seed >> 32;  // short enough to type
 }
 
-std::vector<PlannerInfo> thesis_planners() {
-  std::vector<PlannerInfo> found;
-  for (const PlannerInfo& planner : planners())
-    if (planner.name.starts_with("rrt-") && !planner.name.ends_with("-bound"))
-      found.push_back(planner);
-  return found;
-}
-
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -12,7 +12,7 @@
 #include "evaluation/run_record.h"
 #include "vandplan/version.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 // What follows `key` and a separator on the first line that begins with it, without quotes.
@@ -46,6 +46,11 @@ Environment this_environment() {
           .system = value_of("/etc/os-release", "PRETTY_NAME")};
 }
 
+bool is_profiled(const RunRecord& run) {
+  const OptionValue* const profile = run.options.planner.find("profile");
+  return profile != nullptr && *profile == OptionValue(true);
+}
+
 std::string utc_now() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::tm utc{};
@@ -54,4 +59,4 @@ std::string utc_now() {
                      utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

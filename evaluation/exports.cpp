@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,10 +12,11 @@
 #include <tuple>
 #include <utility>
 
+#include "evaluation/methods.h"
+#include "evaluation/options_json.h"
 #include "evaluation/report_json.h"
-#include "vandplan/io.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 using Json = OrderedJson;
@@ -33,14 +35,24 @@ std::string csv_line(const RunRecord& run, const StoredScenario& scenario,
   const auto when_solved = [&](auto value) {
     return result.path ? fmt::format("{}", value) : std::string();
   };
+  const auto counted = [&](std::string_view name) {
+    const auto found = std::ranges::find(result.counters, name, &Counter::name);
+    return found == result.counters.end() ? std::string() : fmt::format("{}", found->value);
+  };
+  const auto measured = [&](std::string_view name) {
+    const auto found = std::ranges::find(result.phases, name, &PhaseTime::name);
+    return found == result.phases.end() ? std::string() : fmt::format("{}", found->seconds);
+  };
   return fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(scenario.name),
-      run.goal, run.planner, name_of(run.options.region), run.options.seed, name_of(result.status),
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+      quoted(scenario.name), run.goal, quoted(run.planner), name_of(run.region),
+      run.options.budget.seed, name_of(result.status), quoted(result.reason),
       when_solved(result.cost), when_solved(result.path ? gear_changes(result.path->segments) : 0),
       result.anytime.empty() ? "" : fmt::format("{}", result.anytime.front().time),
-      result.time_total, result.iterations, result.nodes, result.exact_solves, result.edge_checks,
-      result.time_ranking, result.time_steering, result.time_checking, run.jobs, run.started,
-      quoted(options_to_json(run.options)), quoted(environment.processor), environment.executable);
+      result.time_total, result.iterations, counted("nodes"), counted("exact_solves"),
+      counted("edge_checks"), measured("ranking"), measured("steering"), measured("checking"),
+      run.jobs, run.started, quoted(options_to_json(run.options)), quoted(environment.processor),
+      environment.executable);
 }
 
 Json run_json(const RunRecord& run) {
@@ -53,21 +65,18 @@ Json run_json(const RunRecord& run) {
                {"scenario", run.scenario},
                {"goal", run.goal},
                {"planner", run.planner},
+               {"region", name_of(run.region)},
                {"options", Json::parse(options_to_json(run.options))},
-               {"seed", run.options.seed},
+               {"seed", run.options.budget.seed},
                {"jobs", run.jobs},
                {"started", run.started},
                {"status", name_of(result.status)},
                {"iterations", result.iterations},
-               {"nodes", result.nodes},
-               {"exact_solves", result.exact_solves},
-               {"edge_checks", result.edge_checks},
-               {"time",
-                {{"total", result.time_total},
-                 {"ranking", result.time_ranking},
-                 {"steering", result.time_steering},
-                 {"checking", result.time_checking}}},
+               {"time", {{"total", result.time_total}}},
                {"anytime", anytime}};
+  for (const Counter& counter : result.counters) json[counter.name] = counter.value;
+  for (const PhaseTime& phase : result.phases) json["time"][phase.name] = phase.seconds;
+  if (!result.reason.empty()) json["reason"] = result.reason;
   if (!result.path) return json;
   const Pose& start = result.path->start;
   Json segments = Json::array();
@@ -111,9 +120,9 @@ class OmplWriter {
   OmplWriter(Database& database, Store& store)
       : database_(database), environments_(store.environments()), files_(store.scenarios()) {
     for (const StoredScenario& file : files_) scenarios_.push_back(scenario_of(file));
-    for (int i = 0; i <= static_cast<int>(PlanStatus::stopped); ++i)
+    for (const PlanStatus status : plan_statuses())
       Statement(database_, "INSERT INTO enums VALUES ('status', ?, ?)")
-          .run(i, name_of(static_cast<PlanStatus>(i)));
+          .run(static_cast<int>(status), name_of(status));
   }
 
   void add(const RunRecord& run) {
@@ -121,14 +130,14 @@ class OmplWriter {
     std::optional<double> length, first, changes;
     if (result.path) {
       length = result.cost;
-      first = result.anytime.front().time;
+      if (!result.anytime.empty()) first = result.anytime.front().time;
       changes = gear_changes(result.path->segments);
     }
     Statement(database_, "INSERT INTO runs VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .run(experiment_of(run), planner_of(run), result.time_total,
              static_cast<int>(result.path.has_value()), static_cast<int>(result.status), length,
-             first, changes, result.nodes, result.iterations,
-             static_cast<std::int64_t>(run.options.seed));
+             first, changes, counter(result, "nodes"), result.iterations,
+             static_cast<std::int64_t>(run.options.budget.seed));
     const std::int64_t id = database_.last_id();
     Statement insert(database_, "INSERT OR REPLACE INTO progress VALUES (?, ?, ?)");
     for (const CostSample& sample : result.anytime) insert.run(id, sample.time, sample.cost);
@@ -136,17 +145,20 @@ class OmplWriter {
 
  private:
   std::int64_t experiment_of(const RunRecord& run) {
-    const auto key = std::tuple(run.environment, run.scenario, run.goal, run.options.region,
-                                run.options.time_limit);
+    const auto key = std::tuple(run.environment, run.scenario, run.goal, run.region,
+                                run.options.budget.time_limit);
     std::int64_t& id = experiments_[key];
     if (id == 0) {
       const Environment& here = environments_[run.environment];
+      const ScenarioFile& scenario = scenarios_[run.scenario];
+      std::optional<double> distance;
+      if (scenario.is_row()) distance = scenario.row[run.goal].distance;
       Statement(database_,
                 "INSERT INTO experiments VALUES"
                 " (NULL, ?, NULL, ?, NULL, NULL, ?, '', ?, ?, 0, ?, ?, ?)")
-          .run(files_[run.scenario].name, run.options.time_limit, "vandplan " + here.version,
-               here.processor, run.started, files_[run.scenario].yaml, name_of(run.options.region),
-               scenarios_[run.scenario].goals[run.goal].distance);
+          .run(files_[run.scenario].name, run.options.budget.time_limit, "vandplan " + here.version,
+               here.processor, run.started, files_[run.scenario].yaml, name_of(run.region),
+               distance);
       id = database_.last_id();
     }
     Statement(database_,
@@ -158,7 +170,8 @@ class OmplWriter {
 
   std::int64_t planner_of(const RunRecord& run) {
     PlanOptions options = run.options;
-    options.region = Region::bounds;  // a parameter of the experiment
+    if (options.planner.find("region") != nullptr)
+      options.planner.set("region", std::string("bounds"));  // a parameter of the experiment
     const std::string settings = options_to_json(options);
     std::int64_t& id = planners_[{run.planner, settings}];
     if (id == 0) {
@@ -172,7 +185,7 @@ class OmplWriter {
   Database& database_;
   std::vector<Environment> environments_;
   std::vector<StoredScenario> files_;
-  std::vector<Scenario> scenarios_;
+  std::vector<ScenarioFile> scenarios_;
   std::map<std::tuple<std::size_t, std::size_t, std::size_t, Region, std::optional<double>>,
            std::int64_t>
       experiments_;
@@ -185,7 +198,8 @@ std::string runs_to_csv(Store& store) {
   const std::vector<StoredScenario> scenarios = store.scenarios();
   const std::vector<Environment> environments = store.environments();
   std::string csv =
-      "scenario,goal,planner,region,seed,status,cost [m],gear changes,time of first solution [s],"
+      "scenario,goal,planner,region,seed,status,reason,cost [m],gear changes,time of first "
+      "solution [s],"
       "time [s],iterations,nodes,exact solves,edge checks,time ranking [s],time steering [s],"
       "time checking [s],jobs,started,options,processor,executable\n";
   for (const RunRecord& run : store.runs())
@@ -217,10 +231,10 @@ void write_ompl_database(Store& store, const std::string& file) {
     database.execute(ompl_tables);
     OmplWriter writer(database, store);
     for (const RunRecord& run : store.runs())
-      if (!run.options.profile) writer.add(run);
+      if (!is_profiled(run)) writer.add(run);
     transaction.commit();
   }
   std::filesystem::rename(unfinished, file);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -7,7 +7,7 @@
 
 #include "evaluation/store.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// One line for each run, a head with names and units above; what there is not is empty.
 [[nodiscard]] std::string runs_to_csv(Store& store);
@@ -19,4 +19,4 @@ namespace vandplan {
 /// is an experiment; region and distance are its parameters. Replaces the file.
 void write_ompl_database(Store& store, const std::string& file);
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

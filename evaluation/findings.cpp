@@ -10,44 +10,47 @@
 #include <optional>
 #include <utility>
 
+#include "evaluation/methods.h"
 #include "evaluation/pooled.h"
 #include "evaluation/reasons.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 using Verdict = PairedComparison::Verdict;
 using Measure = PairedComparison TwinComparison::*;
 
-bool uses_table(const std::string& planner) { return planner.find("-hlut-") != std::string::npos; }
-
-std::vector<Pooled> pooled_tables(const Summary& summary, Region region) {
-  std::vector<Pooled> found = pooled(summary, region);
-  std::erase_if(found, [](const Pooled& planner) { return !uses_table(planner.planner); });
+std::vector<Pooled> pooled_tables(const Summary& summary, const Circumstances& where) {
+  std::vector<Pooled> found = pooled(summary, where.region);
+  std::erase_if(found, [&](const Pooled& planner) {
+    return !is_table_under(planner.properties, where.setting);
+  });
   return found;
 }
 
 // One comparison and where it was made.
-struct Comparison {
+struct Compared {
   const TwinComparison* twins;
   std::size_t scenario;
   PairedComparison result;
 };
 
-std::vector<Comparison> table_comparisons(const Summary& summary, Region region, Measure measure) {
-  std::vector<Comparison> found;
+std::vector<Compared> table_comparisons(const Summary& summary, const Circumstances& where,
+                                        Measure measure) {
+  std::vector<Compared> found;
   for (const ScenarioSummary& scenario : summary.scenarios) {
-    if (scenario.region != region) continue;
+    if (scenario.region != where.region) continue;
     for (const TwinComparison& twins : scenario.twins)
-      if (uses_table(twins.planner)) found.push_back({&twins, scenario.scenario, twins.*measure});
+      if (is_table_under(twins.properties, where.setting))
+        found.push_back({&twins, scenario.scenario, twins.*measure});
   }
   return found;
 }
 
 // The largest difference of one kind that is more than chance.
-std::optional<Comparison> extreme(const std::vector<Comparison>& comparisons, Verdict kind) {
-  std::optional<Comparison> best;
-  for (const Comparison& comparison : comparisons) {
+std::optional<Compared> extreme(const std::vector<Compared>& comparisons, Verdict kind) {
+  std::optional<Compared> best;
+  for (const Compared& comparison : comparisons) {
     if (comparison.result.verdict != kind) continue;
     const bool smaller = !best || comparison.result.ratio < best->result.ratio;
     const bool larger = !best || comparison.result.ratio > best->result.ratio;
@@ -56,19 +59,19 @@ std::optional<Comparison> extreme(const std::vector<Comparison>& comparisons, Ve
   return best;
 }
 
-std::string describe(const std::optional<Comparison>& comparison,
-                     const std::vector<Scenario>& scenarios) {
+std::string describe(const std::optional<Compared>& comparison,
+                     const std::vector<ScenarioFile>& scenarios) {
   if (!comparison) return "nothing beyond chance";
   const PairedComparison& result = comparison->result;
   return fmt::format("{} ({} to {}) by {} in {}", change_text(result.ratio),
                      change_text(result.interval.low), change_text(result.interval.high),
-                     comparison->twins->planner, scenarios[comparison->scenario].name);
+                     comparison->twins->planner, scenarios[comparison->scenario].scenario.name);
 }
 
-Finding better_in_six_of_nine(const Summary& summary, Region region, int scenarios) {
+Finding better_in_six_of_nine(const Summary& summary, const Circumstances& where, int scenarios) {
   Tally best;
-  for (const Tally& found : tally(summary, region, &TwinComparison::cost)) {
-    if (!uses_table(found.planner)) continue;
+  for (const Tally& found : tally(summary, where.region, &TwinComparison::cost)) {
+    if (!is_table_under(found.properties, where.setting)) continue;
     if (best.planner.empty() ||
         std::pair(found.better, -found.worse) > std::pair(best.better, -best.worse))
       best = found;
@@ -78,7 +81,7 @@ Finding better_in_six_of_nine(const Summary& summary, Region region, int scenari
                   scenarios, best.planner, best.worse, best.no_difference);
   for (const Verdict kind : {Verdict::smaller, Verdict::larger}) {
     std::string list;
-    for (const Pooled& planner : pooled_tables(summary, region))
+    for (const Pooled& planner : pooled_tables(summary, where))
       if (planner.verdict == kind)
         list += fmt::format("{}{} ({:.0f} % of the pairs better, {:.0f} % worse)",
                             list.empty() ? "" : ", ", planner.planner,
@@ -88,18 +91,18 @@ Finding better_in_six_of_nine(const Summary& summary, Region region, int scenari
       found += fmt::format(". All scenarios together {} beyond chance: {}",
                            kind == Verdict::smaller ? "better" : "worse", list);
   }
-  return {region, "better paths in at least six of nine scenarios",
-          9 * best.better >= 6 * scenarios, found};
+  return {where, "better paths in at least six of nine scenarios", 9 * best.better >= 6 * scenarios,
+          found};
 }
 
-Finding up_to(const Summary& summary, Region region, const std::vector<Scenario>& scenarios,
-              double share, const std::string& what,
+Finding up_to(const Summary& summary, const Circumstances& where,
+              const std::vector<ScenarioFile>& scenarios, double share, const std::string& what,
               std::initializer_list<std::pair<Measure, const char*>> measures) {
-  Finding finding{region, fmt::format("up to {:.0f} % {}", 100.0 * share, what), false, ""};
+  Finding finding{where, fmt::format("up to {:.0f} % {}", 100.0 * share, what), false, ""};
   for (const auto& [measure, name] : measures) {
-    const std::vector<Comparison> comparisons = table_comparisons(summary, region, measure);
-    const std::optional<Comparison> best = extreme(comparisons, Verdict::smaller);
-    const std::optional<Comparison> worst = extreme(comparisons, Verdict::larger);
+    const std::vector<Compared> comparisons = table_comparisons(summary, where, measure);
+    const std::optional<Compared> best = extreme(comparisons, Verdict::smaller);
+    const std::optional<Compared> worst = extreme(comparisons, Verdict::larger);
     finding.holds = finding.holds || (best && best->result.ratio <= 1.0 - share);
     finding.found += fmt::format("{}{}: at best {}; at worst {}", finding.found.empty() ? "" : ". ",
                                  name, describe(best, scenarios), describe(worst, scenarios));
@@ -120,9 +123,9 @@ Winner winner(const Summary& summary, Region region, Kind is_of_kind) {
     if (scenario.region != region) continue;
     double least = std::numeric_limits<double>::infinity();
     for (const MethodSummary& method : scenario.methods)
-      if (is_of_kind(method.planner)) least = std::min(least, method.cost_at_end.median);
+      if (is_of_kind(method)) least = std::min(least, method.cost_at_end.median);
     for (const MethodSummary& method : scenario.methods) {
-      if (!is_of_kind(method.planner)) continue;
+      if (!is_of_kind(method)) continue;
       auto found = std::ranges::find(wins, method.planner, &std::pair<std::string, int>::first);
       if (found == wins.end()) found = wins.insert(found, {method.planner, 0});
       found->second += std::isfinite(least) && method.cost_at_end.median == least;
@@ -135,40 +138,59 @@ Winner winner(const Summary& summary, Region region, Kind is_of_kind) {
   return best;
 }
 
-}  // namespace
-
-std::string headline(const Summary& summary, Region region) {
-  const auto scenarios = std::ranges::count(summary.scenarios, region, &ScenarioSummary::region);
-  if (scenarios == 0) return "";
-  const auto is_rrt = [](const std::string& planner) { return planner.starts_with("rrt-"); };
-  const Winner all = winner(summary, region, [](const std::string&) { return true; });
-  const Winner rrt = winner(summary, region, is_rrt);
-  if (all.scenarios == 0) return "No planner solves half of its runs in any scenario.";
-  std::string text = fmt::format(
-      "{} {} with the shortest paths (medians) in {} of {} scenarios", all.names,
-      all.names.find(" and ") == std::string::npos ? "ends" : "end", all.scenarios, scenarios);
-  if (rrt.scenarios > 0 && rrt.names != all.names)
-    text += fmt::format("; of the random trees {}, in {}", rrt.names, rrt.scenarios);
-  text += ".";
+// How often the tables beat Euclid; empty where none was run beside it.
+std::string tables_sentence(const Summary& summary, const Circumstances& where) {
   Tally sum;
-  for (const Tally& found : tally(summary, region, &TwinComparison::cost)) {
-    if (!uses_table(found.planner)) continue;
+  for (const Tally& found : tally(summary, where.region, &TwinComparison::cost)) {
+    if (!is_table_under(found.properties, where.setting)) continue;
     sum.better += found.better;
     sum.worse += found.worse;
     sum.no_difference += found.no_difference;
   }
   const int comparisons = sum.better + sum.worse + sum.no_difference;
-  if (comparisons == 0) return text;
-  const std::vector<Pooled> together = pooled_tables(summary, region);
+  if (comparisons == 0) return "";
+  const std::vector<Pooled> together = pooled_tables(summary, where);
   const auto count = [&](Verdict verdict) {
     return std::ranges::count(together, verdict, &Pooled::verdict);
   };
-  return text + fmt::format(
-                    " Scenario by scenario the thesis' tables end better than Euclid in {}, worse"
-                    " in {} of {} comparisons, beyond chance; over all scenarios together {} of {}"
-                    " tables are better, {} worse.",
-                    sum.better, sum.worse, comparisons, count(Verdict::smaller), together.size(),
-                    count(Verdict::larger));
+  const char* const setting = where.setting == GoalSetting::sampled
+                                  ? "As the thesis prints its methods"
+                                  : "With the goal tried from every node";
+  return fmt::format(
+      " {}, its tables end better than Euclid in {}, worse in {} of {} comparisons scenario by"
+      " scenario, beyond chance; over all scenarios together {} of {} tables are better, {} worse.",
+      setting, sum.better, sum.worse, comparisons, count(Verdict::smaller), together.size(),
+      count(Verdict::larger));
+}
+
+// "BSC" and the like; nothing of planners that have no strategy.
+bool is_random_tree(const MethodSummary& method) { return !method.properties.strategy.empty(); }
+
+}  // namespace
+
+const char* name_of(GoalSetting setting) noexcept {
+  return setting == GoalSetting::sampled ? "as printed" : "goal tried";
+}
+
+bool is_table_under(const PlannerProperties& properties, GoalSetting setting) noexcept {
+  return table_number(properties) && properties.tries_goal == (setting == GoalSetting::tried);
+}
+
+std::string headline(const Summary& summary, Region region) {
+  const auto scenarios = std::ranges::count(summary.scenarios, region, &ScenarioSummary::region);
+  if (scenarios == 0) return "";
+  const Winner all = winner(summary, region, [](const MethodSummary&) { return true; });
+  const Winner tree = winner(summary, region, is_random_tree);
+  if (all.scenarios == 0) return "No planner solves half of its runs in any scenario.";
+  std::string text = fmt::format(
+      "{} {} with the shortest paths (medians) in {} of {} scenarios", all.names,
+      all.names.find(" and ") == std::string::npos ? "ends" : "end", all.scenarios, scenarios);
+  if (tree.scenarios > 0 && tree.names != all.names)
+    text += fmt::format("; of the random trees {}, in {}", tree.names, tree.scenarios);
+  text += ".";
+  for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried})
+    text += tables_sentence(summary, {region, setting});
+  return text;
 }
 
 std::vector<Tally> tally(const Summary& summary, Region region, Measure measure) {
@@ -177,7 +199,8 @@ std::vector<Tally> tally(const Summary& summary, Region region, Measure measure)
     if (scenario.region != region) continue;
     for (const TwinComparison& twins : scenario.twins) {
       auto found = std::ranges::find(tallies, twins.planner, &Tally::planner);
-      if (found == tallies.end()) found = tallies.insert(found, Tally{twins.planner});
+      if (found == tallies.end())
+        found = tallies.insert(found, Tally{twins.planner, twins.properties});
       const Verdict verdict = (twins.*measure).verdict;
       found->better += verdict == Verdict::smaller;
       found->worse += verdict == Verdict::larger;
@@ -187,23 +210,44 @@ std::vector<Tally> tally(const Summary& summary, Region region, Measure measure)
   return tallies;
 }
 
-std::vector<Finding> findings(const Summary& summary, const std::vector<Scenario>& scenarios) {
+std::vector<Finding> findings(const Summary& summary, const std::vector<ScenarioFile>& scenarios) {
   std::vector<Finding> found;
-  for (const Region region : {Region::bounds, Region::scene}) {
-    if (table_comparisons(summary, region, &TwinComparison::cost).empty()) continue;
-    const auto count =
-        static_cast<int>(std::ranges::count(summary.scenarios, region, &ScenarioSummary::region));
-    found.push_back(better_in_six_of_nine(summary, region, count));
-    found.back().why = reason_for_paths(summary, scenarios, region);
-    found.push_back(up_to(summary, region, scenarios, 0.2, "less time",
-                          {{&TwinComparison::first_time, "First solution"},
-                           {&TwinComparison::time_total, "Whole run"}}));
-    found.back().why = reason_for_times(summary, region);
-    found.push_back(up_to(summary, region, scenarios, 0.9, "better path",
-                          {{&TwinComparison::cost, "Cost at the end"}}));
-    found.back().why = reason_for_gains(summary, region);
+  for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried}) {
+    for (const Region region : {Region::bounds, Region::scene}) {
+      const Circumstances where{region, setting};
+      if (table_comparisons(summary, where, &TwinComparison::cost).empty()) continue;
+      const auto count =
+          static_cast<int>(std::ranges::count(summary.scenarios, region, &ScenarioSummary::region));
+      found.push_back(better_in_six_of_nine(summary, where, count));
+      found.back().why = reason_for_paths(summary, scenarios, where);
+      found.push_back(up_to(summary, where, scenarios, 0.2, "less time",
+                            {{&TwinComparison::first_time, "First solution"},
+                             {&TwinComparison::time_total, "Whole run"}}));
+      found.back().why = reason_for_times(summary, where);
+      found.push_back(up_to(summary, where, scenarios, 0.9, "better path",
+                            {{&TwinComparison::cost, "Cost at the end"}}));
+      found.back().why = reason_for_gains(summary, where);
+    }
   }
   return found;
+}
+
+std::vector<std::string> verdicts(const std::vector<Finding>& findings) {
+  std::vector<std::string> sentences;
+  for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried}) {
+    std::string holds, fails;
+    for (const Finding& finding : findings) {
+      if (finding.where.setting != setting) continue;
+      std::string& list = finding.holds ? holds : fails;
+      list += fmt::format("{}\"{}\" ({})", list.empty() ? "" : ", ", finding.claim,
+                          name_of(finding.where.region));
+    }
+    if (holds.empty() && fails.empty()) continue;
+    sentences.push_back(fmt::format("The thesis' claims, {}: confirmed {}; not confirmed {}.",
+                                    name_of(setting), holds.empty() ? "nothing" : holds,
+                                    fails.empty() ? "nothing" : fails));
+  }
+  return sentences;
 }
 
 std::string change_text(double ratio) {
@@ -216,4 +260,4 @@ std::string change_text(double ratio) {
                      std::abs(percent) < 10 ? 1 : 0);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -8,11 +8,32 @@
 
 #include "evaluation/summary.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
+
+/// How the methods of the thesis treat the goal.
+enum class GoalSetting {
+  sampled,  ///< as the thesis prints it: the goal is a sample like others, drawn now and then
+  tried,    ///< the goal is tried from every new node
+};
+
+/// "as printed" or "goal tried".
+[[nodiscard]] const char* name_of(GoalSetting setting) noexcept;
+
+/// Under what a claim is judged.
+struct Circumstances {
+  Region region = Region::bounds;
+  GoalSetting setting = GoalSetting::sampled;
+  bool operator==(const Circumstances&) const = default;
+};
+
+/// Whether a planner ranks by a table of the thesis and treats the goal so.
+[[nodiscard]] bool is_table_under(const PlannerProperties& properties,
+                                  GoalSetting setting) noexcept;
 
 /// In how many scenarios a planner beats the one that ranks by Euclid.
 struct Tally {
   std::string planner;
+  PlannerProperties properties;
   int better = 0;
   int worse = 0;
   int no_difference = 0;
@@ -22,25 +43,29 @@ struct Tally {
 [[nodiscard]] std::vector<Tally> tally(const Summary& summary, Region region,
                                        PairedComparison TwinComparison::*measure);
 
-/// A claim of the thesis about its table, and what was found in one region.
+/// A claim of the thesis about its tables, and what was found under some circumstances.
 struct Finding {
-  Region region = Region::bounds;
+  Circumstances where;
   std::string claim;
   bool holds = false;
   std::string found;
   std::string why = {};  ///< sentences, from the runs
 };
 
-/// Three claims in each region that was run: better in six of nine scenarios, up to 20 % less
-/// time, up to 90 % better paths. Nothing where no table was run beside its Euclid twin.
+/// Three claims under all circumstances that were run, the printed setting first: better in six of
+/// nine scenarios, up to 20 % less time, up to 90 % better paths. Nothing where no table was run
+/// beside its Euclid twin.
 [[nodiscard]] std::vector<Finding> findings(const Summary& summary,
-                                            const std::vector<Scenario>& scenarios);
+                                            const std::vector<ScenarioFile>& scenarios);
 
-/// The shortest answer for a region, one or two sentences: who ends with the best paths, and how
-/// often the thesis' tables beat Euclid. Empty if the region was not run.
+/// Which claims hold where: a sentence for each setting that was judged.
+[[nodiscard]] std::vector<std::string> verdicts(const std::vector<Finding>& findings);
+
+/// The shortest answer for a region, one to three sentences: who ends with the best paths, and how
+/// often the thesis' tables beat Euclid in each setting. Empty if the region was not run.
 [[nodiscard]] std::string headline(const Summary& summary, Region region);
 
 /// A ratio as a change, "-12 %", "+3.4 %", "x 8.1", "from unsolved to solved".
 [[nodiscard]] std::string change_text(double ratio);
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -9,7 +9,7 @@
 #include "evaluation/report.h"
 #include "vandplan/draw.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 constexpr int cell_width = 360;  // [pixels]
@@ -44,11 +44,14 @@ std::string gallery_png(const Report& report) {
     planners.insert(run.planner);
   }
   ContactSheet sheet;
+  std::vector<Scenario> drawn;
+  drawn.reserve(scenarios.size());
   for (const std::size_t index : scenarios) {
-    const Scenario& scenario = report.scenarios[index];
+    const RunRecord* const best = best_run(report, index);
+    const Scenario& scenario =
+        drawn.emplace_back(scenario_at(report.scenarios[index], best == nullptr ? 0 : best->goal));
     Drawing drawing{.scenario = &scenario, .caption = scenario.name + ": no path"};
-    if (const RunRecord* const best = best_run(report, index)) {
-      drawing.goal = best->goal;
+    if (best != nullptr) {
       drawing.path = &*best->result.path;
       drawing.caption = fmt::format("{}: {:.1f} m", scenario.name, final_cost(*best));
       if (planners.size() > 1) drawing.caption += ", " + best->planner;
@@ -60,4 +63,4 @@ std::string gallery_png(const Report& report) {
   return draw(sheet, PictureFormat::png, cell_width * sheet.columns);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -6,7 +6,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 namespace {
 
@@ -57,4 +57,4 @@ PathMetrics metrics_of(const Path& path, const DrivingStyle& style) {
   return metrics;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

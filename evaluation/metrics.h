@@ -5,7 +5,7 @@
 
 #include "vandplan/path.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// How a path is driven: at constant speed, with a stop at every gear change.
 struct DrivingStyle {
@@ -29,4 +29,4 @@ void validate(const DrivingStyle& style);
 /// Throws InputError when the style is out of range.
 [[nodiscard]] PathMetrics metrics_of(const Path& path, const DrivingStyle& style);
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 // What is gathered of a planner on the way.
@@ -58,13 +58,18 @@ std::vector<Pooled> pooled(const Summary& summary, Region region) {
     for (const TwinComparison& twins : scenario.twins) {
       if (twins.cost_ratios.empty()) continue;
       auto same = std::ranges::find(found, twins.planner, &Pooled::planner);
-      if (same == found.end()) same = found.insert(same, Pooled{.planner = twins.planner});
+      if (same == found.end()) same = found.insert(same, Pooled{twins.planner, twins.properties});
       add(scenario, twins, *same, gathered[twins.planner]);
     }
   }
-  const double level = 1.0 - (1.0 - confidence) / static_cast<double>(found.size());
-  for (Pooled& planner : found) conclude(gathered[planner.planner], level, planner);
+  for (Pooled& planner : found) {
+    const auto alike = std::ranges::count_if(found, [&](const Pooled& other) {
+      return other.properties.tries_goal == planner.properties.tries_goal;
+    });
+    const double level = 1.0 - (1.0 - confidence) / static_cast<double>(alike);
+    conclude(gathered[planner.planner], level, planner);
+  }
   return found;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -8,16 +8,25 @@
 
 #include "vandplan/heuristic_table.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
-constexpr const char* strategies[] = {"bsc", "opt"};
 constexpr int tables = 4;
 
 std::string upper(std::string text) {
   for (char& letter : text)
     if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
   return text;
+}
+
+// In order of appearance.
+std::vector<std::string> strategies_of(const Summary& summary) {
+  std::vector<std::string> found;
+  for (const ScenarioSummary& scenario : summary.scenarios)
+    for (const TwinComparison& twins : scenario.twins)
+      if (std::ranges::find(found, twins.properties.strategy) == found.end())
+        found.push_back(twins.properties.strategy);
+  return found;
 }
 
 const MethodSummary* method_named(const ScenarioSummary& scenario, const std::string& planner) {
@@ -51,12 +60,13 @@ void add(const MethodSummary& method, const MethodSummary& twin, Effect& effect)
   effect.twin_solves.push_back(twin.exact_solves / twin.iterations);
 }
 
-Effect effect_of(const Summary& summary, Region region, const std::string& strategy) {
+Effect effect_of(const Summary& summary, const Circumstances& where, const std::string& strategy) {
   Effect effect;
   for (const ScenarioSummary& scenario : summary.scenarios) {
-    if (scenario.region != region) continue;
+    if (scenario.region != where.region) continue;
     for (const TwinComparison& twins : scenario.twins) {
-      if (!twins.planner.starts_with("rrt-" + strategy + "-hlut-") || twins.cost.pairs == 0)
+      if (!is_table_under(twins.properties, where.setting) ||
+          twins.properties.strategy != strategy || twins.cost.pairs == 0)
         continue;
       effect.pairs += twins.cost.pairs;
       for (const double ratio : twins.cost_ratios) {
@@ -76,10 +86,11 @@ double middle(std::vector<double> values) {
 
 // One sentence for each strategy that ran, with its name before it.
 template <class Sentence>
-std::string for_each_strategy(const Summary& summary, Region region, Sentence sentence) {
+std::string for_each_strategy(const Summary& summary, const Circumstances& where,
+                              Sentence sentence) {
   std::string text;
-  for (const std::string strategy : strategies) {
-    const Effect effect = effect_of(summary, region, strategy);
+  for (const std::string& strategy : strategies_of(summary)) {
+    const Effect effect = effect_of(summary, where, strategy);
     if (effect.pairs == 0) continue;
     text += (text.empty() ? "" : " ") + upper(strategy) + ": " + sentence(effect) + ".";
   }
@@ -97,25 +108,25 @@ double share_within(double extent, double side) {
 
 double table_coverage(const Problem& problem, Region region, int number) {
   const HeuristicTableOptions table = thesis_table_options(number);
-  const double radius = problem.world->vehicle().min_turning_radius;
+  const double radius = problem.vehicle().min_turning_radius;
   const double extent = table.extent * radius / table.turning_radius;
-  const Bounds box = sampling_region(problem, region);
+  const Bounds box = sampling_region(problem.task(), region);
   return share_within(extent, box.x_max - box.x_min) * share_within(extent, box.y_max - box.y_min);
 }
 
-std::string reason_for_paths(const Summary& summary, const std::vector<Scenario>& scenarios,
-                             Region region) {
+std::string reason_for_paths(const Summary& summary, const std::vector<ScenarioFile>& scenarios,
+                             const Circumstances& where) {
   std::vector<double> least, most;
   for (const ScenarioSummary& scenario : summary.scenarios) {
-    if (scenario.region != region) continue;
-    const Problem problem = make_problem(scenarios[scenario.scenario], 0);
+    if (scenario.region != where.region) continue;
+    const Problem problem = make_problem(scenario_at(scenarios[scenario.scenario], 0));
     std::vector<double> shares;
     for (int number = 1; number <= tables; ++number)
-      shares.push_back(table_coverage(problem, region, number));
+      shares.push_back(table_coverage(problem, where.region, number));
     least.push_back(std::ranges::min(shares));
     most.push_back(std::ranges::max(shares));
   }
-  const std::string counts = for_each_strategy(summary, region, [](const Effect& effect) {
+  const std::string counts = for_each_strategy(summary, where, [](const Effect& effect) {
     return fmt::format(
         "of {} pairs {:.0f} % end better, {:.0f} % worse, {:.0f} % with exactly the cost of Euclid",
         effect.pairs, percent(effect.better, effect.pairs), percent(effect.worse, effect.pairs),
@@ -127,8 +138,8 @@ std::string reason_for_paths(const Summary& summary, const std::vector<Scenario>
                       100.0 * middle(least), 100.0 * middle(most));
 }
 
-std::string reason_for_times(const Summary& summary, Region region) {
-  return for_each_strategy(summary, region, [](const Effect& effect) {
+std::string reason_for_times(const Summary& summary, const Circumstances& where) {
+  return for_each_strategy(summary, where, [](const Effect& effect) {
     std::string text;
     if (!effect.slower.empty())
       text = fmt::format(
@@ -143,12 +154,12 @@ std::string reason_for_times(const Summary& summary, Region region) {
   });
 }
 
-std::string reason_for_gains(const Summary& summary, Region region) {
-  return for_each_strategy(summary, region, [](const Effect& effect) {
+std::string reason_for_gains(const Summary& summary, const Circumstances& where) {
+  return for_each_strategy(summary, where, [](const Effect& effect) {
     return fmt::format("{:.0f} % of the runs are solved with a table, {:.0f} % with Euclid",
                        percent(effect.solved, effect.runs),
                        percent(effect.twin_solved, effect.twin_runs));
   });
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -4,43 +4,62 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
-#include <string_view>
+#include <optional>
 #include <utility>
 
+#include "evaluation/methods.h"
+#include "evaluation/options_json.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
-
-// The options that all runs of a comparison share.
-std::string shared_options(PlanOptions options) {
-  options.region = Region::bounds;
-  options.profile = false;
-  return options_to_json(options);
-}
 
 // Which scenario a file holds now: index in the store by file.
 using Current = std::map<std::string, std::size_t>;
 
-// The runs to tell of: of one program and machine, of equal options, of files as they are now.
+// How long a run might last.
+using Limits = std::pair<std::optional<double>, std::optional<std::int64_t>>;
+
+Limits limits_of(const PlanOptions& options) {
+  return {options.budget.time_limit, options.budget.max_iterations};
+}
+
+// The runs to tell of: of one program and machine, of equal limits, of files as they are now.
 struct Choice {
   std::size_t environment = 0;
-  PlanOptions options;
-  Current known = {};  // of other files the last run had what they hold
+  Limits limits = {};
+  std::vector<Planner> planners = {};               // whose properties the store does not know
+  std::map<std::string, std::string> options = {};  // by planner; of others those of the last run
+  Current files = {};                               // of others what they held at the last run
 };
 
-Current current_of(const Report& report, const Choice& choice) {
+void keep_comparable(const Choice& choice, std::vector<RunRecord>& runs) {
+  std::erase_if(runs, [&](const RunRecord& run) {
+    return run.environment != choice.environment || limits_of(run.options) != choice.limits;
+  });
+  std::map<std::string, std::string> options;
+  for (const RunRecord& run : runs) options[run.planner] = comparable_options(run);
+  for (const auto& [planner, wanted] : choice.options) options[planner] = wanted;
+  std::erase_if(runs, [&](const RunRecord& run) {
+    return comparable_options(run) != options.at(run.planner);
+  });
+}
+
+void keep_current(const Choice& choice, const std::vector<StoredScenario>& files,
+                  std::vector<RunRecord>& runs) {
   Current current;
-  for (const RunRecord& run : report.runs) current[report.files[run.scenario].file] = run.scenario;
-  for (const auto& [file, scenario] : choice.known) current[file] = scenario;
-  return current;
+  for (const RunRecord& run : runs) current[files[run.scenario].file] = run.scenario;
+  for (const auto& [file, scenario] : choice.files) current[file] = scenario;
+  std::erase_if(runs, [&](const RunRecord& run) {
+    return current.at(files[run.scenario].file) != run.scenario;
+  });
 }
 
 Report make_report(Store& store, std::vector<RunRecord> runs, const Choice& choice) {
   Report report;
   report.environment = store.environments().at(choice.environment);
-  report.options = choice.options;
   report.files = store.scenarios();
   for (const StoredScenario& file : report.files) report.scenarios.push_back(scenario_of(file));
   report.sessions = store.sessions();
@@ -48,28 +67,22 @@ Report make_report(Store& store, std::vector<RunRecord> runs, const Choice& choi
                 [&](const Session& session) { return session.environment != choice.environment; });
   report.runs = std::move(runs);
   const std::size_t all = report.runs.size();
-  const std::string shared = shared_options(choice.options);
-  std::erase_if(report.runs, [&](const RunRecord& run) {
-    return run.environment != choice.environment || shared_options(run.options) != shared;
-  });
-  const Current current = current_of(report, choice);
-  std::erase_if(report.runs, [&](const RunRecord& run) {
-    return current.at(report.files[run.scenario].file) != run.scenario;
-  });
+  keep_comparable(choice, report.runs);
+  keep_current(choice, report.files, report.runs);
   report.left_out = static_cast<int>(all - report.runs.size());
   if (report.runs.empty()) throw InputError("report", "there is no run to tell of");
-  report.summary = summarize(report.scenarios, report.runs);
+  report.planners = planners_of(report.runs, choice.planners);
+  report.options = options_of(report.runs);
+  report.summary = summarize(report.scenarios, report.planners, report.runs);
   report.findings = findings(report.summary, report.scenarios);
   return report;
 }
 
-// How an option is set on the command line, up to its value.
-std::string flag_of(std::string_view option) {
-  if (option == "seed") return " --seed ";
-  if (option == "region") return " --region ";
-  if (option == "max_iterations") return " --max-iterations ";
-  if (option == "max_nodes") return " --max-nodes ";
-  return fmt::format(" --set {}=", option);
+// An option on the command line.
+std::string flag(const std::string& name, std::string value) {
+  std::erase(value, '"');
+  if (name == "max_iterations") return " --max-iterations " + value;
+  return fmt::format(" --set {}={}", name, value);
 }
 
 }  // namespace
@@ -77,14 +90,19 @@ std::string flag_of(std::string_view option) {
 Report make_report(Store& store) {
   std::vector<RunRecord> runs = store.runs();
   if (runs.empty()) throw InputError("report", "there is no run to tell of");
-  const Choice choice{runs.back().environment, runs.back().options};
+  const Choice choice{runs.back().environment, limits_of(runs.back().options)};
   return make_report(store, std::move(runs), choice);
 }
 
 Report make_report(Store& store, const Campaign& campaign) {
-  Choice choice{store.index_of(this_environment()), campaign.options};
+  Choice choice{.environment = store.index_of(this_environment()), .planners = campaign.planners};
+  for (const Planner& planner : campaign.planners) {
+    const PlanOptions options = options_of(campaign, planner);
+    choice.limits = limits_of(options);
+    choice.options[planner.name] = comparable_options(options);
+  }
   for (const auto& [scenario, file] : campaign.scenarios)
-    choice.known[file] = store.index_of(stored(scenario, file));
+    choice.files[file] = store.index_of(stored(scenario, file));
   return make_report(store, store.runs(), choice);
 }
 
@@ -92,19 +110,27 @@ Report make_report(Store& store, const Campaign& campaign) {
 // same run.
 std::string reproduce_command(const Report& report, const RunRecord& run) {
   PlanOptions shown = run.options;
-  shown.time_limit.reset();
-  shown.max_iterations = run.result.iterations;
-  shown.profile = false;
+  shown.budget.time_limit.reset();
+  shown.budget.max_iterations = run.result.iterations;
+  std::map<std::string, std::string> defaults;
+  for (const auto& [name, value] : option_values({})) defaults[name] = value;
+  const auto planner = std::ranges::find(planners(), run.planner, &Planner::name);
+  const bool is_ours = planner != planners().end();
+  if (is_ours)
+    for (const OptionInfo& option : planner->options) {
+      PlanOptions standard;
+      standard.planner.set(option.name, option.standard);
+      defaults[option.name] = option_values(standard).back().second;
+    }
   std::string command =
-      fmt::format("vandplan plan {} --planner {}", report.files[run.scenario].file, run.planner);
-  const PlanOptions defaults;
-  for (const OptionInfo& option : option_table()) {
-    std::string value = option.get(shown);
-    if (value == option.get(defaults) && option.name != "seed") continue;
-    std::erase(value, '"');
-    command += flag_of(option.name) + value;
+      fmt::format("{}{} --planner {} --seed {}", is_ours ? "vandplan plan " : "(your own planner) ",
+                  report.files[run.scenario].file, run.planner, run.options.budget.seed);
+  for (const auto& [name, value] : option_values(shown)) {
+    const auto standard = defaults.find(name);
+    if (name == "profile" || (standard != defaults.end() && standard->second == value)) continue;
+    command += flag(name, value);
   }
   return command;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -9,17 +9,19 @@
 
 #include "evaluation/campaign.h"
 #include "evaluation/findings.h"
+#include "evaluation/report_options.h"
 #include "evaluation/store.h"
 #include "evaluation/summary.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// Everything that a report tells.
 struct Report {
   Environment environment;
-  PlanOptions options;  ///< of every run, but for seed, region and profiling
+  std::vector<Planner> planners;  ///< of the runs, in the order in which to show them
+  ReportOptions options;
   std::vector<StoredScenario> files;
-  std::vector<Scenario> scenarios;  ///< what the files say
+  std::vector<ScenarioFile> scenarios;  ///< what the files say
   std::vector<RunRecord> runs;
   std::vector<Session> sessions;
   /// Runs in the store that are of another environment, other options, or of files changed since.
@@ -28,18 +30,20 @@ struct Report {
   std::vector<Finding> findings;
 };
 
-/// Tells of the runs of a store that were made where and with the options with which the last one
-/// was, of each file those of what it held last. Throws InputError when there is none.
+/// Tells of the runs of a store that were made where and with the limits with which the last one
+/// was, of each planner those with the options and of each file those of what it held last. Throws
+/// InputError when there is none.
 [[nodiscard]] Report make_report(Store& store);
 
-/// Tells of the runs that this program made on this machine with the options of a campaign.
+/// Tells of the runs that this program made on this machine with the settings of a campaign, and of
+/// other planners with the same limits. Throws InputError when there is none.
 [[nodiscard]] Report make_report(Store& store, const Campaign& campaign);
 
 /// The headline and a table of all planners and scenarios for each region, as Markdown that is
 /// easy to read in a terminal.
 [[nodiscard]] std::string headline_markdown(const Report& report);
 
-/// The same figures as a JSON object; times [s], costs as in `MethodSummary`.
+/// The figures of the headline as a JSON object; times [s], costs as in `MethodSummary`.
 [[nodiscard]] std::string headline_json(const Report& report);
 
 /// The headline and a table for each scenario and region.
@@ -52,7 +56,8 @@ struct Report {
 [[nodiscard]] std::string report_html(const Report& report, std::string_view gallery);
 
 /// The command that repeats a run and finds the same path, whatever the machine's speed; with a
-/// row of goals it plans for all of them, the run's goal among them.
+/// row of goals it plans for all of them, the run's goal among them. Of a planner that is not the
+/// library's: the options to plan with.
 [[nodiscard]] std::string reproduce_command(const Report& report, const RunRecord& run);
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -2,18 +2,18 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "evaluation/methods.h"
 #include "evaluation/page.h"
 #include "evaluation/report.h"
 #include "evaluation/report_json.h"
 #include "vandplan/draw.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 using Json = OrderedJson;
@@ -83,20 +83,29 @@ class MapList {
   Json list_ = Json::array();
 };
 
-Json scenario_json(const Scenario& scenario, const StoredScenario& file, MapList& maps) {
-  const Footprint body = footprint(scenario.vehicle);
+Json goals_json(const ScenarioFile& scenario) {
+  if (!scenario.is_row())
+    return {{{"pose", pose(scenario.scenario.goal)},
+             {"distance", nullptr},
+             {"obstacles", Json::array()}}};
   Json goals = Json::array();
-  for (const Goal& goal : scenario.goals)
-    goals.push_back({{"pose", pose(goal.pose)},
-                     {"distance", goal.distance ? Json(*goal.distance) : Json(nullptr)},
+  for (const RowGoal& goal : scenario.row)
+    goals.push_back({{"pose", pose(goal.goal)},
+                     {"distance", goal.distance},
                      {"obstacles", polygons(goal.obstacles)}});
+  return goals;
+}
+
+Json scenario_json(const ScenarioFile& whole, const StoredScenario& file, MapList& maps) {
+  const Scenario& scenario = whole.scenario;
+  const Footprint body = footprint(scenario.vehicle);
   return {{"name", scenario.name},
           {"file", file.file},
           {"description", scenario.description},
-          {"row", scenario.goals_are_a_row},
+          {"row", whole.is_row()},
           {"footprint", {body.rear, body.front, body.half_width}},
           {"start", pose(scenario.start)},
-          {"goals", goals},
+          {"goals", goals_json(whole)},
           {"obstacles", polygons(scenario.obstacles)},
           {"kerbs", polygons(scenario.kerbs)},
           {"map", maps.index_of(scenario.map)}};
@@ -162,7 +171,7 @@ Json cells_json(const Report& report) {
   Json cells = Json::array();
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     Json methods = Json::array(), twins = Json::array();
-    const bool row = report.scenarios[scenario.scenario].goals_are_a_row;
+    const bool row = report.scenarios[scenario.scenario].is_row();
     for (const MethodSummary& method : scenario.methods)
       methods.push_back(method_json(report, method, row));
     for (const TwinComparison& twin : scenario.twins) twins.push_back(twin_json(twin));
@@ -178,24 +187,15 @@ Json cells_json(const Report& report) {
 Json runs_json(const Report& report) {
   Json rows = Json::array();
   for (const RunRecord& run : report.runs)
-    rows.push_back({run.scenario, name_of(run.options.region), run.goal, run.planner,
-                    run.options.seed, name_of(run.result.status), final_cost(run),
+    rows.push_back({run.scenario, name_of(run.region), run.goal, run.planner,
+                    run.options.budget.seed, name_of(run.result.status), final_cost(run),
                     first_solution_time(run), run.result.time_total, run.result.iterations,
-                    run.result.nodes, run.options.profile, reproduce_command(report, run)});
+                    counter(run.result, "nodes"), is_profiled(run), run.result.reason,
+                    reproduce_command(report, run)});
   return {{"columns",
            {"scenario", "region", "goal", "planner", "seed", "status", "cost", "first", "total",
-            "iterations", "nodes", "profile", "command"}},
+            "iterations", "nodes", "profile", "reason", "command"}},
           {"rows", rows}};
-}
-
-Json planners_json(const Report& report) {
-  Json list = Json::array();
-  const auto ran = [&](std::string_view name) {
-    return std::ranges::find(report.runs, name, &RunRecord::planner) != report.runs.end();
-  };
-  for (const PlannerInfo& planner : planners())
-    if (ran(planner.name)) list.push_back({{"name", planner.name}, {"summary", planner.summary}});
-  return list;
 }
 
 Json data_of(const Report& report) {
@@ -205,19 +205,33 @@ Json data_of(const Report& report) {
     scenarios.push_back(scenario_json(report.scenarios[i], report.files[i], maps));
   return {{"created", report.runs.back().started},
           {"environment", environment_json(report.environment)},
-          {"options", Json::parse(options_to_json(report.options))},
+          {"options", shared_options_json(report.options)},
+          {"differing_options", differing_options_json(report.options)},
           {"jobs", report.runs.back().jobs},
           {"left_out", report.left_out},
           {"overhead", harness_json(report.sessions)},
-          {"planners", planners_json(report)},
+          {"planners", planners_json(report.planners)},
           {"scenarios", scenarios},
           {"maps", maps.list()},
           {"times", report.summary.times},
           {"cells", cells_json(report)},
           {"claims", claims_json(report.findings)},
+          {"verdicts", verdicts_json(report.findings)},
+          {"rejected", rejected_json(report.runs)},
           {"pooled", pooled_json(report.summary)},
           {"headlines", headlines_json(report.summary)},
           {"runs", runs_json(report)}};
+}
+
+// The parts of the program share one scope, which nothing else on the page can see.
+std::string program() {
+  std::string text = "(function () {\n'use strict';\n";
+  for (const std::string_view part :
+       {page::js_data, page::js_methods, page::js_tables, page::js_overview, page::js_scenario,
+        page::js_charts, page::js_motion, page::js_pictures, page::js_runs, page::js_frame,
+        page::js_page})
+    text += part;
+  return text + "})();\n";
 }
 
 // Puts `value` in the place of a mark.
@@ -238,10 +252,10 @@ std::string report_html(const Report& report, std::string_view gallery) {
   fill(page, "/*STYLE*/", page::css);
   fill(page, "<!--LICENCE-->", page::d3_licence);
   fill(page, "/*D3*/", page::d3);
-  fill(page, "/*PROGRAM*/", page::js);
+  fill(page, "/*PROGRAM*/", program());
   fill(page, "<!--SHEET-->", image);
   fill(page, "/*DATA*/", data);  // last: it may hold any text
   return page;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

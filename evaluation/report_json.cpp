@@ -3,17 +3,20 @@
 #include "evaluation/report_json.h"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
+#include "evaluation/methods.h"
 #include "evaluation/pooled.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 OrderedJson json_of(const Interval& interval) {
   return {finite_json(interval.low), finite_json(interval.high)};
 }
 
-const char* name_of(PairedComparison::Verdict verdict) {
+const char* verdict_name(PairedComparison::Verdict verdict) {
   if (verdict == PairedComparison::Verdict::smaller) return "better";
   return verdict == PairedComparison::Verdict::larger ? "worse" : "no difference";
 }
@@ -22,7 +25,7 @@ OrderedJson json_of(const PairedComparison& comparison) {
   return {{"pairs", comparison.pairs},
           {"ratio", finite_json(comparison.ratio)},
           {"interval", json_of(comparison.interval)},
-          {"verdict", name_of(comparison.verdict)}};
+          {"verdict", verdict_name(comparison.verdict)}};
 }
 
 }  // namespace
@@ -35,6 +38,7 @@ OrderedJson json_of(const MethodSummary& method, bool row) {
   OrderedJson json = {{"planner", method.planner},
                       {"runs", method.runs},
                       {"solved", method.solved},
+                      {"rejected", method.rejected},
                       {"solved_interval", json_of(method.solved_interval)},
                       {"first_solution", json_of(method.first_time)},
                       {"cost_at_10ms", json_of(method.cost_at_10ms)},
@@ -61,6 +65,7 @@ OrderedJson pooled_json(const Summary& summary) {
     for (const Pooled& planner : pooled(summary, region))
       json.push_back({{"region", name_of(region)},
                       {"planner", planner.planner},
+                      {"tries_goal", planner.properties.tries_goal},
                       {"runs", planner.runs},
                       {"solved", planner.solved},
                       {"twin_runs", planner.twin_runs},
@@ -70,7 +75,7 @@ OrderedJson pooled_json(const Summary& summary) {
                       {"worse", planner.dearer},
                       {"cost_ratio", finite_json(planner.ratio)},
                       {"exact_lengths_per_iteration", planner.exact_solves},
-                      {"verdict", name_of(planner.verdict)}});
+                      {"verdict", verdict_name(planner.verdict)}});
   return json;
 }
 
@@ -102,19 +107,61 @@ OrderedJson harness_json(const std::vector<Session>& sessions) {
           {"rest", wall - sum.planning_time - sum.judging_time}};
 }
 
-const char* name_of(Region region) noexcept {
-  return region == Region::bounds ? "bounds" : "scene";
-}
-
 OrderedJson claims_json(const std::vector<Finding>& findings) {
   OrderedJson claims = OrderedJson::array();
   for (const Finding& finding : findings)
-    claims.push_back({{"region", name_of(finding.region)},
+    claims.push_back({{"setting", name_of(finding.where.setting)},
+                      {"region", name_of(finding.where.region)},
                       {"claim", finding.claim},
                       {"holds", finding.holds},
                       {"found", finding.found},
                       {"why", finding.why}});
   return claims;
+}
+
+OrderedJson verdicts_json(const std::vector<Finding>& findings) {
+  OrderedJson sentences = OrderedJson::array();
+  for (const std::string& sentence : verdicts(findings)) sentences.push_back(sentence);
+  return sentences;
+}
+
+OrderedJson rejected_json(const std::vector<RunRecord>& runs) {
+  std::map<std::string, std::pair<int, std::string>> found;  // how many, and the first reason
+  for (const RunRecord& run : runs) {
+    if (run.result.status != PlanStatus::rejected) continue;
+    auto& [count, reason] = found[run.planner];
+    if (count++ == 0) reason = run.result.reason;
+  }
+  OrderedJson rejected = OrderedJson::array();
+  for (const auto& [planner, what] : found)
+    rejected.push_back({{"planner", planner}, {"runs", what.first}, {"reason", what.second}});
+  return rejected;
+}
+
+OrderedJson shared_options_json(const ReportOptions& options) {
+  OrderedJson json = OrderedJson::object();
+  for (const auto& [name, value] : options.shared) json[name] = OrderedJson::parse(value);
+  return json;
+}
+
+OrderedJson differing_options_json(const ReportOptions& options) {
+  OrderedJson json = OrderedJson::array();
+  for (const ReportOptions::Own& own : options.differing)
+    json.push_back(
+        {{"name", own.name}, {"value", OrderedJson::parse(own.value)}, {"planners", own.planners}});
+  return json;
+}
+
+OrderedJson planners_json(const std::vector<Planner>& planners) {
+  OrderedJson list = OrderedJson::array();
+  for (const Planner& planner : planners)
+    list.push_back({{"name", planner.name},
+                    {"summary", planner.summary},
+                    {"family", planner.properties.family},
+                    {"strategy", planner.properties.strategy},
+                    {"estimate", planner.properties.estimate},
+                    {"tries_goal", planner.properties.tries_goal}});
+  return list;
 }
 
 OrderedJson headlines_json(const Summary& summary) {
@@ -129,26 +176,30 @@ OrderedJson headlines_json(const Summary& summary) {
 std::string headline_json(const Report& report) {
   OrderedJson scenarios = OrderedJson::array();
   for (const ScenarioSummary& summary : report.summary.scenarios) {
-    const Scenario& scenario = report.scenarios[summary.scenario];
+    const ScenarioFile& scenario = report.scenarios[summary.scenario];
     OrderedJson methods = OrderedJson::array(), twins = OrderedJson::array();
     for (const MethodSummary& method : summary.methods)
-      methods.push_back(json_of(method, scenario.goals_are_a_row));
+      methods.push_back(json_of(method, scenario.is_row()));
     for (const TwinComparison& twin : summary.twins) twins.push_back(json_of(twin));
-    scenarios.push_back({{"scenario", scenario.name},
+    scenarios.push_back({{"scenario", scenario.scenario.name},
                          {"region", name_of(summary.region)},
                          {"planners", methods},
                          {"against_euclid", twins}});
   }
   const OrderedJson all = {{"headline", headlines_json(report.summary)},
+                           {"verdicts", verdicts_json(report.findings)},
                            {"runs", report.runs.size()},
                            {"left_out", report.left_out},
                            {"environment", environment_json(report.environment)},
-                           {"options", OrderedJson::parse(options_to_json(report.options))},
+                           {"options", shared_options_json(report.options)},
+                           {"differing_options", differing_options_json(report.options)},
                            {"harness", harness_json(report.sessions)},
                            {"scenarios", scenarios},
                            {"against_euclid", pooled_json(report.summary)},
-                           {"claims", claims_json(report.findings)}};
+                           {"claims", claims_json(report.findings)},
+                           {"rejected", rejected_json(report.runs)},
+                           {"planners", planners_json(report.planners)}};
   return all.dump(2);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -7,7 +7,7 @@
 
 #include "evaluation/report.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 using OrderedJson = nlohmann::ordered_json;
 
@@ -36,6 +36,18 @@ using OrderedJson = nlohmann::ordered_json;
 /// By region.
 [[nodiscard]] OrderedJson headlines_json(const Summary& summary);
 
-[[nodiscard]] const char* name_of(Region region) noexcept;
+/// Sentences that say which claims hold where.
+[[nodiscard]] OrderedJson verdicts_json(const std::vector<Finding>& findings);
 
-}  // namespace vandplan
+/// What the judge rejected: for each planner how many paths, and why the first of them.
+[[nodiscard]] OrderedJson rejected_json(const std::vector<RunRecord>& runs);
+
+/// What is the same for all planners, by name.
+[[nodiscard]] OrderedJson shared_options_json(const ReportOptions& options);
+/// What differs: name, value and the planners that have it.
+[[nodiscard]] OrderedJson differing_options_json(const ReportOptions& options);
+
+/// What tells planners apart.
+[[nodiscard]] OrderedJson planners_json(const std::vector<Planner>& planners);
+
+}  // namespace vandplan::evaluation

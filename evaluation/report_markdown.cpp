@@ -6,12 +6,13 @@
 #include <cmath>
 #include <set>
 
+#include "evaluation/methods.h"
 #include "evaluation/pooled.h"
 #include "evaluation/report.h"
 #include "evaluation/report_json.h"
 #include "evaluation/text_table.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 constexpr const char* none = "-";
@@ -36,7 +37,7 @@ std::string with_interval(const MedianEstimate& estimate, Text text) {
 }
 
 bool is_row(const Report& report, const ScenarioSummary& scenario) {
-  return report.scenarios[scenario.scenario].goals_are_a_row;
+  return report.scenarios[scenario.scenario].is_row();
 }
 
 // "5-leave-cage" of "thesis-5-leave-cage".
@@ -57,15 +58,15 @@ std::string first_time_cell(const MethodSummary& method, bool) {
   return time_text(method.first_time.median);
 }
 
-using Cell = std::string (*)(const MethodSummary&, bool);
+using CellText = std::string (*)(const MethodSummary&, bool);
 
 // Planners down and scenarios across, or the other way round: the longer list goes down.
-std::string matrix(const Report& report, Region region, Cell cell) {
+std::string matrix(const Report& report, Region region, CellText cell) {
   std::vector<std::string> planners, scenarios;
   std::vector<std::vector<std::string>> cells;  // of each scenario, in the order of the planners
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     if (scenario.region != region) continue;
-    scenarios.push_back(short_name(report.scenarios[scenario.scenario].name));
+    scenarios.push_back(short_name(report.scenarios[scenario.scenario].scenario.name));
     std::vector<std::string>& row = cells.emplace_back(planners.size());
     for (const MethodSummary& method : scenario.methods) {
       const auto known = std::ranges::find(planners, method.planner);
@@ -185,12 +186,30 @@ std::string jobs_text(const Report& report) {
   return fmt::format("{} at a time", fmt::join(jobs, " or "));
 }
 
+// The options in force, in one line for what is shared and one for each that differs.
+std::string options_text(const ReportOptions& options) {
+  std::string text = "Options: `" + shared_options_json(options).dump() + "`.\n";
+  for (const ReportOptions::Own& own : options.differing)
+    text += fmt::format("`{}` is {} for {}.\n", own.name, own.value, fmt::join(own.planners, ", "));
+  return text;
+}
+
+std::string rejected_text(const Report& report) {
+  std::string text;
+  for (const OrderedJson& rejected : rejected_json(report.runs))
+    text += fmt::format("{} paths of {} were rejected by the judge, the first because {}.\n",
+                        rejected.at("runs").get<int>(), rejected.at("planner").get<std::string>(),
+                        rejected.at("reason").get<std::string>());
+  return text;
+}
+
 std::string circumstances(const Report& report) {
   const Environment& here = report.environment;
-  std::string text = fmt::format(
-      "{} runs, {}, vandplan {} ({}, {}) on {} ({} cores), {}.\nOptions: `{}`.\n",
-      report.runs.size(), jobs_text(report), here.version, here.compiler, here.build_type,
-      here.processor, here.cores, here.system, options_to_json(report.options));
+  std::string text = fmt::format("{} runs, {}, vandplan {} ({}, {}) on {} ({} cores), {}.\n",
+                                 report.runs.size(), jobs_text(report), here.version, here.compiler,
+                                 here.build_type, here.processor, here.cores, here.system);
+  text += options_text(report.options);
+  text += rejected_text(report);
   const OrderedJson harness = harness_json(report.sessions);
   const double planning = harness.at("planning");
   const auto share = [&](const char* part) {
@@ -209,13 +228,43 @@ std::string circumstances(const Report& report) {
   return text;
 }
 
+// What holds where: claims down, circumstances across.
+std::string claims_table(const std::vector<Finding>& findings) {
+  std::vector<std::string> head = {"claim"}, claims;
+  std::vector<Circumstances> circumstances;
+  for (const Finding& finding : findings) {
+    if (std::ranges::find(claims, finding.claim) == claims.end()) claims.push_back(finding.claim);
+    if (std::ranges::find(circumstances, finding.where) != circumstances.end()) continue;
+    circumstances.push_back(finding.where);
+    head.push_back(
+        fmt::format("{}, {}", name_of(finding.where.setting), name_of(finding.where.region)));
+  }
+  TextTable table(head);
+  for (const std::string& claim : claims) {
+    std::vector<std::string> line = {claim};
+    for (const Circumstances& where : circumstances) {
+      const auto found = std::ranges::find_if(findings, [&](const Finding& finding) {
+        return finding.claim == claim && finding.where == where;
+      });
+      line.emplace_back(found->holds ? "confirmed" : "not confirmed");
+    }
+    table.add(std::move(line));
+  }
+  return table.markdown();
+}
+
 std::string claims(const Report& report) {
-  std::string text;
+  if (report.findings.empty()) return "";
+  std::string text = "\n## The thesis' claims about its tables\n\n" +
+                     claims_table(report.findings) +
+                     "\nAs printed: the goal is a sample like others. Goal tried: from every new "
+                     "node.\n\n";
   for (const Finding& finding : report.findings)
-    text +=
-        fmt::format("- Region {}, \"{}\": **{}**. {}. {}\n", name_of(finding.region), finding.claim,
-                    finding.holds ? "confirmed" : "not confirmed", finding.found, finding.why);
-  return text.empty() ? "" : "\n## The thesis' claims about its tables\n\n" + text;
+    text += fmt::format("- {}, region {}, \"{}\": **{}**. {}. {}\n",
+                        finding.where.setting == GoalSetting::sampled ? "As printed" : "Goal tried",
+                        name_of(finding.where.region), finding.claim,
+                        finding.holds ? "confirmed" : "not confirmed", finding.found, finding.why);
+  return text;
 }
 
 bool has_region(const Report& report, Region region) {
@@ -230,6 +279,7 @@ std::string headline_markdown(const Report& report) {
     if (has_region(report, region))
       text += fmt::format("- Samples from the {}: {}\n", name_of(region),
                           headline(report.summary, region));
+  for (const std::string& verdict : verdicts(report.findings)) text += "- " + verdict + "\n";
   text += "\n" + circumstances(report);
   for (const Region region : {Region::bounds, Region::scene}) {
     if (!has_region(report, region)) continue;
@@ -249,7 +299,7 @@ std::string report_markdown(const Report& report) {
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     const bool row = is_row(report, scenario);
     text += fmt::format("\n## {}, samples from the {}\n\n{}{}\n",
-                        report.scenarios[scenario.scenario].name, name_of(scenario.region),
+                        report.scenarios[scenario.scenario].scenario.name, name_of(scenario.region),
                         row ? "Costs per metre of the goal's distance.\n\n" : "",
                         scenario_table(scenario, row));
     if (row) text += row_table(scenario) + "\n";
@@ -262,4 +312,4 @@ std::string report_markdown(const Report& report) {
                     100.0 * confidence);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -9,7 +9,7 @@
 #include "vandplan/plan_options.h"
 #include "vandplan/planner.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// Program and machine. Times of different environments are never compared.
 struct Environment {
@@ -35,11 +35,15 @@ struct RunRecord {
   std::size_t scenario = 0;     ///< index in the store
   std::size_t goal = 0;         ///< of the scenario
   std::string planner;
-  PlanOptions options;
-  int jobs = 1;         ///< how many runs went on at once
-  std::string started;  ///< `utc_now`
-  PlanResult result;    ///< path in the scenario's frame; no tree
+  Region region = Region::bounds;  ///< in whose comparison the run takes part
+  PlanOptions options;             ///< that were in force
+  int jobs = 1;                    ///< how many runs went on at once
+  std::string started;             ///< `utc_now`
+  PlanResult result;               ///< without tree and the judge's figures
 };
+
+/// Whether a run measured where its time went, which slows it down.
+[[nodiscard]] bool is_profiled(const RunRecord& run);
 
 /// What one call of the program did, and what it cost beside the runs themselves.
 struct Session {
@@ -54,4 +58,4 @@ struct Session {
   bool operator==(const Session&) const = default;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -15,7 +16,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -23,11 +24,10 @@ using Clock = std::chrono::steady_clock;
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 // A run of the campaign that the store does not hold yet.
-struct Task {
+struct Job {
   RunRecord run;  // all but the result
   const Problem* problem;
-  const Scenario* scenario;
-  const PlannerInfo* planner;
+  const Planner* planner;
 };
 
 struct Finished {
@@ -35,38 +35,38 @@ struct Finished {
   double judging_time;
 };
 
-// Everything that is to be done, and the problems that the tasks point into.
-class TaskList {
+// Everything that is to be done, and the problems that the jobs point into.
+class JobList {
  public:
-  TaskList(const Campaign& campaign, Store& store, int jobs) {
+  JobList(const Campaign& campaign, Store& store, int jobs) {
     environment_ = store.index_of(this_environment());
     std::vector<std::size_t> scenarios;
     for (const auto& [scenario, file] : campaign.scenarios)
       scenarios.push_back(store.index_of(stored(scenario, file)));
     for (const RunSpec& spec : runs_of(campaign)) {
       ++total_;
-      const Scenario& scenario = campaign.scenarios[spec.scenario].scenario;
-      const PlannerInfo& planner = campaign.planners[spec.planner];
-      Task task{{}, nullptr, &scenario, &planner};
-      task.run.environment = environment_;
-      task.run.scenario = scenarios[spec.scenario];
-      task.run.goal = spec.goal;
-      task.run.planner = planner.name;
-      task.run.options = spec.options;
-      task.run.jobs = jobs;
-      if (store.contains(task.run)) continue;
-      task.problem = &problems_of(scenario)[spec.goal];
-      tasks_.push_back(std::move(task));
+      const Planner& planner = campaign.planners[spec.planner];
+      Job job{{}, nullptr, &planner};
+      job.run.environment = environment_;
+      job.run.scenario = scenarios[spec.scenario];
+      job.run.goal = spec.goal;
+      job.run.planner = planner.name;
+      job.run.region = spec.region;
+      job.run.options = spec.options;
+      job.run.jobs = jobs;
+      if (store.contains(job.run)) continue;
+      job.problem = &problems_of(campaign.scenarios[spec.scenario].scenario)[spec.goal];
+      jobs_.push_back(std::move(job));
     }
   }
 
-  const std::vector<Task>& tasks() const { return tasks_; }
+  const std::vector<Job>& jobs() const { return jobs_; }
   std::size_t environment() const { return environment_; }
   int total() const { return total_; }
 
  private:
   // Their worlds are built once, for all runs of all planners.
-  const std::vector<Problem>& problems_of(const Scenario& scenario) {
+  const std::vector<Problem>& problems_of(const ScenarioFile& scenario) {
     std::vector<Problem>& problems = problems_[&scenario];
     if (problems.empty()) problems = make_problems(scenario);
     return problems;
@@ -74,29 +74,28 @@ class TaskList {
 
   std::size_t environment_ = 0;
   int total_ = 0;
-  std::map<const Scenario*, std::vector<Problem>> problems_;
-  std::vector<Task> tasks_;
+  std::map<const ScenarioFile*, std::vector<Problem>> problems_;
+  std::vector<Job> jobs_;
 };
 
-Finished carry_out(const Task& task, const std::atomic<bool>& stop) {
-  Finished finished{task.run, 0.0};
+Finished carry_out(const Job& job, const std::atomic<bool>& stop) {
+  Finished finished{job.run, 0.0};
   RunRecord& run = finished.run;
   run.started = utc_now();
   PlanOptions options = run.options;
-  options.stop = &stop;
+  options.budget.stop = &stop;
   const Clock::time_point begin = Clock::now();
-  run.result = plan(*task.problem, *task.planner, options);
+  run.result = plan(*job.problem, *job.planner, options);
   finished.judging_time = seconds(Clock::now() - begin) - run.result.time_total;
   run.result.tree.reset();
-  if (run.result.path) run.result.path->start = task.scenario->start;
   return finished;
 }
 
-// Threads that carry out tasks in order; what they finish waits until it is taken.
+// Threads that carry out jobs in order; what they finish waits until it is taken.
 class Workers {
  public:
-  Workers(const std::vector<Task>& tasks, int jobs) : tasks_(tasks), active_(jobs) {
-    for (int i = 0; i < jobs; ++i) threads_.emplace_back([this] { work(); });
+  Workers(const std::vector<Job>& jobs, int threads) : jobs_(jobs), active_(threads) {
+    for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
   }
   ~Workers() { stop(); }
   Workers(const Workers&) = delete;
@@ -119,8 +118,8 @@ class Workers {
  private:
   void work() {
     try {
-      for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
-        Finished finished = carry_out(tasks_[i], stop_);
+      for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
+        Finished finished = carry_out(jobs_[i], stop_);
         if (stop_) break;  // the run may have been cut short
         const std::lock_guard lock(mutex_);
         finished_.push_back(std::move(finished));
@@ -136,7 +135,7 @@ class Workers {
     changed_.notify_one();
   }
 
-  const std::vector<Task>& tasks_;
+  const std::vector<Job>& jobs_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> stop_ = false;
   std::mutex mutex_;
@@ -148,20 +147,24 @@ class Workers {
 };
 
 // The first run of a planner would pay for bringing its code and tables into memory.
-void warm_up(const Campaign& campaign, const std::vector<Task>& tasks,
+void warm_up(const Campaign& campaign, const std::vector<Job>& jobs,
              const std::atomic<bool>* stop) {
-  if (tasks.empty()) return;
-  PlanOptions options = campaign.options;
-  options.stop = stop;
-  options.max_iterations = 20;
-  for (const PlannerInfo& planner : campaign.planners)
-    static_cast<void>(plan(*tasks.front().problem, planner, options));
+  if (jobs.empty()) return;
+  for (const Planner& planner : campaign.planners) {
+    PlanOptions options = options_of(campaign, planner);
+    options.budget.stop = stop;
+    options.budget.max_iterations = 20;
+    static_cast<void>(plan(*jobs.front().problem, planner, options));
+  }
 }
 
 void check_jobs(const Campaign& campaign, int jobs) {
   if (jobs < 1) throw InputError("jobs", "must be at least 1");
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  if (campaign.options.time_limit && jobs > cores)
+  const auto is_timed = [&](const Planner& planner) {
+    return options_of(campaign, planner).budget.time_limit.has_value();
+  };
+  if (jobs > cores && std::ranges::any_of(campaign.planners, is_timed))
     throw InputError("jobs", fmt::format("{} runs at once on {} cores would take each other's "
                                          "time, expected at most {} with a time budget",
                                          jobs, cores, cores));
@@ -175,13 +178,13 @@ double Progress::left() const noexcept {
 
 Progress run_campaign(const Campaign& campaign, Store& store, const RunnerOptions& options) {
   check_jobs(campaign, options.jobs);
-  const TaskList list(campaign, store, options.jobs);
-  warm_up(campaign, list.tasks(), options.stop);
+  const JobList list(campaign, store, options.jobs);
+  warm_up(campaign, list.jobs(), options.stop);
   const auto total = static_cast<int>(list.total());
-  Progress progress{.total = total, .kept = total - static_cast<int>(list.tasks().size())};
+  Progress progress{.total = total, .kept = total - static_cast<int>(list.jobs().size())};
   Session session{.environment = list.environment(), .started = utc_now(), .jobs = options.jobs};
   const Clock::time_point begin = Clock::now();
-  Workers workers(list.tasks(), options.jobs);
+  Workers workers(list.jobs(), options.jobs);
   for (bool done = false; !done;) {
     if (options.stop != nullptr && *options.stop) workers.stop();
     for (const Finished& finished : workers.take(done)) {
@@ -192,10 +195,8 @@ Progress run_campaign(const Campaign& campaign, Store& store, const RunnerOption
       session.judging_time += finished.judging_time;
       session.runs = ++progress.done;
       progress.elapsed = seconds(Clock::now() - begin);
-      progress.last = &finished.run;
       if (options.report) options.report(progress);
     }
-    progress.last = nullptr;
     progress.elapsed = seconds(Clock::now() - begin);
     if (options.report) options.report(progress);
   }
@@ -204,4 +205,4 @@ Progress run_campaign(const Campaign& campaign, Store& store, const RunnerOption
   return progress;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -8,7 +8,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 int open_flags(Database::Mode mode) {
@@ -131,6 +131,11 @@ void Statement::set(int index, const std::optional<double>& value) {
   if (sqlite3_bind_null(handle_.get(), index + 1) != SQLITE_OK) database_->fail();
 }
 
+void Statement::set(int index, const std::optional<std::int64_t>& value) {
+  if (value) return set(index, *value);
+  if (sqlite3_bind_null(handle_.get(), index + 1) != SQLITE_OK) database_->fail();
+}
+
 Transaction::Transaction(Database& database) : database_(&database) { database.execute("BEGIN"); }
 
 Transaction::~Transaction() {
@@ -146,4 +151,4 @@ void Transaction::commit() {
   open_ = false;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

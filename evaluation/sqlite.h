@@ -16,7 +16,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// An open database file. One thread at a time.
 class Database {
@@ -85,6 +85,7 @@ class Statement {
   void set(int index, std::string_view value);
   void set(int index, std::span<const std::byte> value);
   void set(int index, const std::optional<double>& value);
+  void set(int index, const std::optional<std::int64_t>& value);
 
   struct Finalize {
     void operator()(sqlite3_stmt* handle) const noexcept;
@@ -107,4 +108,4 @@ class Transaction {
   bool open_ = true;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

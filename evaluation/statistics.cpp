@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -85,4 +85,4 @@ PairedComparison compare_pairs(std::span<const double> first, std::span<const do
   return comparison;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

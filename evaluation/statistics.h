@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// Where the true value lies, with the confidence that was asked for.
 struct Interval {
@@ -46,4 +46,4 @@ struct PairedComparison {
 [[nodiscard]] PairedComparison compare_pairs(std::span<const double> first,
                                              std::span<const double> second, double confidence);
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -5,13 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "evaluation/methods.h"
+#include "evaluation/options_json.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 constexpr int application_id = 0x56504c4e;  // "VPLN"
@@ -31,15 +33,16 @@ CREATE TABLE runs(
   scenario INTEGER NOT NULL REFERENCES scenarios(id),
   goal INTEGER NOT NULL,
   configuration INTEGER NOT NULL REFERENCES configurations(id),
+  region TEXT NOT NULL,
   seed INTEGER NOT NULL,
   jobs INTEGER NOT NULL,
   started TEXT NOT NULL,
-  status TEXT NOT NULL,
+  status TEXT NOT NULL, reason TEXT NOT NULL,
   cost REAL, start_x REAL, start_y REAL, start_heading REAL,
-  iterations INTEGER NOT NULL, nodes INTEGER NOT NULL, time_total REAL NOT NULL,
-  exact_solves INTEGER NOT NULL, edge_checks INTEGER NOT NULL,
-  time_ranking REAL NOT NULL, time_steering REAL NOT NULL, time_checking REAL NOT NULL,
-  UNIQUE(environment, scenario, goal, configuration, seed)) STRICT;
+  iterations INTEGER NOT NULL, time_total REAL NOT NULL,
+  nodes INTEGER, exact_solves INTEGER, edge_checks INTEGER,
+  time_ranking REAL, time_steering REAL, time_checking REAL,
+  UNIQUE(environment, scenario, goal, configuration, region, seed)) STRICT;
 CREATE TABLE costs(
   run INTEGER NOT NULL REFERENCES runs(id), number INTEGER NOT NULL,
   time REAL NOT NULL, iteration INTEGER NOT NULL, cost REAL NOT NULL,
@@ -60,9 +63,29 @@ std::size_t index_of_id(std::int64_t id) { return static_cast<std::size_t>(id) -
 std::int64_t signed_seed(std::uint64_t seed) { return static_cast<std::int64_t>(seed); }
 
 PlanStatus status_named(const std::string& name) {
-  for (int i = 0; i <= static_cast<int>(PlanStatus::stopped); ++i)
-    if (name == name_of(static_cast<PlanStatus>(i))) return static_cast<PlanStatus>(i);
+  for (const PlanStatus status : plan_statuses())
+    if (name == name_of(status)) return status;
   throw InputError("status", "\"" + name + "\" is unknown");
+}
+
+Region region_named(const std::string& name) {
+  for (const Region region : {Region::bounds, Region::scene})
+    if (name == name_of(region)) return region;
+  throw InputError("region", "\"" + name + "\" is unknown");
+}
+
+// What has columns of its own: NULL where a planner does not count or measure it.
+constexpr std::array counters = {"nodes", "exact_solves", "edge_checks"};
+constexpr std::array phases = {"ranking", "steering", "checking"};
+
+std::optional<std::int64_t> counted(const PlanResult& result, std::string_view name) {
+  const auto found = std::ranges::find(result.counters, name, &Counter::name);
+  return found == result.counters.end() ? std::nullopt : std::optional(found->value);
+}
+
+std::optional<double> measured(const PlanResult& result, std::string_view name) {
+  const auto found = std::ranges::find(result.phases, name, &PhaseTime::name);
+  return found == result.phases.end() ? std::nullopt : std::optional(found->seconds);
 }
 
 void check_is_store(Database& database) {
@@ -79,27 +102,37 @@ void check_is_store(Database& database) {
     throw InputError(database.file(), "is damaged: a row of " + orphan + " refers to nothing");
 }
 
-// The part of a run that is in the table of runs; the columns as in `Store::runs`.
+// The part of a run that is in the table of runs; its columns are `columns_of_runs`.
+constexpr const char* columns_of_runs =
+    "id, environment, scenario, goal, configuration, region, seed, jobs, started, status, reason,"
+    " iterations, time_total, cost, start_x, start_y, start_heading, nodes, exact_solves,"
+    " edge_checks, time_ranking, time_steering, time_checking";
+
 RunRecord run_of(const Statement& row) {
   RunRecord run;
   run.environment = index_of_id(row.integer(1));
   run.scenario = index_of_id(row.integer(2));
   run.goal = static_cast<std::size_t>(row.integer(3));
-  run.jobs = static_cast<int>(row.integer(6));
-  run.started = row.text(7);
+  run.region = region_named(row.text(5));
+  run.jobs = static_cast<int>(row.integer(7));
+  run.started = row.text(8);
   PlanResult& result = run.result;
-  result.status = status_named(row.text(8));
-  result.iterations = row.integer(9);
-  result.nodes = row.integer(10);
-  result.time_total = row.real(11);
-  result.exact_solves = row.integer(12);
-  result.edge_checks = row.integer(13);
-  result.time_ranking = row.real(14);
-  result.time_steering = row.real(15);
-  result.time_checking = row.real(16);
-  if (!row.is_null(17)) {
-    result.cost = row.real(17);
-    result.path = Path{{row.real(18), row.real(19), row.real(20)}, {}};
+  result.status = status_named(row.text(9));
+  result.reason = row.text(10);
+  result.iterations = row.integer(11);
+  result.time_total = row.real(12);
+  if (!row.is_null(13)) {
+    result.cost = row.real(13);
+    result.path = Path{{row.real(14), row.real(15), row.real(16)}, {}};
+  }
+  int column = 17;
+  for (const char* const name : counters) {
+    if (!row.is_null(column)) result.counters.push_back({name, row.integer(column)});
+    ++column;
+  }
+  for (const char* const name : phases) {
+    if (!row.is_null(column)) result.phases.push_back({name, row.real(column)});
+    ++column;
   }
   return run;
 }
@@ -114,14 +147,17 @@ struct Store::Statements {
         add_configuration(database, "INSERT INTO configurations VALUES (NULL, ?, ?)"),
         find_run(database,
                  "SELECT id FROM runs WHERE environment = ? AND scenario = ? AND goal = ?"
-                 " AND configuration = ? AND seed = ?"),
-        add_run(database,
-                "INSERT INTO runs(environment, scenario, goal, configuration, seed, jobs, started,"
-                " status, cost, start_x, start_y, start_heading, iterations, nodes, time_total,"
-                " exact_solves, edge_checks, time_ranking, time_steering, time_checking)"
-                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                 " AND configuration = ? AND region = ? AND seed = ?"),
+        add_run(database, fmt::format("INSERT INTO runs({}) VALUES (NULL{})", columns_of_runs,
+                                      repeated(", ?", 22))),
         add_cost(database, "INSERT INTO costs VALUES (?, ?, ?, ?, ?)"),
         add_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?, ?)") {}
+
+  static std::string repeated(const char* text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+  }
 
   // The id in the first row, or 0.
   template <class... Values>
@@ -180,7 +216,7 @@ std::size_t Store::index_of(const Environment& environment) {
 }
 
 std::size_t Store::index_of(const StoredScenario& scenario) {
-  return vandplan::index_of(database_, scenario);
+  return evaluation::index_of(database_, scenario);
 }
 
 std::int64_t Store::configuration_of(const RunRecord& run) {
@@ -190,8 +226,8 @@ std::int64_t Store::configuration_of(const RunRecord& run) {
 
 bool Store::contains(const RunRecord& run, std::int64_t configuration) {
   return Statements::find(statements_->find_run, id_of(run.environment), id_of(run.scenario),
-                          static_cast<std::int64_t>(run.goal), configuration,
-                          signed_seed(run.options.seed)) != 0;
+                          static_cast<std::int64_t>(run.goal), configuration, name_of(run.region),
+                          signed_seed(run.options.budget.seed)) != 0;
 }
 
 bool Store::contains(const RunRecord& run) { return contains(run, configuration_of(run)); }
@@ -213,9 +249,11 @@ bool Store::insert(const RunRecord& run) {
   }
   statements_->add_run.run(
       id_of(run.environment), id_of(run.scenario), static_cast<std::int64_t>(run.goal),
-      configuration, signed_seed(run.options.seed), run.jobs, run.started, name_of(result.status),
-      cost, x, y, heading, result.iterations, result.nodes, result.time_total, result.exact_solves,
-      result.edge_checks, result.time_ranking, result.time_steering, result.time_checking);
+      configuration, name_of(run.region), signed_seed(run.options.budget.seed), run.jobs,
+      run.started, name_of(result.status), result.reason, result.iterations, result.time_total,
+      cost, x, y, heading, counted(result, counters[0]), counted(result, counters[1]),
+      counted(result, counters[2]), measured(result, phases[0]), measured(result, phases[1]),
+      measured(result, phases[2]));
   const std::int64_t id = database_.last_id();
   int number = 0;
   for (const CostSample& sample : result.anytime)
@@ -295,11 +333,7 @@ std::vector<RunRecord> Store::runs() {
     configurations[configuration_rows.integer(0)] = {configuration_rows.text(1),
                                                      options_from_json(configuration_rows.text(2))};
 
-  Statement rows(database_,
-                 "SELECT id, environment, scenario, goal, configuration, seed, jobs, started,"
-                 " status, iterations, nodes, time_total, exact_solves, edge_checks, time_ranking,"
-                 " time_steering, time_checking, cost, start_x, start_y, start_heading"
-                 " FROM runs ORDER BY id");
+  Statement rows(database_, fmt::format("SELECT {} FROM runs ORDER BY id", columns_of_runs));
   Statement costs(database_,
                   "SELECT time, iteration, cost FROM costs WHERE run = ? ORDER BY number");
   Statement segments(database_,
@@ -311,7 +345,7 @@ std::vector<RunRecord> Store::runs() {
     const Configuration& configuration = configurations.at(rows.integer(4));
     run.planner = configuration.planner;
     run.options = configuration.options;
-    run.options.seed = static_cast<std::uint64_t>(rows.integer(5));
+    run.options.budget.seed = static_cast<std::uint64_t>(rows.integer(6));
     costs.bind(rows.integer(0));
     while (costs.step())
       run.result.anytime.push_back({costs.real(0), costs.integer(1), costs.real(2)});
@@ -325,25 +359,4 @@ std::vector<RunRecord> Store::runs() {
   return found;
 }
 
-std::string options_to_json(const PlanOptions& options) {
-  std::string json;
-  for (const OptionInfo& option : option_table())
-    if (option.name != "seed")
-      json +=
-          fmt::format("{}\"{}\": {}", json.empty() ? "{" : ", ", option.name, option.get(options));
-  return json + "}";
-}
-
-PlanOptions options_from_json(const std::string& json) {
-  PlanOptions options;
-  try {
-    const nlohmann::json object = nlohmann::json::parse(json);
-    for (const auto& [name, value] : object.items())
-      set_option(options, name, value.is_string() ? value.get<std::string>() : value.dump());
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError("options", error.what());
-  }
-  return options;
-}
-
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -16,7 +16,7 @@
 #include "evaluation/sqlite.h"
 #include "evaluation/stored_scenario.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// An open result store. One thread at a time. Environments and scenarios are named by their
 /// index.
@@ -37,7 +37,7 @@ class Store {
   std::size_t index_of(const Environment& environment);
   std::size_t index_of(const StoredScenario& scenario);
 
-  /// Whether a run of the same environment, scenario, goal, planner and options is there.
+  /// Whether a run of the same environment, scenario, goal, planner, region and options is there.
   [[nodiscard]] bool contains(const RunRecord& run);
   /// Keeps a run unless `contains` it; true if it was new. Atomic and durable.
   bool add(const RunRecord& run);
@@ -64,8 +64,4 @@ class Store {
   std::unique_ptr<Statements> statements_;
 };
 
-/// The options but for the seed as a JSON object, and back.
-[[nodiscard]] std::string options_to_json(const PlanOptions& options);
-[[nodiscard]] PlanOptions options_from_json(const std::string& json);
-
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -12,9 +12,8 @@
 
 #include "base/hash.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 std::string hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
@@ -64,11 +63,11 @@ CREATE TABLE scenarios(
 CREATE UNIQUE INDEX scenario_and_map ON scenarios(yaml, ifnull(map, ''));
 )";
 
-StoredScenario stored(const Scenario& scenario, const std::string& file) {
-  return {scenario.name, file, scenario_to_yaml(scenario), scenario.map};
+StoredScenario stored(const ScenarioFile& scenario, const std::string& file) {
+  return {scenario.scenario.name, file, to_yaml(scenario), scenario.scenario.map};
 }
 
-Scenario scenario_of(const StoredScenario& stored) {
+ScenarioFile scenario_of(const StoredScenario& stored) {
   return scenario_from_yaml(stored.yaml, stored.file, stored.map);
 }
 
@@ -97,4 +96,4 @@ std::vector<StoredScenario> stored_scenarios(Database& database) {
   return found;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "evaluation/sqlite.h"
-#include "vandplan/problem.h"
+#include "vandplan/scenario_file.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// A scenario as a store keeps it. Two are the same when their text and their map are.
 struct StoredScenario {
@@ -21,10 +21,10 @@ struct StoredScenario {
   std::optional<OccupancyGrid> map = {};  ///< what the file says that it names
 };
 
-[[nodiscard]] StoredScenario stored(const Scenario& scenario, const std::string& file);
+[[nodiscard]] StoredScenario stored(const ScenarioFile& scenario, const std::string& file);
 
-/// Back from there, without a look at any file.
-[[nodiscard]] Scenario scenario_of(const StoredScenario& stored);
+/// The scenario as it was, without a look at any file.
+[[nodiscard]] ScenarioFile scenario_of(const StoredScenario& stored);
 
 /// (internal to the store) Its tables of scenarios and maps, in SQL.
 extern const char* const tables_of_scenarios;
@@ -35,4 +35,4 @@ extern const char* const tables_of_scenarios;
 /// (internal to the store) All of them; those of equal maps share the cells.
 [[nodiscard]] std::vector<StoredScenario> stored_scenarios(Database& database);
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -8,7 +8,9 @@
 #include <map>
 #include <utility>
 
-namespace vandplan {
+#include "evaluation/methods.h"
+
+namespace vandplan::evaluation {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -36,14 +38,19 @@ int count_solved(const Runs& runs) {
 // By what a cost is divided: the distance of a goal in a row.
 class CostUnit {
  public:
-  explicit CostUnit(const Scenario& scenario) : scenario_(scenario) {}
+  explicit CostUnit(const ScenarioFile& scenario) : scenario_(scenario) {}
   double operator()(const RunRecord& run) const {
-    return scenario_.goals_are_a_row ? scenario_.goals[run.goal].distance.value_or(1.0) : 1.0;
+    return scenario_.is_row() ? scenario_.row[run.goal].distance : 1.0;
   }
 
  private:
-  const Scenario& scenario_;
+  const ScenarioFile& scenario_;
 };
+
+double phase_time(const PlanResult& result, std::string_view name) {
+  const auto found = std::ranges::find(result.phases, name, &PhaseTime::name);
+  return found == result.phases.end() ? 0.0 : found->seconds;
+}
 
 // Shares of the time of all profiled runs together.
 std::optional<PhaseShares> phases_of(const Runs& profiled) {
@@ -51,12 +58,19 @@ std::optional<PhaseShares> phases_of(const Runs& profiled) {
   PhaseShares shares;
   for (const RunRecord* run : profiled) {
     total += run->result.time_total;
-    shares.ranking += run->result.time_ranking;
-    shares.steering += run->result.time_steering;
-    shares.checking += run->result.time_checking;
+    shares.ranking += phase_time(run->result, "ranking");
+    shares.steering += phase_time(run->result, "steering");
+    shares.checking += phase_time(run->result, "checking");
   }
   if (total <= 0.0) return std::nullopt;
   return PhaseShares{shares.ranking / total, shares.steering / total, shares.checking / total};
+}
+
+// A tree that has as many nodes as its planner allows.
+bool is_full(const RunRecord& run) {
+  const OptionValue* const limit = run.options.planner.find("max_nodes");
+  const auto* const nodes = limit == nullptr ? nullptr : std::get_if<std::int64_t>(limit);
+  return nodes != nullptr && counter(run.result, "nodes") >= *nodes;
 }
 
 std::vector<CurvePoint> curve_of(const Runs& runs, const CostUnit& unit,
@@ -74,15 +88,14 @@ std::vector<CurvePoint> curve_of(const Runs& runs, const CostUnit& unit,
   return curve;
 }
 
-std::vector<GoalSummary> goals_of(const Runs& runs, const Scenario& scenario) {
+std::vector<GoalSummary> goals_of(const Runs& runs, const ScenarioFile& scenario) {
   std::vector<GoalSummary> goals;
-  if (!scenario.goals_are_a_row) return goals;
-  for (std::size_t i = 0; i < scenario.goals.size(); ++i) {
+  for (std::size_t i = 0; i < scenario.row.size(); ++i) {
     Runs of_goal;
     std::ranges::copy_if(runs, std::back_inserter(of_goal),
                          [&](const RunRecord* run) { return run->goal == i; });
     if (of_goal.empty()) continue;
-    goals.push_back({scenario.goals[i].distance.value_or(0.0), static_cast<int>(of_goal.size()),
+    goals.push_back({scenario.row[i].distance, static_cast<int>(of_goal.size()),
                      count_solved(of_goal), plain_median(of_goal, final_cost)});
   }
   return goals;
@@ -96,11 +109,11 @@ double furthest_of(const std::vector<GoalSummary>& goals) {
 }
 
 // The best and the middle run; of a row, among those to its furthest goal.
-void pick_examples(Runs runs, const Scenario& scenario, const RunRecord* first,
+void pick_examples(Runs runs, const ScenarioFile& scenario, const RunRecord* first,
                    MethodSummary& summary) {
-  if (scenario.goals_are_a_row)
+  if (scenario.is_row())
     std::erase_if(runs, [&](const RunRecord* run) {
-      return scenario.goals[run->goal].distance.value_or(0.0) != summary.furthest;
+      return scenario.row[run->goal].distance != summary.furthest;
     });
   if (runs.empty()) return;
   std::ranges::stable_sort(runs, {}, [](const RunRecord* run) { return final_cost(*run); });
@@ -109,46 +122,51 @@ void pick_examples(Runs runs, const Scenario& scenario, const RunRecord* first,
   if (middle->result.path) summary.typical = static_cast<std::size_t>(middle - first);
 }
 
-MethodSummary summarize_method(const Runs& runs, const Runs& profiled, const Scenario& scenario,
-                               const std::vector<double>& times) {
-  const CostUnit unit(scenario);
+// What the runs cost at 10 ms, 100 ms, the end, and where the tree was full.
+void summarize_costs(const Runs& runs, const CostUnit& unit, MethodSummary& summary) {
   const auto cost_after = [&](double time) {
     return median_of(
         values_of(runs, [&](const RunRecord& run) { return cost_at(run, time) / unit(run); }),
         confidence);
   };
-  std::vector<double> costs =
-      values_of(runs, [&](const RunRecord& run) { return final_cost(run) / unit(run); });
-  Runs full;
-  std::ranges::copy_if(runs, std::back_inserter(full), [](const RunRecord* run) {
-    return run->result.nodes >= run->options.max_nodes;
-  });
-  MethodSummary summary;
-  summary.planner = runs.front()->planner;
-  summary.runs = static_cast<int>(runs.size());
-  summary.solved = count_solved(runs);
-  summary.solved_interval = share_interval(summary.solved, summary.runs, confidence);
-  summary.first_time = median_of(values_of(runs, first_solution_time), confidence);
+  const auto end_cost = [&](const RunRecord& run) { return final_cost(run) / unit(run); };
   summary.cost_at_10ms = cost_after(0.01);
   summary.cost_at_100ms = cost_after(0.1);
+  std::vector<double> costs = values_of(runs, end_cost);
   summary.cost_at_end = median_of(costs, confidence);
-  summary.full = static_cast<int>(full.size());
-  if (!full.empty())
-    summary.cost_when_full = median_of(
-        values_of(full, [&](const RunRecord& run) { return final_cost(run) / unit(run); }),
-        confidence);
-  summary.time_total =
-      plain_median(runs, [](const RunRecord& run) { return run.result.time_total; });
-  summary.nodes = plain_median(
-      runs, [](const RunRecord& run) { return static_cast<double>(run.result.nodes); });
-  summary.iterations = plain_median(
-      runs, [](const RunRecord& run) { return static_cast<double>(run.result.iterations); });
-  summary.exact_solves = plain_median(
-      runs, [](const RunRecord& run) { return static_cast<double>(run.result.exact_solves); });
-  summary.phases = phases_of(profiled);
   std::ranges::sort(costs);
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
     summary.cost_quantiles.push_back(quantile(costs, share));
+  Runs full;
+  std::ranges::copy_if(runs, std::back_inserter(full),
+                       [](const RunRecord* run) { return is_full(*run); });
+  summary.full = static_cast<int>(full.size());
+  if (!full.empty()) summary.cost_when_full = median_of(values_of(full, end_cost), confidence);
+}
+
+MethodSummary summarize_method(const Runs& runs, const Runs& profiled, const ScenarioFile& scenario,
+                               const std::vector<double>& times) {
+  const CostUnit unit(scenario);
+  const auto counted = [&](const char* name) {
+    return plain_median(runs, [name](const RunRecord& run) {
+      return static_cast<double>(counter(run.result, name));
+    });
+  };
+  MethodSummary summary;
+  summary.runs = static_cast<int>(runs.size());
+  summary.solved = count_solved(runs);
+  summary.rejected = static_cast<int>(std::ranges::count_if(
+      runs, [](const RunRecord* run) { return run->result.status == PlanStatus::rejected; }));
+  summary.solved_interval = share_interval(summary.solved, summary.runs, confidence);
+  summary.first_time = median_of(values_of(runs, first_solution_time), confidence);
+  summarize_costs(runs, unit, summary);
+  summary.time_total =
+      plain_median(runs, [](const RunRecord& run) { return run.result.time_total; });
+  summary.nodes = counted("nodes");
+  summary.iterations = plain_median(
+      runs, [](const RunRecord& run) { return static_cast<double>(run.result.iterations); });
+  summary.exact_solves = counted("exact_solves");
+  summary.phases = phases_of(profiled);
   summary.curve = curve_of(runs, unit, times);
   summary.goals = goals_of(runs, scenario);
   summary.furthest = furthest_of(summary.goals);
@@ -156,13 +174,12 @@ MethodSummary summarize_method(const Runs& runs, const Runs& profiled, const Sce
 }
 
 // Pairs of runs of the same goal and seed.
-TwinComparison compare_twins(const std::string& planner, const Runs& runs, const std::string& twin,
-                             const Runs& twin_runs, double level) {
+TwinComparison compare_twins(const Runs& runs, const Runs& twin_runs, double level) {
   std::map<std::pair<std::size_t, std::uint64_t>, const RunRecord*> by_seed;
-  for (const RunRecord* run : twin_runs) by_seed[{run->goal, run->options.seed}] = run;
+  for (const RunRecord* run : twin_runs) by_seed[{run->goal, run->options.budget.seed}] = run;
   Runs first, second;
   for (const RunRecord* run : runs) {
-    const auto found = by_seed.find({run->goal, run->options.seed});
+    const auto found = by_seed.find({run->goal, run->options.budget.seed});
     if (found == by_seed.end()) continue;
     first.push_back(run);
     second.push_back(found->second);
@@ -170,9 +187,10 @@ TwinComparison compare_twins(const std::string& planner, const Runs& runs, const
   const auto compare = [&](auto value) {
     return compare_pairs(values_of(first, value), values_of(second, value), level);
   };
-  TwinComparison twins{planner, twin, compare(first_solution_time),
-                       compare([](const RunRecord& run) { return run.result.time_total; }),
-                       compare(final_cost)};
+  TwinComparison twins;
+  twins.first_time = compare(first_solution_time);
+  twins.time_total = compare([](const RunRecord& run) { return run.result.time_total; });
+  twins.cost = compare(final_cost);
   for (std::size_t i = 0; i < first.size(); ++i) {
     const double cost = final_cost(*first[i]), twin_cost = final_cost(*second[i]);
     twins.cost_ratios.push_back(cost == twin_cost ? 1.0 : cost / twin_cost);
@@ -190,27 +208,17 @@ using Groups = std::map<std::pair<std::size_t, Region>, std::map<std::string, Gr
 Groups grouped(const std::vector<RunRecord>& runs) {
   Groups groups;
   for (const RunRecord& run : runs) {
-    Group& group = groups[{run.scenario, run.options.region}][run.planner];
-    (run.options.profile ? group.profiled : group.timed).push_back(&run);
+    Group& group = groups[{run.scenario, run.region}][run.planner];
+    (is_profiled(run) ? group.profiled : group.timed).push_back(&run);
   }
   return groups;
-}
-
-// In the order of the documentation; planners that are not documented come last.
-std::vector<std::string> ordered(const std::map<std::string, Group>& groups) {
-  std::vector<std::string> names;
-  for (const PlannerInfo& planner : planners())
-    if (groups.contains(std::string(planner.name))) names.emplace_back(planner.name);
-  for (const auto& [name, group] : groups)
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  return names;
 }
 
 // From a thousandth of the longest run to all of it, evenly on a logarithmic scale.
 std::vector<double> curve_times(const std::vector<RunRecord>& runs) {
   double last = 0.0;
   for (const RunRecord& run : runs)
-    last = std::max(last, run.options.time_limit.value_or(run.result.time_total));
+    last = std::max(last, run.options.budget.time_limit.value_or(run.result.time_total));
   std::vector<double> times;
   for (int i = 1; i <= curve_points; ++i)
     times.push_back(last * std::pow(10.0, 3.0 * i / curve_points - 3.0));
@@ -219,34 +227,35 @@ std::vector<double> curve_times(const std::vector<RunRecord>& runs) {
 
 }  // namespace
 
-Summary summarize(const std::vector<Scenario>& scenarios, const std::vector<RunRecord>& runs) {
+Summary summarize(const std::vector<ScenarioFile>& scenarios, const std::vector<Planner>& planners,
+                  const std::vector<RunRecord>& runs) {
   Summary summary{curve_times(runs), {}};
-  const Groups groups = grouped(runs);
   const double level = 1.0 - (1.0 - confidence) / static_cast<double>(scenarios.size());
-  for (const auto& [key, methods] : groups) {
-    ScenarioSummary found{key.first, key.second, {}, {}};
-    for (const std::string& name : ordered(methods)) {
-      const Group& group = methods.at(name);
-      if (group.timed.empty()) continue;
+  for (const auto& [key, methods] : grouped(runs)) {
+    const auto& [scenario, region] = key;
+    ScenarioSummary found{scenario, region, {}, {}};
+    for (const Planner& planner : planners) {
+      const auto group = methods.find(planner.name);
+      if (group == methods.end() || group->second.timed.empty()) continue;
+      const Runs& timed = group->second.timed;
       MethodSummary method =
-          summarize_method(group.timed, group.profiled, scenarios[key.first], summary.times);
-      pick_examples(group.timed, scenarios[key.first], runs.data(), method);
+          summarize_method(timed, group->second.profiled, scenarios[scenario], summary.times);
+      method.planner = planner.name;
+      method.properties = planner.properties;
+      pick_examples(timed, scenarios[scenario], runs.data(), method);
       found.methods.push_back(std::move(method));
-      const std::optional<std::string> twin = euclid_twin(name);
-      if (twin && methods.contains(*twin))
-        found.twins.push_back(
-            compare_twins(name, group.timed, *twin, methods.at(*twin).timed, level));
+      const Planner* const twin = euclid_twin(planner, planners);
+      if (twin == nullptr || !methods.contains(twin->name)) continue;
+      TwinComparison twins = compare_twins(timed, methods.at(twin->name).timed, level);
+      twins.planner = planner.name;
+      twins.properties = planner.properties;
+      twins.twin = twin->name;
+      found.twins.push_back(std::move(twins));
     }
     summary.scenarios.push_back(std::move(found));
   }
   std::ranges::stable_sort(summary.scenarios, {}, &ScenarioSummary::region);
   return summary;
-}
-
-std::optional<std::string> euclid_twin(const std::string& planner) {
-  for (const std::string strategy : {"rrt-bsc-", "rrt-opt-"})
-    if (planner.starts_with(strategy) && planner != strategy + "euc") return strategy + "euc";
-  return std::nullopt;
 }
 
 double first_solution_time(const RunRecord& run) noexcept {
@@ -264,4 +273,4 @@ double final_cost(const RunRecord& run) noexcept {
   return run.result.path ? run.result.cost : infinity;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

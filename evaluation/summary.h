@@ -12,9 +12,10 @@
 
 #include "evaluation/run_record.h"
 #include "evaluation/statistics.h"
-#include "vandplan/problem.h"
+#include "vandplan/planner.h"
+#include "vandplan/scenario_file.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// Confidence of every interval; that of comparisons holds for all scenarios together.
 inline constexpr double confidence = 0.95;
@@ -44,8 +45,10 @@ struct PhaseShares {
 /// One planner on one scenario in one region.
 struct MethodSummary {
   std::string planner;
+  PlannerProperties properties;
   int runs = 0;
   int solved = 0;
+  int rejected = 0;  ///< by the judge
   Interval solved_interval;
   MedianEstimate first_time;  ///< of the first solution [s]
   MedianEstimate cost_at_10ms;
@@ -72,6 +75,7 @@ struct MethodSummary {
 /// A planner against the one that differs from it in ranking by Euclid only, pair by pair.
 struct TwinComparison {
   std::string planner;
+  PlannerProperties properties;  ///< of the planner
   std::string twin;
   PairedComparison first_time;
   PairedComparison time_total;
@@ -91,16 +95,16 @@ struct Summary {
   std::vector<ScenarioSummary> scenarios;  ///< region by region
 };
 
-/// The runs must be of one environment and, but for seed, region and profiling, of equal options.
-[[nodiscard]] Summary summarize(const std::vector<Scenario>& scenarios,
+/// The runs must be of one environment and, planner by planner, but for seed, region and profiling
+/// of equal options. The planners are shown in the order in which they are given; those of all runs
+/// must be among them.
+[[nodiscard]] Summary summarize(const std::vector<ScenarioFile>& scenarios,
+                                const std::vector<Planner>& planners,
                                 const std::vector<RunRecord>& runs);
-
-/// The planner that ranks by Euclid instead; nothing for others than table and exact RRTs.
-[[nodiscard]] std::optional<std::string> euclid_twin(const std::string& planner);
 
 /// Time of the first solution [s], and the cost at a time; infinite if there is none.
 [[nodiscard]] double first_solution_time(const RunRecord& run) noexcept;
 [[nodiscard]] double cost_at(const RunRecord& run, double time) noexcept;
 [[nodiscard]] double final_cost(const RunRecord& run) noexcept;
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

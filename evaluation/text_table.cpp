@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 std::string TextTable::markdown() const {
   std::vector<std::size_t> widths(rows_.front().size(), 3);
@@ -25,4 +25,4 @@ std::string TextTable::markdown() const {
   return text;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

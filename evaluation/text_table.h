@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 class TextTable {
  public:
@@ -20,4 +20,4 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

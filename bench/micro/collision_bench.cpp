@@ -11,11 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "support/collision_oracle.h"
 #include "support/shared_files.h"
 #include "vandplan/problem.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/scenario_file.h"
 
@@ -42,10 +41,10 @@ Edges random_edges(const std::string& file, Region region, double longest) {
   Edges result{read_problems(file).problems.back(), {}};
   const Task& task = result.problem.task();
   const Bounds box = sampling_region(task, region);
-  base::Rng rng(1);
+  Rng rng(1);
   const auto free_pose = [&](const Bounds& within) {
-    Pose pose = geometry::uniform_pose(within, rng);
-    while (!task.checker->is_free(pose)) pose = geometry::uniform_pose(within, rng);
+    Pose pose = uniform_pose(within, rng);
+    while (!task.checker->is_free(pose)) pose = uniform_pose(within, rng);
     return pose;
   };
   while (result.edges.size() < count) {

@@ -10,9 +10,9 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/random_pose.h"
 #include "large_yard.h"
 #include "vandplan/problem.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -25,10 +25,10 @@ struct Edge {
 
 /// From free poses to free poses at most that far away.
 std::vector<Edge> random_edges(const CollisionChecker& checker, double longest) {
-  base::Rng rng(1);
+  Rng rng(1);
   const auto free_pose = [&](const Bounds& within) {
-    Pose pose = geometry::uniform_pose(within, rng);
-    while (!checker.is_free(pose)) pose = geometry::uniform_pose(within, rng);
+    Pose pose = uniform_pose(within, rng);
+    while (!checker.is_free(pose)) pose = uniform_pose(within, rng);
     return pose;
   };
   std::vector<Edge> edges;

@@ -18,12 +18,12 @@
 #include <string>
 #include <vector>
 
-#include "geometry/random_pose.h"
 #include "large_yard.h"
 #include "vandplan/files.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/problem.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/scenario_file.h"
 
@@ -38,10 +38,10 @@ std::vector<Problem> random_problems(int count) {
   const auto world = std::make_shared<const World>(
       Surroundings{.bounds = yard, .map = drawn(ten_obstacles())}, Point{});
   const auto checker = world->checker({});
-  base::Rng rng(1);
+  Rng rng(1);
   const auto free_pose = [&] {
-    Pose pose = geometry::uniform_pose(yard, rng);
-    while (!checker->is_free(pose)) pose = geometry::uniform_pose(yard, rng);
+    Pose pose = uniform_pose(yard, rng);
+    while (!checker->is_free(pose)) pose = uniform_pose(yard, rng);
     return pose;
   };
   std::vector<Problem> problems;

@@ -3,8 +3,10 @@
 #pragma once
 // What does it look like?
 //
-// One drawing routine for all formats. The picture shows start, goal and path with what stands
-// around them, not the whole of the bounds; axes count metres in the scenario's frame.
+// One drawing routine for all formats. The picture shows start, goal and path with all obstacles,
+// kerbs and the map around them; a scene that is far larger than the path is cropped, and the
+// picture says so. Bounds that lie far beyond are not shown. Axes count metres in the scenario's
+// frame.
 
 #include <cstddef>
 #include <string>

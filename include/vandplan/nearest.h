@@ -35,7 +35,7 @@ class NearestNodes {
   NearestNodes(NearestNodes&& other) noexcept;
   NearestNodes& operator=(NearestNodes&& other) noexcept;
 
-  /// Adds a node. Its numbers are finite.
+  /// Adds a node. Its numbers [m, rad] are finite; its heading may be any angle.
   void add(const Pose& pose);
 
   /// The node with the least exact length to the sample; ties go to the older node. None if there

@@ -6,6 +6,7 @@
 // Format: docs/formats.md. Everything is in the scenario's frame.
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +45,38 @@ struct ResultRecord {
                                               const ResultRecord& record);
 
 /// Reads a result file written by us or by others. As many records as the scenario has goals.
+/// Throws InputError "file:line: what is wrong".
 [[nodiscard]] std::vector<ResultRecord> read_results(const std::string& file,
                                                      const ScenarioFile& scenario);
+
+/// A result for one pair of poses among many.
+struct PairRecord {
+  std::size_t pair = 0;  ///< its number; counted from 1
+  PosePair poses;
+  ResultRecord record;
+};
+
+/// Reads a result file that may be of either kind: one result, or many with one on each line (JSON
+/// Lines), which are read one after the other. "-" is standard input. All throw InputError
+/// "file:line: what is wrong".
+class ResultReader {
+ public:
+  /// `scenario` must outlive the reader.
+  ResultReader(const std::string& file, const ScenarioFile& scenario);
+  ~ResultReader();
+  ResultReader(const ResultReader&) = delete;
+  ResultReader& operator=(const ResultReader&) = delete;
+
+  /// Whether each line is a result of its own: the first line is an object with "pair".
+  [[nodiscard]] bool has_pairs() const noexcept;
+  /// The next pair; none at the end. Only where there are pairs.
+  [[nodiscard]] std::optional<PairRecord> next();
+  /// All of a file without pairs, as `read_results` does.
+  [[nodiscard]] std::vector<ResultRecord> all();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace vandplan

@@ -28,6 +28,8 @@ struct RowGoal {
 struct ScenarioFile {
   Scenario scenario = {};         ///< of a row what its problems share; its goal is the first one
   std::vector<RowGoal> row = {};  ///< empty for `goal:`
+  /// What deserves a look though nothing is wrong, "file:line: key: what".
+  std::vector<std::string> warnings = {};
 
   [[nodiscard]] bool is_row() const noexcept { return !row.empty(); }
   /// Number of problems.
@@ -85,8 +87,15 @@ struct PosePair {
   Pose goal;
 };
 
+/// Many starts and goals.
+struct PosePairs {
+  std::vector<PosePair> pairs;
+  /// What deserves a look though nothing is wrong, "file:line: what".
+  std::vector<std::string> warnings;
+};
+
 /// Reads a list of starts and goals (CSV). "-" is standard input.
-[[nodiscard]] std::vector<PosePair> read_pose_pairs(const std::string& file);
+[[nodiscard]] PosePairs read_pose_pairs(const std::string& file);
 
 /// Reads a case of the Trajectory Planning Competition for Automated Parking 2022 (CSV).
 [[nodiscard]] Scenario read_tpcap(const std::string& file);

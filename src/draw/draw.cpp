@@ -64,6 +64,7 @@ std::string draw(const Drawing& drawing, PictureFormat format, int width) {
     paint_grid(cairo, layout.view);
     paint_axes(cairo, layout.view);
     paint_axis_titles(cairo, scene, layout.view);
+    if (layout.is_cropped) paint_cropped(cairo, layout.view);
     paint_legend(cairo, legend, layout.legend);
   });
 }
@@ -87,10 +88,11 @@ std::string draw(const ContactSheet& sheet, PictureFormat format, int width) {
       const Scene scene = scene_of(drawing);
       const double x = cell.width * static_cast<double>(i % columns) + plot.x;
       const double y = top + cell.height * static_cast<double>(i / columns) + plot.y;
-      const View view = view_of(framed(scene), {x, y, plot.width, plot.height});
+      const auto [seen, is_cropped] = framed(scene);
+      const View view = view_of(seen, {x, y, plot.width, plot.height});
       paint_caption(cairo, {drawing.caption, 11.5}, {x, y - 6.0}, plot.width);
       paint_clipped(cairo, scene, view);
-      paint_small_frame(cairo, view);
+      paint_small_frame(cairo, view, is_cropped);
       legend.add(scene, view);
     }
     paint_legend(cairo, legend, {0.0, page.height - below, page.width, below});

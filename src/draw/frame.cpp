@@ -70,6 +70,16 @@ void paint_scale_bar(cairo_t* cairo, double metres, double scale, const Point& r
              {.size = 10.5, .align = Align::right});
 }
 
+// A word on paper whose lower left corner is given.
+void paint_label(cairo_t* cairo, const std::string& word, const Point& corner) {
+  constexpr double height = 16.0;
+  cairo_rectangle(cairo, corner.x, corner.y - height, text_width(cairo, word, tick_style) + 12,
+                  height);
+  set_colour(cairo, colour::paper, 0.85);
+  cairo_fill(cairo);
+  write_text(cairo, word, corner.x + 6, corner.y - 4, tick_style);
+}
+
 // One line of the legend: a sample of what is drawn and a word for it.
 struct Entry {
   enum class Sample { vehicle, line, marker, area };
@@ -144,11 +154,11 @@ Layout layout_of(const Scene& scene, bool has_caption) {
   constexpr double plot_width = page_width - left - 18.0;
   constexpr double below = 76.0;  // ticks, title, legend
   const double top = has_caption ? 38.0 : 14.0;
-  const Bounds seen = framed(scene);
+  const auto [seen, is_cropped] = framed(scene);
   const double shape = (seen.y_max - seen.y_min) / (seen.x_max - seen.x_min);
   const Box plot{left, top, plot_width, std::round(plot_width * std::clamp(shape, 0.3, 0.9))};
   const Size page{page_width, top + plot.height + below};
-  return {page, view_of(seen, plot), {left, page.height - 34.0, plot_width, 24.0}};
+  return {page, view_of(seen, plot), {left, page.height - 34.0, plot_width, 24.0}, is_cropped};
 }
 
 double tick_step(double scale, double wanted) {
@@ -203,8 +213,14 @@ void paint_axis_titles(cairo_t* cairo, const Scene& scene, const View& view) {
                   {plot.x + plot.width, plot.y + plot.height + 29});
 }
 
-void paint_small_frame(cairo_t* cairo, const View& view) {
+void paint_cropped(cairo_t* cairo, const View& view) {
   const Box& plot = view.plot;
+  write_text(cairo, "cropped: the scene goes on", plot.x, plot.y + plot.height + 33, tick_style);
+}
+
+void paint_small_frame(cairo_t* cairo, const View& view, bool is_cropped) {
+  const Box& plot = view.plot;
+  if (is_cropped) paint_label(cairo, "cropped", {plot.x, plot.y + plot.height});
   const double metres = tick_step(view.scale, 50.0);
   const double width =
       metres * view.scale + text_width(cairo, number(metres, metres) + " m", {.size = 10.5}) + 19;

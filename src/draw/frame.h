@@ -13,6 +13,7 @@ struct Layout {
   Size page;
   View view;
   Box legend;
+  bool is_cropped = false;  ///< there is more than the view shows
 };
 
 [[nodiscard]] Layout layout_of(const Scene& scene, bool has_caption);
@@ -29,8 +30,12 @@ void paint_axes(cairo_t* cairo, const View& view);
 /// What the axes count, with the origin when it is not zero, and a scale bar.
 void paint_axis_titles(cairo_t* cairo, const Scene& scene, const View& view);
 
-/// Instead of axes, where there is little room: a frame, and a scale bar in its corner.
-void paint_small_frame(cairo_t* cairo, const View& view);
+/// Says below the plot that the scene goes on beyond it.
+void paint_cropped(cairo_t* cairo, const View& view);
+
+/// Instead of axes, where there is little room: a frame, a scale bar in its corner, and a word when
+/// the scene goes on beyond it.
+void paint_small_frame(cairo_t* cairo, const View& view, bool is_cropped);
 
 /// What the legend explains beside start and goal.
 struct LegendContent {

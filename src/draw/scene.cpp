@@ -11,6 +11,9 @@
 namespace vandplan::picture {
 namespace {
 
+constexpr double most_around = 1.5;  // that is shown on each side, in extents of the path
+constexpr double most_fence = 1.5;   // extents of the scene that the bounds may add up to
+
 void require_finite(double value, const char* where) {
   if (!std::isfinite(value)) throw InputError(where, "must be finite");
 }
@@ -59,7 +62,40 @@ Bounds widened(const Bounds& box, double margin) {
   return {box.x_min - margin, box.x_max + margin, box.y_min - margin, box.y_max + margin};
 }
 
+Bounds common(const Bounds& a, const Bounds& b) {
+  return {std::max(a.x_min, b.x_min), std::min(a.x_max, b.x_max), std::max(a.y_min, b.y_min),
+          std::min(a.y_max, b.y_max)};
+}
+
+bool is_inside(const Bounds& box, const Bounds& around) { return common(box, around) == box; }
+
 double extent(const Bounds& box) { return std::max(box.x_max - box.x_min, box.y_max - box.y_min); }
+
+/// The box around all places where the vehicle is.
+Bounds surroundings_of_path(const Scene& scene) {
+  const Footprint body = footprint(scene.vehicle);
+  std::vector<Point> points;
+  const auto add_vehicle = [&](const Pose& pose) {
+    for (const Point& corner : corners(body, pose)) points.push_back(corner);
+  };
+  add_vehicle(scene.start);
+  add_vehicle(scene.goal);
+  if (scene.path) {
+    const double step = std::max(1.0, length(scene.path->segments) / 5000);
+    for (const Stroke& stroke : strokes_of(*scene.path, step)) {
+      for (const Pose& pose : stroke.poses) add_vehicle(pose);
+    }
+  }
+  return bounding_box(points);
+}
+
+/// What stands in the scene, a map as its outline.
+std::vector<Polygon> things_in(const Scene& scene) {
+  std::vector<Polygon> things = scene.obstacles;
+  things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());
+  if (scene.map) things.push_back(outline(*scene.map));
+  return things;
+}
 
 }  // namespace
 
@@ -100,34 +136,23 @@ std::vector<Stroke> strokes_of(const Path& path, double step) {
   return strokes;
 }
 
-Bounds framed(const Scene& scene) {
-  const Footprint body = footprint(scene.vehicle);
-  std::vector<Point> points;
-  const auto add_vehicle = [&](const Pose& pose) {
-    for (const Point& corner : corners(body, pose)) points.push_back(corner);
-  };
-  add_vehicle(scene.start);
-  add_vehicle(scene.goal);
-  if (scene.path) {
-    const double step = std::max(1.0, length(scene.path->segments) / 5000);
-    for (const Stroke& stroke : strokes_of(*scene.path, step)) {
-      for (const Pose& pose : stroke.poses) add_vehicle(pose);
+Framing framed(const Scene& scene) {
+  const Bounds core = surroundings_of_path(scene);
+  const Bounds reach = widened(core, most_around * extent(core));
+  Framing framing{core, false};
+  for (const Polygon& thing : things_in(scene)) {
+    const Bounds box = bounding_box(thing);
+    framing.is_cropped |= !is_inside(box, reach);
+    const Bounds near = common(box, reach);
+    if (near.x_min <= near.x_max && near.y_min <= near.y_max) {
+      framing.seen = united(framing.seen, near);
     }
   }
-  const Bounds core = bounding_box(points);
-  // Obstacles further away than a third of the picture add nothing to the story.
-  const Bounds reach = widened(core, 0.7 * (body.rear + body.front) + 0.3 * extent(core));
-  Bounds seen = core;
-  std::vector<Polygon> things = scene.obstacles;
-  things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());
-  if (scene.map) things.push_back(outline(*scene.map));
-  for (const Polygon& thing : things) {
-    const Bounds box = bounding_box(thing);
-    const Bounds near{std::max(box.x_min, reach.x_min), std::min(box.x_max, reach.x_max),
-                      std::max(box.y_min, reach.y_min), std::min(box.y_max, reach.y_max)};
-    if (near.x_min <= near.x_max && near.y_min <= near.y_max) seen = united(seen, near);
-  }
-  return widened(seen, 1.0 + 0.03 * extent(seen));
+  // The fence of a yard is worth seeing; bounds that somebody made generous are not.
+  const Bounds fenced = united(framing.seen, scene.bounds);
+  if (extent(fenced) <= most_fence * extent(framing.seen)) framing.seen = fenced;
+  framing.seen = widened(framing.seen, 1.0 + 0.03 * extent(framing.seen));
+  return framing;
 }
 
 Point View::on_page(const Point& point) const noexcept {

@@ -38,8 +38,16 @@ struct Stroke {
 /// The path cut where the gear changes, its poses at most `step` apart [m].
 [[nodiscard]] std::vector<Stroke> strokes_of(const Path& path, double step);
 
-/// The part of the world that is worth seeing: start, goal and path with what stands around them.
-[[nodiscard]] Bounds framed(const Scene& scene);
+/// The part of the world that is shown.
+struct Framing {
+  Bounds seen;              ///< in the local frame [m]
+  bool is_cropped = false;  ///< some of what stands there lies outside
+};
+
+/// Start, goal and path with all that stands around them, obstacles, kerbs and map, and the bounds
+/// unless they lie far beyond. A scene that is more than four times as large as start, goal and
+/// path is cropped.
+[[nodiscard]] Framing framed(const Scene& scene);
 
 /// Where the visible part of the world lies on the page.
 struct View {

@@ -100,6 +100,11 @@ std::string Document::prefix_for(const Node& node) const {
   return path.empty() ? "" : path + ": ";
 }
 
+std::string Document::place_of(const Node& node) const {
+  std::string place = in_file(where_, node.line) + ": " + prefix_for(node);
+  return place.substr(0, place.size() - 2);
+}
+
 void Document::fail(const Node& node, const std::string& problem) const {
   throw InputError(in_file(where_, node.line), prefix_for(node) + problem);
 }

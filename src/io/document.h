@@ -32,6 +32,7 @@ struct Node {
   std::vector<Node> items;  ///< of a list, or the values of a map in the order of `keys`
 };
 
+/// A text as a tree of nodes.
 class Document {
  public:
   /// `where` is the name of the file.
@@ -48,15 +49,20 @@ class Document {
 
   /// The elements; throws if `node` is no list. `expected` says of what, "a list of polygons".
   [[nodiscard]] const std::vector<Node>& list(const Node& node, std::string_view expected) const;
-  /// Finite.
+  /// A finite number; throws if `node` is none. The next three throw likewise.
   [[nodiscard]] double number(const Node& node) const;
   [[nodiscard]] std::int64_t integer(const Node& node) const;
   [[nodiscard]] std::uint64_t count(const Node& node) const;
   [[nodiscard]] const std::string& text(const Node& node) const;
 
+  /// Throws an InputError that names the node.
   [[noreturn]] void fail(const Node& node, const std::string& problem) const;
-  /// The same for a node named by its path, "goals[3].obstacles[0]", or the nearest one above it.
+  /// Throws an InputError about the node of a path, "goals[3].obstacles[0]", or the nearest node
+  /// above it.
   [[noreturn]] void fail(std::string_view path, const std::string& problem) const;
+
+  /// "yard.yaml:5: goal.heading", which is how errors about a node begin.
+  [[nodiscard]] std::string place_of(const Node& node) const;
 
  private:
   /// "vehicle.width: ", empty for the root.
@@ -95,6 +101,7 @@ class NodeBuilder {
 inline constexpr std::size_t largest_text = std::size_t{64} << 20;
 
 [[nodiscard]] Document parse_yaml(const std::string& text, const std::string& where);
-[[nodiscard]] Document parse_json(const std::string& text, const std::string& where);
+/// `first_line` is the number of the text's first line in its file.
+[[nodiscard]] Document parse_json(std::string_view text, const std::string& where, int first_line);
 
 }  // namespace vandplan

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "io/input_file.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 
@@ -80,25 +81,11 @@ std::string create_beside(const std::string& file, mode_t mode, int& descriptor)
 }  // namespace
 
 std::string read_file(const std::string& file, std::size_t largest) {
-  const bool is_stdin = file == "-";
-  const std::string name = is_stdin ? "standard input" : file;
-  const Descriptor descriptor(is_stdin ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!descriptor.is_open()) cannot(name, "open");
+  InputFile input(file);
   std::string content;
-  for (std::size_t used = 0;;) {
-    content.resize(used + (std::size_t{1} << 16));
-    const ssize_t count = ::read(descriptor.number(), content.data() + used, content.size() - used);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) cannot(name, "read");
-    used += static_cast<std::size_t>(count);
-    if (used > largest) {
-      throw InputError(name,
-                       "is too large, expected at most " + std::to_string(largest) + " bytes");
-    }
-    if (count > 0) continue;
-    content.resize(used);
-    return content;
+  while (input.append_to(content, largest)) {
   }
+  return content;
 }
 
 void expect_writable(const std::string& file) {

@@ -44,7 +44,7 @@ class LineCounter {
 class Events : public nlohmann::json_sax<nlohmann::json> {
  public:
   Events(NodeBuilder& builder, const Cursor& cursor, std::string_view text)
-      : builder_(builder), cursor_(cursor), text_(text) {}
+      : builder_(builder), cursor_(cursor), text_(text), first_line_(cursor.line) {}
 
   bool null() override { return builder_.nothing(cursor_.line), true; }
   bool boolean(bool value) override { return scalar(value ? "true" : "false", cursor_.line); }
@@ -81,7 +81,7 @@ class Events : public nlohmann::json_sax<nlohmann::json> {
     const std::string reason(message.substr(begin, message.find(';') - begin));
     const auto end = text_.begin() + static_cast<std::ptrdiff_t>(
                                          std::min(position == 0 ? 0 : position - 1, text_.size()));
-    const auto line = 1 + static_cast<int>(std::count(text_.begin(), end, '\n'));
+    const auto line = first_line_ + static_cast<int>(std::count(text_.begin(), end, '\n'));
     builder_.fail(line, "is not JSON (" + reason + "), expected a result file");
   }
 
@@ -97,13 +97,14 @@ class Events : public nlohmann::json_sax<nlohmann::json> {
   NodeBuilder& builder_;
   const Cursor& cursor_;
   std::string_view text_;
+  int first_line_;
 };
 
 }  // namespace
 
-Document parse_json(const std::string& text, const std::string& where) {
+Document parse_json(std::string_view text, const std::string& where, int first_line) {
   NodeBuilder builder(where);
-  Cursor cursor{text.data()};
+  Cursor cursor{text.data(), first_line};
   Events events(builder, cursor, text);
   (void)nlohmann::json::sax_parse(LineCounter(text.data(), &cursor),
                                   LineCounter(text.data() + text.size(), &cursor), &events);

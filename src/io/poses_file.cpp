@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "io/document.h"
+#include "io/heading_doubt.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
@@ -86,12 +87,24 @@ PosePair pair_from(const std::vector<std::string_view>& cells, const std::string
   return pair;
 }
 
+/// Adds a warning for the first heading that looks like degrees: the others will be likewise.
+void warn_of_degrees(const PosePair& pair, const std::string& where,
+                     std::vector<std::string>& warnings) {
+  const std::string start = heading_doubt(pair.start.heading);
+  const std::string goal = heading_doubt(pair.goal.heading);
+  if (!start.empty()) {
+    warnings.push_back(where + ": start_heading: " + start);
+  } else if (!goal.empty()) {
+    warnings.push_back(where + ": goal_heading: " + goal);
+  }
+}
+
 }  // namespace
 
-std::vector<PosePair> read_pose_pairs(const std::string& file) {
+PosePairs read_pose_pairs(const std::string& file) {
   const std::string text = read_file(file, largest_text);
   const std::string name = file == "-" ? "standard input" : file;
-  std::vector<PosePair> pairs;
+  PosePairs read;
   int number = 0;
   bool may_be_header = true;
   std::string_view rest = text;
@@ -104,11 +117,15 @@ std::vector<PosePair> read_pose_pairs(const std::string& file) {
     if (line.empty() || line.front() == '#') continue;
     const std::string where = fmt::format("{}:{}", name, number);
     const std::vector<std::string_view> cells = cells_of(line);
-    if (!may_be_header || !is_header(cells, where)) pairs.push_back(pair_from(cells, where));
+    if (!may_be_header || !is_header(cells, where)) {
+      read.pairs.push_back(pair_from(cells, where));
+      if (read.warnings.empty()) warn_of_degrees(read.pairs.back(), where, read.warnings);
+    }
     may_be_header = false;
   }
-  if (pairs.empty()) throw InputError(name, "has no poses, expected a start and a goal on a line");
-  return pairs;
+  if (read.pairs.empty())
+    throw InputError(name, "has no poses, expected a start and a goal on a line");
+  return read;
 }
 
 }  // namespace vandplan

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include "base/text.h"
 #include "io/document.h"
-#include "vandplan/files.h"
+#include "io/input_file.h"
 #include "vandplan/input_error.h"
 #include "vandplan/result_file.h"
 
@@ -203,6 +204,7 @@ ResultRecord record_from(const Document& file, const Node& node, double radius) 
     record.distance = file.number(*metres);
   }
   PlanResult& result = record.result;
+  if (const Node* const reason = file.find(node, "reason")) result.reason = file.text(*reason);
   const Node* const path = file.find(node, "path");
   const Node* const status = file.find(node, "status");
   if (status == nullptr && path == nullptr) (void)file.at(node, "status");
@@ -223,35 +225,121 @@ ResultRecord record_from(const Document& file, const Node& node, double radius) 
   return record;
 }
 
-}  // namespace
+void expect_format(const Document& file, const Node& node) {
+  const Node& format = file.at(node, "format");
+  if (file.text(format) == "vandplan-result/1") return;
+  file.fail(format, fmt::format("is \"{}\", expected \"vandplan-result/1\"", format.text));
+}
 
-std::vector<ResultRecord> read_results(const std::string& file, const ScenarioFile& scenario) {
-  const Document result =
-      parse_json(read_file(file, largest_text), file == "-" ? "standard input" : file);
-  const Node& root = result.root();
-  const Node& format = result.at(root, "format");
-  if (result.text(format) != "vandplan-result/1") {
-    result.fail(format, fmt::format("is \"{}\", expected \"vandplan-result/1\"", format.text));
-  }
+/// The result of a file that holds one, or one for each goal of a row.
+std::vector<ResultRecord> records_from(const Document& file, const ScenarioFile& scenario) {
+  const Node& root = file.root();
+  expect_format(file, root);
   const double radius = scenario.scenario.vehicle.min_turning_radius;
-  const Node* const goals = result.find(root, "goals");
+  const Node* const goals = file.find(root, "goals");
   if (!scenario.is_row()) {
-    if (goals != nullptr) result.fail(*goals, "is a row, expected the scenario's one goal");
-    return {record_from(result, root, radius)};
+    if (goals != nullptr) file.fail(*goals, "is a row, expected the scenario's one goal");
+    return {record_from(file, root, radius)};
   }
-  const std::vector<Node>& items = result.list(result.at(root, "goals"), "a list of results");
+  const std::vector<Node>& items = file.list(file.at(root, "goals"), "a list of results");
   if (items.size() != scenario.size()) {
-    result.fail(*goals, fmt::format("has {} elements, expected the scenario's {} goals",
-                                    items.size(), scenario.size()));
+    file.fail(*goals, fmt::format("has {} elements, expected the scenario's {} goals", items.size(),
+                                  scenario.size()));
   }
   std::vector<ResultRecord> records;
-  for (const Node& item : items) records.push_back(record_from(result, item, radius));
-  if (const Node* const furthest = result.find(root, "furthest")) {
+  for (const Node& item : items) records.push_back(record_from(file, item, radius));
+  if (const Node* const furthest = file.find(root, "furthest")) {
     StatedFurthest stated;
-    if (furthest->kind != Node::Kind::nothing) stated.distance = result.number(*furthest);
+    if (furthest->kind != Node::Kind::nothing) stated.distance = file.number(*furthest);
     for (ResultRecord& record : records) record.furthest = stated;
   }
   return records;
+}
+
+PairRecord pair_record_from(const Document& file, double radius) {
+  const Node& root = file.root();
+  expect_format(file, root);
+  PairRecord record;
+  record.pair = file.count(file.at(root, "pair"));
+  record.poses = {pose_from(file, file.at(root, "start")), pose_from(file, file.at(root, "goal"))};
+  try {
+    check_poses(record.poses.start, record.poses.goal);
+  } catch (const InputError& error) {
+    file.fail(error.where(), error.problem());
+  }
+  record.record = record_from(file, root, radius);
+  return record;
+}
+
+bool is_blank(const std::string& line) {
+  return line.find_first_not_of(" \t\r") == std::string::npos;
+}
+
+/// A line that is an object with "pair"; none if it is anything else.
+std::optional<Document> document_of_pair(const std::string& line, const std::string& name,
+                                         int number) {
+  try {
+    Document document = parse_json(line, name, number);
+    if (document.find(document.root(), "pair") != nullptr) return document;
+  } catch (const InputError&) {  // the first line of a longer text
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+struct ResultReader::State {
+  State(const std::string& file, const ScenarioFile& of) : lines(file), scenario(of) {}
+
+  LineReader lines;
+  const ScenarioFile& scenario;
+  std::string head = {};  ///< what was read of a file without pairs
+  bool has_pairs = false;
+  std::optional<Document> first = {};  ///< the first pair, until it is asked for
+};
+
+ResultReader::ResultReader(const std::string& file, const ScenarioFile& scenario)
+    : state_(std::make_unique<State>(file, scenario)) {
+  State& state = *state_;
+  while (const std::optional<std::string> line = state.lines.next(largest_text)) {
+    state.head += *line + '\n';
+    if (is_blank(*line)) continue;
+    state.first = document_of_pair(*line, state.lines.name(), state.lines.number());
+    state.has_pairs = state.first.has_value();
+    break;
+  }
+}
+
+ResultReader::~ResultReader() = default;
+
+bool ResultReader::has_pairs() const noexcept { return state_->has_pairs; }
+
+std::optional<PairRecord> ResultReader::next() {
+  LineReader& lines = state_->lines;
+  const double radius = state_->scenario.scenario.vehicle.min_turning_radius;
+  if (state_->first) {
+    const PairRecord record = pair_record_from(*state_->first, radius);
+    state_->first.reset();
+    return record;
+  }
+  while (const std::optional<std::string> line = lines.next(largest_text)) {
+    if (is_blank(*line)) continue;
+    return pair_record_from(parse_json(*line, lines.name(), lines.number()), radius);
+  }
+  return std::nullopt;
+}
+
+std::vector<ResultRecord> ResultReader::all() {
+  std::string text = std::move(state_->head);
+  state_->lines.rest(text, largest_text);
+  return records_from(parse_json(text, state_->lines.name(), 1), state_->scenario);
+}
+
+std::vector<ResultRecord> read_results(const std::string& file, const ScenarioFile& scenario) {
+  ResultReader reader(file, scenario);
+  if (!reader.has_pairs()) return reader.all();
+  throw InputError(file == "-" ? "standard input" : file,
+                   "holds results of many pairs, one on each line, expected one result");
 }
 
 }  // namespace vandplan

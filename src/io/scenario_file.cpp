@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "io/document.h"
+#include "io/heading_doubt.h"
 #include "io/vehicle_file.h"
 #include "problem/checks.h"
 #include "vandplan/files.h"
@@ -49,6 +50,14 @@ std::vector<Polygon> polygons_from(const Document& file, const Node& node) {
     }
   }
   return polygons;
+}
+
+/// Adds a warning when the heading of a pose looks like degrees.
+void warn_of_degrees(const Document& file, const Node& pose, std::vector<std::string>& warnings) {
+  const Node& heading = file.at(pose, "heading");
+  if (const std::string doubt = heading_doubt(file.number(heading)); !doubt.empty()) {
+    warnings.push_back(file.place_of(heading) + ": " + doubt);
+  }
 }
 
 std::vector<RowGoal> row_from(const Document& file, const Node& node) {
@@ -141,6 +150,13 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   if (goals != nullptr) result.row = row_from(file, *goals);
   scenario.goal = goals != nullptr ? result.row.front().goal : pose_from(file, *goal);
   read_ground(file, where, map, scenario);
+  warn_of_degrees(file, file.at(root, "start"), result.warnings);
+  if (goal != nullptr) warn_of_degrees(file, *goal, result.warnings);
+  if (goals != nullptr) {
+    for (const Node& item : goals->items) {
+      warn_of_degrees(file, file.at(item, "goal"), result.warnings);
+    }
+  }
   return result;
 }
 
@@ -307,6 +323,6 @@ std::string to_yaml(const ScenarioFile& file) {
   return text + "obstacles:" + yaml_of(scenario.obstacles, "  ");
 }
 
-std::string to_yaml(const Scenario& scenario) { return to_yaml(ScenarioFile{scenario, {}}); }
+std::string to_yaml(const Scenario& scenario) { return to_yaml(ScenarioFile{scenario}); }
 
 }  // namespace vandplan

@@ -134,7 +134,7 @@ std::int64_t counter(const PlanResult& result, std::string_view name) noexcept {
 }
 
 std::span<const Planner> planners() {
-  static const std::vector<Planner> all = registered_planners();
+  static const std::vector<Planner> all = planning::registered_planners();
   return all;
 }
 

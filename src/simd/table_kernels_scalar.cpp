@@ -45,8 +45,8 @@ float table_distance(const TableView& table, float dx, float dy, float heading_n
   }
   const int ix = static_cast<int>(x * table.cells_per_metre);  // [5]
   const int iy = static_cast<int>(y * table.cells_per_metre);
-  const TableCell cell{ix, iy, nearest_heading(table, heading_node),
-                       nearest_heading(table, heading_sample)};
+  const TableGridPoint cell{ix, iy, nearest_heading(table, heading_node),
+                            nearest_heading(table, heading_sample)};
   const int index = table_index({table.positions, table.headings}, cell);
   return table.entries[index] * table.from_table;  // [6]
 }

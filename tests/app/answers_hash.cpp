@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "base/hash.h"
-#include "base/random.h"
 #include "support/pose_pairs.h"
 #include "support/temporary_folder.h"
 #include "vandplan/dubins.h"
 #include "vandplan/io.h"
 #include "vandplan/path.h"
 #include "vandplan/planner.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -58,7 +58,7 @@ class Hash {
 };
 
 void print_steering() {
-  base::Rng rng(1);
+  Rng rng(1);
   Hash hash;
   for (int i = 0; i < 100'000; ++i) {
     const auto [from, to] = any_pair(7, rng);

@@ -7,11 +7,11 @@
 
 #include "../support/cases.h"
 #include "../support/problems.h"
-#include "geometry/random_pose.h"
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/trees.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -25,17 +25,16 @@ using search::GridDistance;
 using search::Route;
 
 // A truck among five boxes; start and goal are free.
-Problem random_problem(base::Rng& rng) {
+Problem random_problem(Rng& rng) {
   while (true) {
     std::vector<Polygon> boxes;
     for (int i = 0; i < 5; ++i) {
-      const double x = base::uniform(-25, 20, rng);
-      const double y = base::uniform(-25, 20, rng);
-      boxes.push_back(box(x, y, x + base::uniform(1, 8, rng), y + base::uniform(1, 8, rng)));
+      const double x = uniform(-25, 20, rng);
+      const double y = uniform(-25, 20, rng);
+      boxes.push_back(box(x, y, x + uniform(1, 8, rng), y + uniform(1, 8, rng)));
     }
     const Bounds region{-30, 30, -30, 30};
-    Problem problem =
-        problem_of(geometry::uniform_pose(region, rng), geometry::uniform_pose(region, rng), boxes);
+    Problem problem = problem_of(uniform_pose(region, rng), uniform_pose(region, rng), boxes);
     const CollisionChecker& checker = *problem.task().checker;
     if (checker.is_free(problem.start()) && checker.is_free(problem.goal())) return problem;
   }
@@ -55,7 +54,7 @@ void expect_valid(const Problem& problem, const CostRule& rule, const Route& rou
 constexpr CostRule rules[] = {{}, {1.0, 2.0, 3.0, 0}};
 
 TEST(TwoTrees, WhatTheyFindIsARoute) {
-  for_each_case(1, 100, [](base::Rng& rng) {
+  for_each_case(1, 100, [](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
@@ -69,7 +68,7 @@ TEST(TwoTrees, WhatTheyFindIsARoute) {
 }
 
 TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
-  for_each_case(2, 100, [](base::Rng& rng) {
+  for_each_case(2, 100, [](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
@@ -89,7 +88,7 @@ TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
 }
 
 TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
-  for_each_case(3, 60, [](base::Rng& rng) {
+  for_each_case(3, 60, [](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
@@ -111,11 +110,11 @@ TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
 
 // With nothing in the way the shortest word is all that remains.
 TEST(Shortener, OnOpenGroundItFindsTheShortestPath) {
-  for_each_case(4, 20, [](base::Rng& rng) {
+  for_each_case(4, 20, [](Rng& rng) {
     Problem problem = random_problem(rng);
     problem = problem_of(problem.start(), problem.goal(), {});
     Connector connector(problem.task());
-    const Pose via = geometry::uniform_pose({-30, 30, -30, 30}, rng);
+    const Pose via = uniform_pose({-30, 30, -30, 30}, rng);
     Route route{problem.start(), {}, 0.0};
     route.legs.push_back({connector.steer(problem.start(), via), via});
     route.legs.push_back({connector.steer(via, problem.goal()), problem.goal()});

@@ -9,11 +9,10 @@
 #include <limits>
 #include <numbers>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "support/cases.h"
 #include "support/problems.h"
 #include "vandplan/input_error.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -84,10 +83,10 @@ TEST(MakeProblem, CollisionAndBoundsAreForThePlannerToSay) {
 }
 
 TEST(ToLocal, IsUndoneByToScenario) {
-  for_each_case(1, 20'000, [](base::Rng& rng) {
+  for_each_case(1, 20'000, [](Rng& rng) {
     Scenario scenario = yard();
-    const double size = std::pow(10.0, base::uniform(-2, 11.9, rng));
-    scenario.start = geometry::uniform_pose({-size, size, -size, size}, rng);
+    const double size = std::pow(10.0, uniform(-2, 11.9, rng));
+    scenario.start = uniform_pose({-size, size, -size, size}, rng);
     scenario.goal = scenario.start;
     const Problem problem = make_problem(scenario);
     const Pose& local = problem.task().start;

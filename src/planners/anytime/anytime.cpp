@@ -83,10 +83,9 @@ Run::Run(const Task& task, const PlanOptions& options)
       threads_(options.budget.threads),
       budget_(options.budget),
       open_ground_(open_ground_bound(task, rule_)) {
-  const Bounds region = sampling_region(task, region_of(options));
+  const Bounds region = sampling_region(task, planning::region_of(options));
   for (std::size_t i = 0; i < island_count; ++i) {
-    islands_.emplace_back(plans[i].work, task, rule_, region,
-                          base::stream_seed(options.budget.seed, i));
+    islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i));
   }
 }
 

@@ -35,7 +35,7 @@ void Island::prepare() {
       ladder_.emplace(task_, rule, Root::goal);
       break;
     case Work::random_trees:  // [2]
-      attempts_.emplace(task_, rule, region_, base::stream_seed(seed_, 0));
+      attempts_.emplace(task_, rule, region_, stream_seed(seed_, 0));
       break;
     case Work::bound:  // [7]
       geodesic_.emplace(task_, best_cost_);
@@ -86,7 +86,7 @@ bool Island::step() {
   if (!candidate_) {
     std::optional<Route> route = search();
     if (!route) return false;
-    candidate_.emplace(connector_, *std::move(route), base::stream_seed(seed_, ++candidates_));
+    candidate_.emplace(connector_, *std::move(route), stream_seed(seed_, ++candidates_));
     trials_ = 0;
   } else {
     candidate_->step();  // [5] [6]
@@ -106,7 +106,7 @@ void Island::take_over(const Route& best) {
   if (best.cost >= best_cost_) return;
   best_cost_ = best.cost;
   if (work_ == Work::refine)
-    candidate_.emplace(connector_, best, base::stream_seed(seed_, ++candidates_));
+    candidate_.emplace(connector_, best, stream_seed(seed_, ++candidates_));
 }
 
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {

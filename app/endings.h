@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Does the name of a file promise what is written into it?
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vandplan {
+
+/// A kind of file that is written, and the endings that names of such files have.
+struct FileKind {
+  std::string_view name;
+  std::vector<std::string_view> endings;
+};
+
+inline const FileKind result_file = {"a result is JSON", {".json"}};
+inline const FileKind result_lines_file = {"results of --poses are JSON Lines",
+                                           {".jsonl", ".ndjson", ".json"}};
+inline const FileKind scenario_file = {"a scenario is YAML", {".yaml", ".yml"}};
+
+/// Throws InputError when the ending of a name promises another kind of file, such as ".csv" for a
+/// result. Endings that promise nothing known, and names without one, will do.
+void expect_ending(const std::string& file, const FileKind& kind);
+
+}  // namespace vandplan

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "option_flags.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+/// An option that has a flag of its own.
+struct Flag {
+  const char* flag;
+  const char* option;
+  const char* value;
+};
+
+constexpr Flag flags[] = {
+    {"--time", "time_limit", "S"},     {"--max-iterations", "max_iterations", "N"},
+    {"--max-nodes", "max_nodes", "N"}, {"--seed", "seed", "N"},
+    {"--threads", "threads", "N"},     {"--region", "region", "bounds|scene"}};
+
+/// A value as one types it.
+std::string typed_text(std::string json) {
+  std::erase(json, '"');
+  return json;
+}
+
+std::string default_of(const CommonOption& option) {
+  if (option.name == "time_limit") {
+    return fmt::format("{} without --max-iterations", default_time_limit);
+  }
+  return typed_text(option.get(PlanOptions{}));
+}
+
+/// An option as the help shows it.
+struct OptionText {
+  std::string name;
+  std::string standard;
+  std::string summary;
+};
+
+OptionText text_of(const CommonOption& option) {
+  return {std::string(option.name), default_of(option), std::string(option.summary)};
+}
+
+OptionText text_of(const OptionInfo& info) {
+  return {info.name, typed_text(json_of(info.standard)), info.summary + "; " + info.range()};
+}
+
+/// The option of that name, of all planners or of the first that has one of its own.
+OptionText text_of(std::string_view name) {
+  for (const CommonOption& option : common_options()) {
+    if (option.name == name) return text_of(option);
+  }
+  for (const Planner& planner : planners()) {
+    const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
+    if (found != planner.options.end()) return text_of(*found);
+  }
+  return {std::string(name), "", ""};
+}
+
+std::string line_of(const OptionText& text) {
+  return fmt::format("  {:<28}{}\n", text.name + "=" + text.standard, text.summary);
+}
+
+/// The planners of a family that have the same options of their own, and "a|b" for a default in
+/// which they differ.
+std::string help_on_family(const std::string& family) {
+  std::vector<OptionText> texts;
+  int members = 0;
+  for (const Planner& planner : planners()) {
+    if (planner.properties.family != family) continue;
+    ++members;
+    for (const OptionInfo& info : planner.options) {
+      const OptionText text = text_of(info);
+      const auto known = std::ranges::find(texts, text.name, &OptionText::name);
+      if (known == texts.end()) {
+        texts.push_back(text);
+      } else if (("|" + known->standard + "|").find("|" + text.standard + "|") ==
+                 std::string::npos) {
+        known->standard += "|" + text.standard;
+      }
+    }
+  }
+  const std::string who =
+      members > 1 ? fmt::format("the {} planners {}-...", members, family) : family;
+  std::string help = fmt::format("Keys of {}:\n", who);
+  for (const OptionText& text : texts) help += line_of(text);
+  return help;
+}
+
+}  // namespace
+
+TypedOption typed_setting(const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) {
+    throw InputError("--set", "\"" + setting + "\" is not KEY=VALUE");
+  }
+  const std::string key = setting.substr(0, equals);
+  return {key, key, setting.substr(equals + 1)};
+}
+
+void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
+  for (const Flag& flag : flags) {
+    const OptionText text = text_of(flag.option);
+    const auto add = [&typed, flag](const std::string& value) {
+      typed.push_back({flag.flag, flag.option, value});
+    };
+    command.add_option_function<std::string>(flag.flag, add, text.summary)
+        ->type_name(flag.value)
+        ->default_str(text.standard);
+  }
+  const auto add = [&typed](const std::vector<std::string>& settings) {
+    for (const std::string& setting : settings) typed.push_back(typed_setting(setting));
+  };
+  command
+      .add_option_function<std::vector<std::string>>("--set", add,
+                                                     "Set any option by its key, see below")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+PlanOptions options_for(const Planner& planner, const std::vector<TypedOption>& typed) {
+  PlanOptions options;
+  for (const TypedOption& given : typed) {
+    try {
+      set_option(options, planner, given.option, given.value);
+    } catch (const InputError& error) {
+      throw InputError(given.typed, error.problem());
+    }
+  }
+  return options;
+}
+
+std::string help_on_common_options() {
+  std::string help;
+  for (const CommonOption& option : common_options()) help += line_of(text_of(option));
+  return help;
+}
+
+std::string help_on_options_of(const Planner& planner) {
+  std::string help;
+  for (const OptionInfo& info : planner.options) help += line_of(text_of(info));
+  return help;
+}
+
+std::string help_on_own_options() {
+  std::string help;
+  std::vector<std::string> families;
+  for (const Planner& planner : planners()) {
+    const std::string& family = planner.properties.family;
+    if (std::ranges::find(families, family) != families.end()) continue;
+    families.push_back(family);
+    help += help_on_family(family);
+  }
+  return help;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which options of planners can be typed, and what is made of them?
+//
+// Flags and keys are collected first and given to the planner once it is known: whether an option
+// is honoured, and what it may be, depends on it.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "vandplan/planner.h"
+
+namespace vandplan {
+
+/// An option of a planner that somebody typed.
+struct TypedOption {
+  std::string typed;   ///< how errors call it: "--max-nodes", or the key of --set
+  std::string option;  ///< its name
+  std::string value;
+};
+
+/// Adds --time, --max-iterations, --max-nodes, --seed, --threads, --region and --set to a command.
+/// What is typed is added to `typed`, in that order, which has to live as long as the command.
+void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed);
+
+/// "KEY=VALUE" as it stands behind --set. Throws InputError for anything else.
+[[nodiscard]] TypedOption typed_setting(const std::string& setting);
+
+/// What was typed, for a planner. Throws InputError naming what was typed when the planner does not
+/// honour it or the value is no good.
+[[nodiscard]] PlanOptions options_for(const Planner& planner,
+                                      const std::vector<TypedOption>& typed);
+
+/// A line for each option that all planners have.
+[[nodiscard]] std::string help_on_common_options();
+
+/// A line for each of the planner's own options.
+[[nodiscard]] std::string help_on_options_of(const Planner& planner);
+
+/// Lines for the own options of all planners, family by family.
+[[nodiscard]] std::string help_on_own_options();
+
+}  // namespace vandplan

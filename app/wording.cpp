@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "wording.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace vandplan {
+namespace {
+
+struct Unit {
+  double size;
+  const char* name;
+};
+
+constexpr std::array length_units = {Unit{1.0, "m"}, Unit{1e-3, "mm"}, Unit{1e-6, "um"}};
+constexpr std::array time_units = {Unit{1.0, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "us"},
+                                   Unit{1e-9, "ns"}};
+constexpr double known_to = 1e-3;  // how exactly the judge measures clearance [m]
+
+/// In the largest unit of which there is a tenth.
+std::string with_unit(double value, std::span<const Unit> units) {
+  const Unit& base = units.front();
+  if (value == 0.0) return fmt::format("0 {}", base.name);
+  if (!(std::abs(value) < 0.1 * base.size)) return fmt::format("{:.3f} {}", value, base.name);
+  std::size_t i = 1;
+  while (i + 1 < units.size() && std::abs(value) < 0.1 * units[i].size) ++i;
+  const double count = value / units[i].size;
+  const int decimals = std::abs(count) >= 10.0 ? 1 : 2;
+  return fmt::format("{:.{}f} {}", count, decimals, units[i].name);
+}
+
+/// Whether a control character of ASCII, or of those from U+0080 to U+009F, begins at a place.
+bool is_control(std::string_view text, std::size_t i) {
+  const auto byte = static_cast<unsigned char>(text[i]);
+  if (byte < 0x20 || byte == 0x7F) return true;
+  const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+  return byte == 0xC2 && next >= 0x80 && next < 0xA0;
+}
+
+}  // namespace
+
+std::string metres_text(double metres) { return with_unit(metres, length_units); }
+
+std::string seconds_text(double seconds) { return with_unit(seconds, time_units); }
+
+std::string clearance_text(double clearance) {
+  if (!std::isfinite(clearance)) return "no obstacles";
+  const std::string text = "clearance " + metres_text(clearance);
+  return clearance < 10 * known_to ? text + " (known to " + metres_text(known_to) + ")" : text;
+}
+
+std::string path_text(const PathCheck& check) {
+  std::string text =
+      fmt::format("length {}, gear changes {}, in reverse {}", metres_text(check.length),
+                  check.gear_changes, metres_text(check.reverse_length));
+  return check.clearance ? text + ", " + clearance_text(*check.clearance) : text;
+}
+
+std::string no_path_text(const PlanResult& result) {
+  const std::string text = fmt::format("no path: {}", name_of(result.status));
+  return result.reason.empty() ? text : fmt::format("{} ({})", text, printable(result.reason));
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!is_control(text, i)) {
+      result += text[i];
+    } else {
+      if (static_cast<unsigned char>(text[i]) == 0xC2) ++i;
+      result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
+    }
+  }
+  return result;
+}
+
+}  // namespace vandplan

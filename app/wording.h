@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How are quantities, outcomes and names said to people?
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+
+/// "35.120 m", "45.2 mm", "0 m": the unit that fits, three digits at least.
+[[nodiscard]] std::string metres_text(double metres);
+
+/// "1.204 s", "31.4 ms", "8.20 us": the unit that fits, three digits at least.
+[[nodiscard]] std::string seconds_text(double seconds);
+
+/// "clearance 1.100 m", "no obstacles". What is less than 10 mm says how exactly it is known.
+[[nodiscard]] std::string clearance_text(double clearance);
+
+/// "length 12.500 m, gear changes 1, in reverse 2.500 m, clearance 0.310 m" of a path that the
+/// judge has seen.
+[[nodiscard]] std::string path_text(const PathCheck& check);
+
+/// "no path: goal_in_collision (the footprint hits obstacles[3])" of a result without a path.
+[[nodiscard]] std::string no_path_text(const PlanResult& result);
+
+/// A text from a file as a terminal may have it: control characters are written as "\x1b".
+[[nodiscard]] std::string printable(std::string_view text);
+
+}  // namespace vandplan

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// (internal) Under which options were the runs of a report made?
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "evaluation/run_record.h"
+
+namespace vandplan::evaluation {
+
+/// The options of the runs of a comparison, but for seed, region and profile. Values are JSON.
+struct ReportOptions {
+  /// Those that are the same for every planner that has them.
+  std::vector<std::pair<std::string, std::string>> shared;
+  /// The others: a value, and the planners that have it.
+  struct Own {
+    std::string name;
+    std::string value;
+    std::vector<std::string> planners;
+  };
+  std::vector<Own> differing;
+};
+
+[[nodiscard]] ReportOptions options_of(const std::vector<RunRecord>& runs);
+
+/// The options of a run in which runs of one planner must be equal to be told of together: all but
+/// seed, region and profile.
+[[nodiscard]] std::string comparable_options(const RunRecord& run);
+[[nodiscard]] std::string comparable_options(const PlanOptions& options);
+
+}  // namespace vandplan::evaluation
