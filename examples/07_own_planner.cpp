@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// How do I write a planner of my own, judged and used like those of the library?
+// How do I write a planner of my own, judged and compared like those of the library?
+// usage: 07_own_planner [FOLDER]    for the report
 
+#include <vandplan/evaluation.h>
 #include <vandplan/nearest.h>
 #include <vandplan/planner.h>
 #include <vandplan/search.h>
@@ -41,6 +43,7 @@ PlannerAnswer grow(const Task& task, const PlanOptions& options) {
     const search::NodeId node = tree.add(sample, nearest, tree.cost_to_come(nearest) + edge->cost);
     nodes.add(sample);
     if (!is_goal) continue;
+    answer.anytime = {{budget.elapsed(), budget.iterations(), tree.cost_to_come(node)}};
     answer.segments.emplace();
     const std::vector<Pose> poses = tree.branch(node);
     for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -66,17 +69,26 @@ const Planner mine{.name = "mine",
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   Scenario yard;
+  yard.name = "yard";
   yard.bounds = {-50, 50, -50, 50};
   yard.goal = {0, 12, 0};
   yard.obstacles = {{{-20, 5}, {15, 5}, {15, 7}, {-20, 7}}};
-  const Problem problem = make_problem(yard);
+
   PlanOptions options;
   options.budget.max_iterations = 2000;
-  const auto others = plan(problem, options);
   options.planner.set("goal_share", 0.3);
-  const auto result = plan(problem, mine, options);  // the judge has seen the path
-  std::printf("mine: %.2f m; the default planner: %.2f m\n", result.cost, others.cost);
-  return result.path && result.check->valid && result.cost >= others.cost ? 0 : 1;
+  const PlanResult result = plan(make_problem(yard), mine, options);  // the judge has seen the path
+  std::printf("%.2f m, %.2f m of it in reverse\n\n", result.cost,
+              result.check ? result.check->reverse_length : 0);
+
+  // Every planner with the same seeds, and what that shows, as text and as a page for a browser.
+  evaluation::Campaign campaign{
+      .planners = {mine, default_planner()}, .regions = {Region::bounds}, .repeats = 4};
+  campaign.scenarios.push_back({{.scenario = yard}, "yard.yaml"});
+  campaign.settings.push_back({"max_iterations", "2000"});
+  const auto comparison = evaluation::compare(campaign, argc > 1 ? argv[1] : "own_planner");
+  std::printf("%s\n%s\n", comparison.headline.c_str(), comparison.page.c_str());
+  return result.path && comparison.missing == 0 ? 0 : 1;
 }

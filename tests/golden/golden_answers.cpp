@@ -43,14 +43,17 @@ unsigned long long hash_of(const Path& path) {
 void answer(const std::string& scenario, const Problem& problem, const Planner& planner,
             PlanOptions options, const char* what) {
   for (const std::string region : {"bounds", "scene"}) {
-    options.planner.set("region", region);
+    if (honours(planner, "region")) {
+      options.planner.set("region", region);
+    } else if (region != "bounds") {
+      continue;  // it would only answer the same
+    }
     const PlanResult result = plan(problem, planner, options);
-    std::printf("%s %s %s%s: %s, cost %.17g, %lld iterations, %lld nodes, path %016llx\n",
-                scenario.c_str(), region.c_str(), planner.name.c_str(), what,
-                std::string(name_of(result.status)).c_str(), result.cost,
-                static_cast<long long>(result.iterations),
-                static_cast<long long>(counter(result, "nodes")),
-                hash_of(result.path.value_or(Path{})));
+    std::printf(
+        "%s %s %s%s: %s, cost %.17g, %lld iterations, %lld nodes, path %016llx\n", scenario.c_str(),
+        region.c_str(), planner.name.c_str(), what, std::string(name_of(result.status)).c_str(),
+        result.cost, static_cast<long long>(result.iterations),
+        static_cast<long long>(counter(result, "nodes")), hash_of(result.path.value_or(Path{})));
   }
 }
 

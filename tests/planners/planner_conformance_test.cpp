@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../support/planner_names.h"
 #include "../support/problems.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
@@ -24,14 +25,14 @@ class PlannerConformance : public testing::TestWithParam<Planner> {
     EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
     return result;
   }
-};
 
-PlanOptions iterations(std::int64_t count) {
-  PlanOptions options;
-  options.budget.max_iterations = count;
-  options.planner.set("region", "scene");
-  return options;
-}
+  static PlanOptions iterations(std::int64_t count) {
+    PlanOptions options;
+    options.budget.max_iterations = count;
+    if (honours(GetParam(), "region")) options.planner.set("region", "scene");
+    return options;
+  }
+};
 
 // A wall between start and goal, to be driven around.
 std::vector<Polygon> wall() { return {box(14, -8, 16, 8)}; }
@@ -168,14 +169,8 @@ TEST_P(PlannerConformance, SolvesTheSceneMirrored) {
   EXPECT_EQ(run(problem, iterations(600)).status, PlanStatus::solved);
 }
 
-std::string test_name(const testing::TestParamInfo<Planner>& info) {
-  std::string name(info.param.name);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(All, PlannerConformance,
-                         testing::ValuesIn(planners().begin(), planners().end()), test_name);
+                         testing::ValuesIn(planners().begin(), planners().end()), name_of_test);
 
 }  // namespace
 }  // namespace vandplan

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "support/planner_names.h"
 #include "support/problems.h"
 #include "support/simd_targets.h"
 #include "vandplan/planner.h"
@@ -43,14 +44,8 @@ TEST_P(PlannersOnEveryTarget, FindTheSamePath) {
   }
 }
 
-std::string test_name(const testing::TestParamInfo<Planner>& info) {
-  std::string name(info.param.name);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(All, PlannersOnEveryTarget,
-                         testing::ValuesIn(planners().begin(), planners().end()), test_name);
+                         testing::ValuesIn(planners().begin(), planners().end()), name_of_test);
 
 }  // namespace
 }  // namespace vandplan
