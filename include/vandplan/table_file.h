@@ -3,7 +3,7 @@
 #pragma once
 // How does a table become a file, and how does a file become a table?
 //
-// Bytes only; vandplan/io.h moves them. Layout: docs/formats.md.
+// Bytes only; vandplan/files.h moves them. Layout: docs/formats.md.
 
 #include <cstddef>
 #include <cstdint>

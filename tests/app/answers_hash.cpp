@@ -13,11 +13,11 @@
 #include "support/pose_pairs.h"
 #include "support/temporary_folder.h"
 #include "vandplan/dubins.h"
-#include "vandplan/io.h"
 #include "vandplan/path.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -41,7 +41,7 @@ class Hash {
     Pose pose = from;
     for (const Segment& segment : segments) {
       pose = advance(pose, segment);
-      for (const double v : {segment.curvature, segment.length}) add(v);
+      for (const double v : {segment.curvature, segment.length, segment.curvature_rate}) add(v);
       add(pose);
     }
   }
@@ -70,14 +70,15 @@ void print_steering() {
 
 void print_plans(const std::string& name, std::int64_t iterations) {
   const Problem problem =
-      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/" + name + ".yaml"), 0);
+      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/" + name + ".yaml"));
   PlanOptions options;
-  options.max_iterations = iterations;
-  for (const PlannerInfo& planner : planners()) {
+  options.budget.max_iterations = iterations;
+  for (const Planner& planner : planners()) {
     const PlanResult result = plan(problem, planner, options);
     Hash hash;
     for (const double v : {result.cost, result.lower_bound}) hash.add(v);
-    for (const std::int64_t n : {result.iterations, result.nodes, result.edge_checks}) {
+    for (const std::int64_t n :
+         {result.iterations, counter(result, "nodes"), counter(result, "edge_checks")}) {
       hash.add(static_cast<double>(n));
     }
     for (const CostSample& sample : result.anytime) hash.add(sample.cost);
@@ -85,7 +86,7 @@ void print_plans(const std::string& name, std::int64_t iterations) {
       hash.add(result.path->start);
       hash.add(result.path->start, result.path->segments);
     }
-    hash.print(name + " " + std::string(planner.name) + (result.path ? "" : " (no path)"));
+    hash.print(name + " " + planner.name + (result.path ? "" : " (no path)"));
   }
 }
 
@@ -95,14 +96,14 @@ void print_plans(const std::string& name, std::int64_t iterations) {
 void print_radii() {
   Hash hash;
   for (const int angle : {26892, 27944, 28981, 42514, 46295, 49993, 53518, 55729}) {
-    const Scenario scenario = scenario_from_yaml(
+    const ScenarioFile file = scenario_from_yaml(
         "name: x\nobstacles: []\nbounds: {x: [-9, 9], y: [-9, 9]}\n"
         "start: {x: 0, y: 0, heading: 0}\ngoal: {x: 1, y: 0, heading: 0}\n"
         "vehicle: {wheelbase: 3, front_overhang: 1, rear_overhang: 1, width: 2, "
         "max_steering_angle: " +
             std::to_string(angle) + "e-6}\n",
         "made up");
-    hash.add(scenario.vehicle.min_turning_radius);
+    hash.add(file.scenario.vehicle.min_turning_radius);
   }
   hash.print("radii");
 }
