@@ -163,6 +163,26 @@ std::string tables_sentence(const Summary& summary, const Circumstances& where) 
       count(Verdict::larger));
 }
 
+// Claims that hold, or that do not, each with its regions: "up to 20 % less time" (bounds, scene).
+std::string claims_text(const std::vector<Finding>& findings, GoalSetting setting, bool hold) {
+  std::vector<std::pair<std::string, std::string>> claims;
+  for (const Finding& finding : findings) {
+    if (finding.where.setting != setting || finding.holds != hold) continue;
+    const std::string region = name_of(finding.where.region);
+    const auto known =
+        std::ranges::find(claims, finding.claim, [](const auto& claim) { return claim.first; });
+    if (known == claims.end()) {
+      claims.emplace_back(finding.claim, region);
+    } else {
+      known->second += ", " + region;
+    }
+  }
+  std::string text;
+  for (const auto& [claim, regions] : claims)
+    text += fmt::format("{}\"{}\" ({})", text.empty() ? "" : ", ", claim, regions);
+  return text;
+}
+
 // "BSC" and the like; nothing of planners that have no strategy.
 bool is_random_tree(const MethodSummary& method) { return !method.properties.strategy.empty(); }
 
@@ -235,13 +255,8 @@ std::vector<Finding> findings(const Summary& summary, const std::vector<Scenario
 std::vector<std::string> verdicts(const std::vector<Finding>& findings) {
   std::vector<std::string> sentences;
   for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried}) {
-    std::string holds, fails;
-    for (const Finding& finding : findings) {
-      if (finding.where.setting != setting) continue;
-      std::string& list = finding.holds ? holds : fails;
-      list += fmt::format("{}\"{}\" ({})", list.empty() ? "" : ", ", finding.claim,
-                          name_of(finding.where.region));
-    }
+    const std::string holds = claims_text(findings, setting, true);
+    const std::string fails = claims_text(findings, setting, false);
     if (holds.empty() && fails.empty()) continue;
     sentences.push_back(fmt::format("The thesis' claims, {}: confirmed {}; not confirmed {}.",
                                     name_of(setting), holds.empty() ? "nothing" : holds,
