@@ -119,12 +119,14 @@ PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time
   if (result.tree) {
     for (Pose& pose : result.tree->poses) pose = to_scenario(*problem.world(), pose);
   }
-  if (answer.segments) {
-    result.status = PlanStatus::solved;
-    result.path = Path{problem.start(), *std::move(answer.segments)};
-  } else if (answer.status == PlanStatus::solved) {
+  const bool is_solved = answer.status == PlanStatus::solved;
+  if (is_solved != answer.segments.has_value()) {
     result.status = PlanStatus::rejected;
-    result.reason = "the planner says that it is solved, and gives no path";
+    result.reason = is_solved ? "the planner says solved, and gives no path"
+                              : "the planner gives a path, and says " +
+                                    std::string(name_of(answer.status));
+  } else if (is_solved) {
+    result.path = Path{problem.start(), *std::move(answer.segments)};
   }
   return result;
 }
@@ -163,7 +165,7 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
                 std::string_view text) {
   if (!honours(planner, name)) refuse(planner, name);
   if (const OptionInfo* const own = own_option(planner, name)) {
-    options.planner.set(name, option_value(*own, text));
+    options.planner.set(name, parsed_value(*own, text));
     return;
   }
   const CommonOption& common = *common_option(name);
@@ -182,7 +184,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
   PlanOptions all = options;
   for (const OptionInfo& info : planner.options) {
     const OptionValue* const given = options.planner.find(info.name);
-    all.planner.set(info.name, given == nullptr ? info.standard : option_value(info, *given));
+    all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
   }
   if (!all.budget.time_limit && !all.budget.max_iterations) {
     all.budget.time_limit = default_time_limit;

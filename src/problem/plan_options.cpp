@@ -163,7 +163,7 @@ std::string json_of(const OptionValue& value) {
   return std::visit([](const auto& held) { return text_of(held); }, value);
 }
 
-OptionValue option_value(const OptionInfo& info, std::string_view text) {
+OptionValue parsed_value(const OptionInfo& info, std::string_view text) {
   OptionValue value = info.standard;
   try {
     std::visit([&](auto& held) { parse(text, held); }, value);
@@ -175,7 +175,7 @@ OptionValue option_value(const OptionInfo& info, std::string_view text) {
   return value;
 }
 
-OptionValue option_value(const OptionInfo& info, const OptionValue& given) {
+OptionValue fitting_value(const OptionInfo& info, const OptionValue& given) {
   OptionValue value = given;
   const auto* const integer = std::get_if<std::int64_t>(&given);
   if (integer != nullptr && std::holds_alternative<double>(info.standard)) {

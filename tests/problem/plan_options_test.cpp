@@ -98,8 +98,8 @@ TEST(PlannerOptions, EveryOneReadsBackWhatItWrites) {
       SCOPED_TRACE(planner.name + " " + info.name);
       std::string text = json_of(info.standard);
       if (text.front() == '"') text = text.substr(1, text.size() - 2);
-      EXPECT_EQ(option_value(info, std::string_view(text)), info.standard);
-      EXPECT_EQ(option_value(info, info.standard), info.standard);
+      EXPECT_EQ(parsed_value(info, text), info.standard);
+      EXPECT_EQ(fitting_value(info, info.standard), info.standard);
       EXPECT_FALSE(info.summary.empty());
       EXPECT_FALSE(info.range().empty());
     }
