@@ -129,8 +129,8 @@ void print_headings() {
 
 int main() {
   vandplan::print_steering();
-  vandplan::print_plans("2-flat-obstacle", 2000);
-  vandplan::print_plans("3-h-shape", 2000);
+  vandplan::print_plans("2-flat-obstacle", 400);
+  vandplan::print_plans("3-h-shape", 400);
   vandplan::print_radii();
   vandplan::print_headings();
 }

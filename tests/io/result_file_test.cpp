@@ -165,7 +165,7 @@ TEST(ResultFile, TheStartIsWrittenAsTheScenarioWritesIt) {
   Scenario scenario = yard();
   scenario.start.heading = -6.11698657169903;
   ResultRecord record = solved(scenario);
-  record.result.path->start.heading = wrap_angle(scenario.start.heading);
+  record.result.path->start = scenario.start;  // as `plan` has it
   const Json json = Json::parse(results_to_json({scenario}, {record}));
   EXPECT_EQ(json["path"]["start"]["heading"], -6.11698657169903);
 }
@@ -453,8 +453,8 @@ TEST_F(ReadPairs, MistakesNameTheLineOfTheFile) {
             "r.jsonl:2: key \"start\" is missing, expected it");
   EXPECT_EQ(message_for(good + good + "{\"pair\": \n").substr(0, 23), "r.jsonl:3: is not JSON ");
   std::string far = good;
-  far.replace(far.find("\"x\":20"), 6, "\"x\":9e6");
-  EXPECT_EQ(message_for(good + far).substr(0, 18), "r.jsonl:2: goal: is");
+  far.replace(far.find("\"x\":20.0"), 8, "\"x\":9e6");
+  EXPECT_EQ(message_for(good + far).substr(0, 19), "r.jsonl:2: goal: is");
 }
 
 }  // namespace

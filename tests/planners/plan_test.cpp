@@ -319,8 +319,14 @@ TEST(RejectedPath, ABoundAboveTheCostByRoundingIsNone) {
 TEST(RejectedPath, IsNotThere) {
   const PlanResult result = plan(straight_ahead(), answering({.status = PlanStatus::solved}));
   EXPECT_EQ(result.status, PlanStatus::rejected);
-  EXPECT_EQ(result.reason, "the planner says that it is solved, and gives no path");
+  EXPECT_EQ(result.reason, "the planner says solved, and gives no path");
   EXPECT_FALSE(result.path);
+  const PlanResult contrary =
+      plan(straight_ahead(),
+           answering({.status = PlanStatus::no_path, .segments = std::vector<Segment>{{0, 20}}}));
+  EXPECT_EQ(contrary.status, PlanStatus::rejected);
+  EXPECT_EQ(contrary.reason, "the planner gives a path, and says no_path");
+  EXPECT_FALSE(contrary.path);
   EXPECT_EQ(name_of(PlanStatus::rejected), "rejected");
 }
 
