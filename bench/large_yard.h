@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "base/random.h"
 #include "support/collision_oracle.h"
 #include "vandplan/occupancy_grid.h"
+#include "vandplan/random.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {

@@ -5,7 +5,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vandplan)
 # One export per component, so that nobody needs the dependencies of what he does not use.
 install(TARGETS vandplan EXPORT vandplan-targets FILE_SET HEADERS)
 install(EXPORT vandplan-targets NAMESPACE vandplan:: DESTINATION ${package_folder})
-foreach(component io draw)
+foreach(component io draw evaluation)
   if(TARGET vandplan_${component})
     set_target_properties(vandplan_${component} PROPERTIES EXPORT_NAME ${component})
     install(TARGETS vandplan_${component} EXPORT vandplan-${component}-targets FILE_SET HEADERS)

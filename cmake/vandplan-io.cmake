@@ -1,5 +1,5 @@
 # What reading and writing files needs.
 find_dependency(fmt)
 find_dependency(yaml-cpp)
-include(${CMAKE_CURRENT_LIST_DIR}/vandplan-io-targets.cmake)
 find_dependency(PNG)
+include(${CMAKE_CURRENT_LIST_DIR}/vandplan-io-targets.cmake)

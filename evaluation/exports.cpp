@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "evaluation/methods.h"
 #include "evaluation/options_json.h"
@@ -79,8 +80,11 @@ Json run_json(const RunRecord& run) {
   if (!result.path) return json;
   const Pose& start = result.path->start;
   Json segments = Json::array();
-  for (const Segment& segment : result.path->segments)
-    segments.push_back({{"curvature", segment.curvature}, {"length", segment.length}});
+  for (const Segment& segment : result.path->segments) {
+    Json item = {{"curvature", segment.curvature}, {"length", segment.length}};
+    if (segment.curvature_rate != 0.0) item["curvature_rate"] = segment.curvature_rate;
+    segments.push_back(std::move(item));
+  }
   json["cost"] = result.cost;
   json["path"] = {{"start", {{"x", start.x}, {"y", start.y}, {"heading", start.heading}}},
                   {"segments", segments}};

@@ -8,6 +8,31 @@
 
 namespace vandplan::evaluation {
 
+namespace {
+
+double length_of(const Segment& segment) { return std::abs(segment.length); }
+
+/// How far the heading changes, to either side [rad].
+double turning_of(const Segment& segment) {
+  const double length = length_of(segment);
+  if (segment.curvature_rate == 0.0) return std::abs(segment.curvature * length);
+  const double first = segment.curvature;
+  const double last = curvature_at(segment, length);
+  if (first * last >= 0.0) return std::abs(first + last) / 2 * length;
+  return (first * first + last * last) / std::abs(segment.curvature_rate) / 2;
+}
+
+/// Whether the wheel has to be turned between two segments; a clothoid ends where it should but for
+/// rounding.
+bool jumps(const Segment& before, const Segment& segment) {
+  const double jump = std::abs(curvature_at(before, length_of(before)) - segment.curvature);
+  const bool is_rounded = before.curvature_rate != 0.0 || segment.curvature_rate != 0.0;
+  constexpr double rounding = 1e-9;  // [1/m]
+  return jump > (is_rounded ? rounding : 0.0);
+}
+
+}  // namespace
+
 void validate(const DrivingStyle& style) {
   if (!(style.speed > 0.0 && std::isfinite(style.speed)))
     throw InputError("speed", "must be > 0 [m/s]");
@@ -23,8 +48,9 @@ PathMetrics metrics_of(const Path& path, const DrivingStyle& style) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& segment = segments[i];
     if (segment.length < 0.0) reverse -= segment.length;
-    metrics.turning += std::abs(segment.curvature * segment.length);
-    metrics.curvature_changes += i > 0 && segment.curvature != segments[i - 1].curvature;
+    metrics.turning += turning_of(segment);
+    metrics.curvature_changes += segment.curvature_rate != 0.0;
+    metrics.curvature_changes += i > 0 && jumps(segments[i - 1], segment);
   }
   if (metrics.length > 0.0) metrics.reverse_share = reverse / metrics.length;
   metrics.driving_time = metrics.length / style.speed + metrics.gear_changes * style.pause;

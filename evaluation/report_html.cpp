@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "evaluation/methods.h"
 #include "evaluation/page.h"
@@ -112,8 +113,11 @@ Json scenario_json(const ScenarioFile& whole, const StoredScenario& file, MapLis
 
 Json path_json(const RunRecord& run) {
   Json segments = Json::array();
-  for (const Segment& segment : run.result.path->segments)
-    segments.push_back({segment.curvature, segment.length});
+  for (const Segment& segment : run.result.path->segments) {
+    Json item = {segment.curvature, segment.length};
+    if (segment.curvature_rate != 0.0) item.push_back(segment.curvature_rate);
+    segments.push_back(std::move(item));
+  }
   return segments;
 }
 

@@ -58,10 +58,10 @@ std::string first_time_cell(const MethodSummary& method, bool) {
   return time_text(method.first_time.median);
 }
 
-using Cell = std::string (*)(const MethodSummary&, bool);
+using CellText = std::string (*)(const MethodSummary&, bool);
 
 // Planners down and scenarios across, or the other way round: the longer list goes down.
-std::string matrix(const Report& report, Region region, Cell cell) {
+std::string matrix(const Report& report, Region region, CellText cell) {
   std::vector<std::string> planners, scenarios;
   std::vector<std::vector<std::string>> cells;  // of each scenario, in the order of the planners
   for (const ScenarioSummary& scenario : report.summary.scenarios) {

@@ -49,7 +49,7 @@ CREATE TABLE costs(
   PRIMARY KEY(run, number)) STRICT, WITHOUT ROWID;
 CREATE TABLE segments(
   run INTEGER NOT NULL REFERENCES runs(id), number INTEGER NOT NULL,
-  curvature REAL NOT NULL, length REAL NOT NULL,
+  curvature REAL NOT NULL, length REAL NOT NULL, curvature_rate REAL NOT NULL,
   PRIMARY KEY(run, number)) STRICT, WITHOUT ROWID;
 CREATE TABLE sessions(
   id INTEGER PRIMARY KEY,
@@ -151,7 +151,7 @@ struct Store::Statements {
         add_run(database, fmt::format("INSERT INTO runs({}) VALUES (NULL{})", columns_of_runs,
                                       repeated(", ?", 22))),
         add_cost(database, "INSERT INTO costs VALUES (?, ?, ?, ?, ?)"),
-        add_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?)") {}
+        add_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?, ?)") {}
 
   static std::string repeated(const char* text, int times) {
     std::string all;
@@ -261,7 +261,8 @@ bool Store::insert(const RunRecord& run) {
   if (!result.path) return true;
   number = 0;
   for (const Segment& segment : result.path->segments)
-    statements_->add_segment.run(id, number++, segment.curvature, segment.length);
+    statements_->add_segment.run(id, number++, segment.curvature, segment.length,
+                                 segment.curvature_rate);
   return true;
 }
 
@@ -336,7 +337,8 @@ std::vector<RunRecord> Store::runs() {
   Statement costs(database_,
                   "SELECT time, iteration, cost FROM costs WHERE run = ? ORDER BY number");
   Statement segments(database_,
-                     "SELECT curvature, length FROM segments WHERE run = ? ORDER BY number");
+                     "SELECT curvature, length, curvature_rate FROM segments WHERE run = ?"
+                     " ORDER BY number");
   std::vector<RunRecord> found;
   while (rows.step()) {
     RunRecord run = run_of(rows);
@@ -350,7 +352,7 @@ std::vector<RunRecord> Store::runs() {
     if (run.result.path) {
       segments.bind(rows.integer(0));
       while (segments.step())
-        run.result.path->segments.push_back({segments.real(0), segments.real(1)});
+        run.result.path->segments.push_back({segments.real(0), segments.real(1), segments.real(2)});
     }
     found.push_back(std::move(run));
   }

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
 #include "studies/percentile.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "base/random.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "base/random.h"
 #include "base/trigonometry.h"
 #include "vandplan/dubins.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -20,7 +20,7 @@ constexpr int last_ring = 50;
 
 // Algorithm 3 for one random pair at this distance.
 RangePair random_pair(double distance, double radius, Rng& rng) {
-  const SinCos bearing = sin_cos(uniform(-pi, pi, rng));
+  const base::SinCos bearing = base::sin_cos(uniform(-pi, pi, rng));
   const Pose from{0.0, 0.0, uniform(-pi, pi, rng)};
   const Pose to{distance * bearing.cos, distance * bearing.sin, uniform(-pi, pi, rng)};
   return {distance, dubins_length(from, to, radius), reeds_shepp_length(from, to, radius)};

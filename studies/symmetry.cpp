@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "base/random.h"
-#include "studies/percentile.h"
 #include "base/trigonometry.h"
+#include "studies/percentile.h"
 #include "vandplan/bound_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -18,7 +18,8 @@ namespace {
 // Float rounds to 6e-8 of the value; the rest is for other compilers' libraries.
 constexpr double tolerance = 1e-6;
 
-void compare(const HeuristicTable& table, const HeuristicTable::Cell& cell, EntryCheck& check) {
+void compare(const HeuristicTable& table, const HeuristicTable::GridPoint& cell,
+             EntryCheck& check) {
   const double exact = reeds_shepp_length(table.node_of(cell), table.sample_of(cell),
                                           table.options().turning_radius);
   const double entry = static_cast<double>(table.entries()[table.index_of(cell)]);
@@ -68,7 +69,7 @@ BoundCheck check_bounds(std::int64_t pairs, std::uint64_t seed) {
   gaps.reserve(static_cast<std::size_t>(pairs));
   for (std::int64_t i = 0; i < pairs; ++i) {
     const double distance = std::pow(10.0, uniform(-3.0, 3.0, rng));
-    const SinCos bearing = sin_cos(uniform(-pi, pi, rng));
+    const base::SinCos bearing = base::sin_cos(uniform(-pi, pi, rng));
     const Pose from{0.0, 0.0, uniform(-pi, pi, rng)};
     const Pose to{distance * bearing.cos, distance * bearing.sin, uniform(-pi, pi, rng)};
     const double length = reeds_shepp_length(from, to, 1.0);

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/random.h"
 #include "simd/length_kernels.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 #ifdef VANDPLAN_BENCH_TARGETS
 #include <hwy/targets.h>
@@ -71,10 +71,10 @@ void exactly(Inputs& in, const Pose& sample) {
 }
 
 void by_scalar_twin(Inputs& in, const Pose& sample) {
-  kernels::scalar::reeds_shepp_lengths(in.x, in.y, in.heading,
-                                       {static_cast<float>(sample.x), static_cast<float>(sample.y),
-                                        static_cast<float>(sample.heading)},
-                                       static_cast<float>(radius), in.out);
+  simd::scalar::reeds_shepp_lengths(in.x, in.y, in.heading,
+                                    {static_cast<float>(sample.x), static_cast<float>(sample.y),
+                                     static_cast<float>(sample.heading)},
+                                    static_cast<float>(radius), in.out);
 }
 
 void in_double(Inputs& in, const Pose& sample) {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/random.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {

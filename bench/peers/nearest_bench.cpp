@@ -11,10 +11,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "base/random.h"
 #include "support/ompl_poses.h"
 #include "support/rounds.h"
 #include "vandplan/nearest.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {

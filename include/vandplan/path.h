@@ -12,12 +12,23 @@
 
 namespace vandplan {
 
-/// A stretch of constant curvature and gear.
+/// A stretch in one gear whose curvature is constant (an arc or a line) or changes evenly (a
+/// clothoid).
 struct Segment {
-  double curvature = 0.0;  ///< [1/m]; positive turns left when driving forward, 0 is straight
-  double length = 0.0;     ///< driven distance [m]; negative is in reverse
+  double curvature = 0.0;       ///< at the start [1/m]; positive turns left when driving forward
+  double length = 0.0;          ///< driven distance [m]; negative is in reverse
+  double curvature_rate = 0.0;  ///< change of curvature per metre driven, in either gear [1/m^2]
   bool operator==(const Segment&) const = default;
 };
+
+/// Curvature of a segment after `driven` metres, 0 to its length in either gear [1/m].
+[[nodiscard]] inline double curvature_at(const Segment& segment, double driven) noexcept {
+  if (segment.curvature_rate == 0.0) return segment.curvature;
+  return segment.curvature + segment.curvature_rate * driven;
+}
+
+/// What of a segment is driven from `begin` to `end` [m], 0 <= begin <= end <= its length.
+[[nodiscard]] Segment part_of(const Segment& segment, double begin, double end) noexcept;
 
 /// The result of one steering call: at most five segments, held in place so that a planner's
 /// loop allocates nothing. Segments of length zero do not occur; equal poses give none.
@@ -29,7 +40,7 @@ struct Piece {
   [[nodiscard]] std::span<const Segment> view() const noexcept { return {segments.data(), count}; }
 };
 
-/// The same way driven backwards: from the end of `piece` to its start.
+/// The way back: from the end of `piece` to its start, over the same ground in the other gear.
 [[nodiscard]] Piece reversed(const Piece& piece) noexcept;
 
 /// A start pose and what is driven from it.
@@ -43,28 +54,38 @@ struct Path {
 struct PathPoint {
   double s = 0.0;  ///< driven distance since the start [m]
   Pose pose;
-  double curvature = 0.0;  ///< of the segment driven next (at the end: last) [1/m]
+  double curvature = 0.0;  ///< there, of the segment driven next (at the end: last) [1/m]
   int direction = 1;       ///< 1 forward, -1 reverse
 };
 
-/// Where the vehicle is after driving the segment (exact circular arc or line).
+/// Where the vehicle is after driving the segment: exact but for rounding, a clothoid too
+/// (docs/algorithms/clothoid.md).
 [[nodiscard]] Pose advance(const Pose& pose, const Segment& segment) noexcept;
 
 /// Sum of the absolute segment lengths [m].
 [[nodiscard]] double length(std::span<const Segment> segments) noexcept;
 
+/// Sum of the absolute segment lengths of the path [m].
+[[nodiscard]] double length(const Path& path) noexcept;
+
 /// How often the direction of travel changes; segments of length zero do not count.
 [[nodiscard]] int gear_changes(std::span<const Segment> segments) noexcept;
 
+/// How often the direction of travel changes on the path.
+[[nodiscard]] int gear_changes(const Path& path) noexcept;
+
+/// The pose at the end of the path. Like `pose_at` and `sampled` it adds up the way beside the
+/// path's start, so that paths far from the origin keep what a double can hold.
 [[nodiscard]] Pose end_pose(const Path& path) noexcept;
 
-/// The pose after `s` metres, clamped to [0, length].
+/// The pose after `s` metres of the path, clamped to [0, length].
 [[nodiscard]] Pose pose_at(const Path& path, double s) noexcept;
 
-/// Points at most `step` [m] apart, both ends of every segment among them. `step` > 0.
+/// Points of the path at most `step` [m] apart, both ends of every segment among them. `step` > 0.
 [[nodiscard]] std::vector<PathPoint> sampled(const Path& path, double step);
 
-/// Neighbouring segments of equal curvature and gear joined, segments of length zero left out.
+/// Neighbouring segments joined where gear and curvature go on (clothoids: at the same rate),
+/// segments of length zero left out.
 [[nodiscard]] std::vector<Segment> merged(std::span<const Segment> segments);
 
 }  // namespace vandplan

@@ -8,9 +8,11 @@
 // Callers meet one frame, the scenario's. Planners work in the frame of the world, whose origin
 // lies near the start: a double resolves no more than a micrometre at 5*10^9 m.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 #include "vandplan/collision.h"
@@ -62,8 +64,10 @@ class World {
   /// Throws InputError naming "vehicle.width" or another key that is wrong.
   [[nodiscard]] std::shared_ptr<const CollisionChecker> checker(const Vehicle& vehicle) const;
 
-  /// What parts of the library have made of this world for themselves.
-  [[nodiscard]] const base::Derived& derived() const noexcept { return *derived_; }
+  /// A value of that type that a part of the library keeps with the world: the one that `make`
+  /// returns at the first call, the same one ever after. From any thread.
+  [[nodiscard]] std::shared_ptr<const void> kept(
+      std::type_index type, const std::function<std::shared_ptr<const void>()>& make) const;
 
  private:
   Point origin_;

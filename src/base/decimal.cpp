@@ -6,8 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
-namespace vandplan {
+namespace vandplan::base {
 namespace {
 
 using Text = std::array<char, 40>;
@@ -65,10 +66,4 @@ double moved(double value, double whole) noexcept {
   return nearest_double(decimal);
 }
 
-std::string shortest_text(double value) {
-  Text text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
-}  // namespace vandplan
+}  // namespace vandplan::base

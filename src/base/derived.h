@@ -18,23 +18,21 @@ namespace vandplan::base {
 /// what is being made waits for it.
 class Derived {
  public:
-  /// The kept T for which `fits` holds; if there is none, the one that `make()` returns.
-  template <typename T, typename Fits, typename Make>
-  [[nodiscard]] std::shared_ptr<const T> find_or_make(Fits fits, Make make) const {
+  /// The kept value of a type for which `fits(value)` holds; if there is none, the one that
+  /// `make()` returns.
+  template <typename Fits, typename Make>
+  [[nodiscard]] std::shared_ptr<const void> find_or_make(std::type_index type, Fits fits,
+                                                         Make make) {
     const std::lock_guard lock(mutex_);
-    for (const auto& [type, value] : values_) {
-      if (type != typeid(T)) continue;
-      auto found = std::static_pointer_cast<const T>(value);
-      if (fits(*found)) return found;
+    for (const auto& [kept_type, value] : values_) {
+      if (kept_type == type && fits(value.get())) return value;
     }
-    std::shared_ptr<const T> made = make();
-    values_.emplace_back(typeid(T), made);
-    return made;
+    return values_.emplace_back(type, make()).second;
   }
 
  private:
-  mutable std::mutex mutex_;
-  mutable std::vector<std::pair<std::type_index, std::shared_ptr<const void>>> values_;
+  std::mutex mutex_;
+  std::vector<std::pair<std::type_index, std::shared_ptr<const void>>> values_;
 };
 
 }  // namespace vandplan::base

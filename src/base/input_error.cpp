@@ -9,7 +9,10 @@ namespace {
 
 /// Whatever a file name or a quoted value holds, the message stays one line.
 std::string one_line(std::string text) {
-  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 127; };
+  const auto is_control = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < ' ' || byte == 127;
+  };
   std::replace_if(text.begin(), text.end(), is_control, '?');
   return text;
 }

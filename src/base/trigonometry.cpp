@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace vandplan {
+namespace vandplan::base {
 namespace {
 
 /// An angle in [-pi/4, pi/4] as a sum, and the quarter turns that were taken from it.
@@ -170,4 +170,4 @@ double atan_2(double y, double x) noexcept {
   return std::copysign(eighths[eighth] + (rests[eighth] + turned), y);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::base

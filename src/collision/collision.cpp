@@ -2,12 +2,21 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/collision.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "collision/clothoid_arcs.h"
 #include "collision/ground.h"
 #include "collision/sweep.h"
 
 namespace vandplan {
+
+using collision::ClothoidArcs, collision::DiscRows, collision::Obstacles, collision::Placement,
+    collision::placement_of;
+using collision::PlacedSegment, collision::Sides, collision::Sweep;
+
 namespace {
 
 bool holds(const Bounds& outer, const Bounds& inner) {
@@ -20,7 +29,13 @@ bool is_crossed(const Obstacles& obstacles, const Footprint& footprint,
                 const PlacedSegment& placed) noexcept {
   if (obstacles.is_empty()) return false;
   const Sweep sweep(footprint, placed);
-  return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });
+  return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });  // [2]
+}
+
+/// The furthest point of a footprint from its rear axle [m].
+double reach_of(const Footprint& body) {
+  const double x = std::max(body.rear, body.front);
+  return std::sqrt(x * x + body.half_width * body.half_width);
 }
 
 }  // namespace
@@ -41,14 +56,34 @@ struct CollisionChecker::Data {
            !(ground->map && ground->map->contain(axle));
   }
 
-  /// Whether no side is touched and the bounds are kept. Together with a start outside of all
-  /// that is enough: whatever is entered later is entered across a side.
-  [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed) const noexcept {
-    return holds(ground->bounds, placed.axle_box()) && !is_crossed(ground->walls, body, placed) &&
+  /// Whether no side is touched and the rear axle stays in the box. Together with a start outside
+  /// of all that is enough: whatever is entered later is entered across a side.
+  [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed,
+                                     const Bounds& box) const noexcept {
+    return holds(box, placed.axle_box()) && !is_crossed(ground->walls, body, placed) &&
            !is_crossed(ground->kerbs, wheels, placed) &&
            !(ground->map && !ground->map->is_clear(body, discs, placed));
   }
+
+  [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept;
 };
+
+/// Whether a clothoid touches no side and keeps to the bounds; `placement` goes on to its end. Out
+/// of line, so that arcs and lines do not pay for it.
+[[gnu::noinline, gnu::cold]] bool CollisionChecker::Data::crosses_nothing(
+    Placement& placement, const Segment& clothoid) const noexcept {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr Bounds everywhere{-infinity, infinity, -infinity, infinity};
+  const double reach = std::max(reach_of(body), reach_of(wheels));
+  // The boxes of the arcs do not count: the axle is held to the bounds on the clothoid itself.
+  ClothoidArcs arcs(placement, clothoid, reach);
+  if (!contains(ground->bounds, placement.position) || arcs.are_too_many()) return false;
+  for (; !arcs.is_done(); arcs.advance()) {
+    if (!arcs.keeps_to(ground->bounds) || !crosses_nothing(arcs.arc(), everywhere)) return false;
+  }
+  placement = arcs.here();
+  return true;
+}
 
 CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                                    std::span<const Polygon> obstacles)
@@ -78,8 +113,12 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
   if (!data_->is_outside({from.x, from.y})) return false;
   Placement placement = placement_of(from);
   for (const Segment& segment : segments) {
+    if (segment.curvature_rate != 0.0 && segment.length != 0.0) {
+      if (!data_->crosses_nothing(placement, segment)) return false;
+      continue;
+    }
     const PlacedSegment placed(placement, segment);
-    if (!data_->crosses_nothing(placed)) return false;
+    if (!data_->crosses_nothing(placed, data_->ground->bounds)) return false;
     placement = placed.to;
   }
   return true;

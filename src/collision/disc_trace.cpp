@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vandplan {
+namespace vandplan::collision {
 namespace {
 
 constexpr double shortest_look = 1.0;  // shorter parts stay in doubt [m]
@@ -25,7 +25,7 @@ DiscRow disc_row(const Footprint& body, int count) {
 
 class Tracer {
  public:
-  Tracer(const DistanceField& field, double side, const DiscRows& discs,
+  Tracer(const geometry::DistanceField& field, double side, const DiscRows& discs,
          const PlacedSegment& placed)
       : field_(field), side_(side), per_metre_(1 / side), discs_(discs), placed_(placed) {
     // So far may be driven before a centre has moved by one metre.
@@ -87,7 +87,7 @@ class Tracer {
     }
   }
 
-  const DistanceField& field_;
+  const geometry::DistanceField& field_;
   double side_;       // of a cell [m]
   double per_metre_;  // cells
   const DiscRows& discs_;
@@ -122,7 +122,7 @@ DiscRows::DiscRows(const Footprint& body) noexcept : one(disc_row(body, 1)) {
   slim = disc_row(body, static_cast<int>(std::clamp(std::ceil(slimness), 1.0, most_discs)));
 }
 
-DiscTrace trace_discs(const DistanceField& field, double side, const DiscRows& discs,
+DiscTrace trace_discs(const geometry::DistanceField& field, double side, const DiscRows& discs,
                       const PlacedSegment& placed) noexcept {
   DiscTrace trace;
   Tracer(field, side, discs, placed).run(trace);
@@ -130,4 +130,4 @@ DiscTrace trace_discs(const DistanceField& field, double side, const DiscRows& d
   return trace;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

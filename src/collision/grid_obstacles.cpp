@@ -7,7 +7,7 @@
 
 #include "base/trigonometry.h"
 
-namespace vandplan {
+namespace vandplan::collision {
 namespace {
 
 constexpr double block = 0.4;          // side of blocks of edge cells, about [m]
@@ -136,8 +136,8 @@ GridObstacles::GridObstacles(const OccupancyGrid& grid)
       cells_(grid),
       field_(cells_, doublings(grid.resolution, field_block)),
       block_shift_(doublings(grid.resolution, block)),
-      blocks_(blocks_of(cells_.edges(), block_shift_)) {
-  const auto [sin, cos] = sin_cos(grid.origin.heading);
+      blocks_(geometry::blocks_of(cells_.edges(), block_shift_)) {
+  const auto [sin, cos] = base::sin_cos(grid.origin.heading);
   along_ = {cos, sin};
   // The frame is a cell wide.
   origin_ = {grid.origin.x - side_ * (cos - sin), grid.origin.y - side_ * (sin + cos)};
@@ -170,6 +170,7 @@ CellBox GridObstacles::cells_in(const Bounds& box) const noexcept {
           index(box.y_min, cells_.rows()), index(box.y_max, cells_.rows())};
 }
 
+/// [0] of a segment, at its begin.
 bool GridObstacles::contain(const Point& point) const noexcept {
   const Point p = in_frame(point);
   if (field_.at_least({p.x / side_, p.y / side_}) > 0) return false;
@@ -182,7 +183,7 @@ bool GridObstacles::contain(const Point& point) const noexcept {
 bool GridObstacles::is_clear(const Footprint& body, const DiscRows& discs,
                              const PlacedSegment& segment) const noexcept {
   const PlacedSegment placed = in_frame(segment);
-  const DiscTrace trace = trace_discs(field_, side_, discs, placed);
+  const DiscTrace trace = trace_discs(field_, side_, discs, placed);  // [1]
   if (trace.is_hit) return false;
   if (trace.in_doubt().empty()) return true;
   const Search search(*this, body, placed);
@@ -205,4 +206,4 @@ bool GridObstacles::is_within(const Point& point, double distance) const noexcep
   });
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

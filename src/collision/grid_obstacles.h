@@ -13,7 +13,9 @@
 #include "vandplan/occupancy_grid.h"
 #include "vandplan/vehicle.h"
 
-namespace vandplan {
+namespace vandplan::collision {
+
+using geometry::BitGrid, geometry::BlockedCells, geometry::CellBox, geometry::DistanceField;
 
 /// The blocked cells of a grid as obstacles. Immutable.
 class GridObstacles {
@@ -49,4 +51,4 @@ class GridObstacles {
   BitGrid blocks_;   // with an edge cell
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace vandplan {
+namespace vandplan::collision {
 namespace {
 
 /// Some sides of a polygon that follow each other.
@@ -70,15 +70,15 @@ Obstacles::Obstacles(std::span<const Polygon> polygons) {
   for (const Group& group : groups) boxes.push_back(box_of(group.sides));
   std::vector<Bounds> near;
   std::vector<Bounds> right_of;
-  for (const std::uint32_t i : spatial_order(boxes)) {
+  for (const std::uint32_t i : geometry::spatial_order(boxes)) {
     sides_.push_back(groups[i].sides);
     near.push_back(boxes[i]);
     right_of.push_back(boxes[i]);
     // A polygon in one group is not around what is outside of its box.
     if (!groups[i].closed) right_of.back().x_min = -std::numeric_limits<double>::max();
   }
-  near_ = BoxTree(near);
-  right_of_ = BoxTree(right_of);
+  near_ = geometry::BoxTree(near);
+  right_of_ = geometry::BoxTree(right_of);
 }
 
 bool Obstacles::contain(const Point& point) const noexcept {
@@ -91,4 +91,4 @@ bool Obstacles::contain(const Point& point) const noexcept {
   return sum != 0;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

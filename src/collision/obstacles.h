@@ -10,7 +10,7 @@
 #include "geometry/box_tree.h"
 #include "vandplan/geometry.h"
 
-namespace vandplan {
+namespace vandplan::collision {
 
 /// The sides of all polygons, four at a time, in boxes that are found quickly. Immutable.
 class Obstacles {
@@ -32,8 +32,9 @@ class Obstacles {
 
  private:
   std::vector<Sides> sides_;
-  BoxTree near_;
-  BoxTree right_of_;  // the boxes, those of sides that do not close a polygon endless to the left
+  geometry::BoxTree near_;
+  geometry::BoxTree
+      right_of_;  // the boxes, those of sides that do not close a polygon endless to the left
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

@@ -10,7 +10,7 @@
 
 #include "base/trigonometry.h"
 
-namespace vandplan {
+namespace vandplan::collision {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -35,7 +35,7 @@ struct Turned {
 Turned turned(double length, double curvature) noexcept {
   const double turn = length * curvature;
   // Half the turn gives 1 - cos(turn) without cancellation.
-  const SinCos half = sin_cos(turn / 2);
+  const base::SinCos half = base::sin_cos(turn / 2);
   const double sin = 2 * half.sin * half.cos;
   const double cos = 1 - 2 * half.sin * half.sin;
   // As small a turn moves nothing aside that double could tell.
@@ -46,7 +46,7 @@ Turned turned(double length, double curvature) noexcept {
 }  // namespace
 
 Placement placement_of(const Pose& pose) noexcept {
-  const auto [sin, cos] = sin_cos(pose.heading);
+  const auto [sin, cos] = base::sin_cos(pose.heading);
   return {{pose.x, pose.y}, {cos, sin}};
 }
 
@@ -82,6 +82,7 @@ Placement PlacedSegment::placed(double sin_of_turn, double cos_of_turn,
            gear * (cos_of_turn * forward.y + sin_of_turn * left.y)}};
 }
 
+// [1] of docs/algorithms/collision.md.
 Bounds PlacedSegment::axle_box() const noexcept {
   const Point& a = from.position;
   const Point& b = to.position;
@@ -186,9 +187,9 @@ bool Sweep::touches(const Sides& sides) const noexcept {
     x[i] = dx * s.forward.x + dy * s.forward.y;
     y[i] = dx * s.left.x + dy * s.left.y;
   }
-  if (turns_) return touches_turning(x, y);
+  if (turns_) return touches_turning(x, y);  // [3] [5]
   bool touched = false;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {  // [4]
     touched |= first_.meets({x[i], y[i]}, {x[i + 1], y[i + 1]});
   }
   return touched;
@@ -322,4 +323,4 @@ bool Sweep::touches_turning(const std::array<double, 5>& x,
   return false;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::collision

@@ -43,6 +43,7 @@ Path moved(Path path, const Point& origin) {
   for (const Segment& segment : path.segments) {
     require_finite(segment.curvature, "path.segments");
     require_finite(segment.length, "path.segments");
+    require_finite(segment.curvature_rate, "path.segments");
   }
   return path;
 }

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::geometry {
 
 /// A rectangle of cells: columns from `x_min` to `x_max`, rows likewise, both included.
 struct CellBox {
@@ -20,7 +20,7 @@ struct CellBox {
 class BitGrid {
  public:
   BitGrid() = default;
-  /// All of them zero.
+  /// A rectangle of zeros.
   BitGrid(std::int32_t columns, std::int32_t rows)
       : columns_(columns),
         rows_(rows),
@@ -91,4 +91,4 @@ class BitGrid {
   std::vector<std::uint64_t> bits_;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "geometry/blocked_cells.h"
 
-namespace vandplan {
+namespace vandplan::geometry {
 
 BlockedCells::BlockedCells(const OccupancyGrid& grid)
     : blocked_(grid.columns + 2, grid.rows + 2), edges_(grid.columns + 2, grid.rows + 2) {
@@ -60,4 +60,4 @@ BitGrid blocks_of(const BitGrid& cells, int shift) {
   return result;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

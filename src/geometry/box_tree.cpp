@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace vandplan {
+namespace vandplan::geometry {
 namespace {
 
 /// Orders `items` so that every run of eight, of sixty-four and so on that begins at a multiple of
@@ -78,4 +78,4 @@ BoxTree::Box BoxTree::outer(const Bounds& box) {
           static_cast<float>(box.y_max + slack(box.y_max))};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

@@ -13,7 +13,7 @@
 
 #include "vandplan/geometry.h"
 
-namespace vandplan {
+namespace vandplan::geometry {
 
 /// Boxes in a block.
 inline constexpr std::uint32_t box_fan_out = 8;
@@ -72,4 +72,4 @@ class BoxTree {
   std::vector<std::vector<Block>> levels_;  // the first holds the boxes, the last is one block
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-namespace vandplan {
+namespace vandplan::geometry {
 namespace {
 
 constexpr std::uint8_t far = 255;  // this far up and down, or further
@@ -165,4 +165,4 @@ DistanceField::Range DistanceField::around(const Point& point) const noexcept {
   return {distance - aside, most};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

@@ -13,7 +13,7 @@
 
 #include "geometry/blocked_cells.h"
 
-namespace vandplan {
+namespace vandplan::geometry {
 
 /// Lengths and positions in cells, from the lower left corner of the frame. Immutable.
 class DistanceField {
@@ -60,4 +60,4 @@ class DistanceField {
   std::vector<std::uint16_t> blocks_;  // distances of their nearest points, in parts, rounded down
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

@@ -18,13 +18,13 @@ double wrap_angle(double angle) noexcept {
 }
 
 Pose compose(const Pose& frame, const Pose& local) noexcept {
-  const auto [sin, cos] = sin_cos(frame.heading);
+  const auto [sin, cos] = base::sin_cos(frame.heading);
   return {frame.x + local.x * cos - local.y * sin, frame.y + local.x * sin + local.y * cos,
           wrap_angle(frame.heading + local.heading)};
 }
 
 Pose relative(const Pose& frame, const Pose& pose) noexcept {
-  const auto [sin, cos] = sin_cos(frame.heading);
+  const auto [sin, cos] = base::sin_cos(frame.heading);
   const double dx = pose.x - frame.x;
   const double dy = pose.y - frame.y;
   return {dx * cos + dy * sin, dy * cos - dx * sin, wrap_angle(pose.heading - frame.heading)};

@@ -7,8 +7,9 @@
 #include <cstddef>
 
 #include "base/decimal.h"
+#include "base/text.h"
 
-namespace vandplan {
+namespace vandplan::geometry {
 namespace {
 
 constexpr double speck = 1e-6;  // what a point grows to on each side [m]
@@ -82,8 +83,8 @@ bool is_flat(const Polygon& polygon) {
 }
 
 std::string corner_text(const Point& corner, const Point& origin) {
-  return "[" + shortest_text(moved(corner.x, origin.x)) + ", " +
-         shortest_text(moved(corner.y, origin.y)) + "]";
+  return "[" + base::shortest_text(base::moved(corner.x, origin.x)) + ", " +
+         base::shortest_text(base::moved(corner.y, origin.y)) + "]";
 }
 
 }  // namespace
@@ -115,4 +116,4 @@ std::string flaw_of(const Polygon& polygon, const Point& origin) {
   return {};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

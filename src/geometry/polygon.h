@@ -7,7 +7,7 @@
 
 #include "vandplan/geometry.h"
 
-namespace vandplan {
+namespace vandplan::geometry {
 
 /// Neighbouring equal corners made one; the last and the first are neighbours. Corners that are all
 /// equal become a triangle of micrometres around the point: obstacles like that occur in recorded
@@ -19,4 +19,4 @@ namespace vandplan {
 /// `origin` is that of the polygon's frame in the frame of whoever reads the sentence.
 [[nodiscard]] std::string flaw_of(const Polygon& polygon, const Point& origin);
 
-}  // namespace vandplan
+}  // namespace vandplan::geometry

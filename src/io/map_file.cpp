@@ -13,7 +13,7 @@
 #include <filesystem>
 
 #include "io/document.h"
-#include "io/image.h"
+#include "io/image_file.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"

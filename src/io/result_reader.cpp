@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/text.h"
 #include "io/document.h"
 #include "io/input_file.h"
 #include "vandplan/input_error.h"
@@ -18,12 +19,11 @@ namespace vandplan {
 namespace {
 
 PlanStatus status_from(const Document& file, const Node& node) {
-  std::string names;
   for (const PlanStatus status : plan_statuses()) {
     if (file.text(node) == name_of(status)) return status;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(status));
   }
-  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node), names));
+  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node),
+                              base::joined(plan_statuses(), name_of)));
 }
 
 Pose pose_from(const Document& file, const Node& node) {
@@ -46,11 +46,22 @@ double curvature_from(const Document& file, const Node& node, double radius) {
   file.fail(*turn, fmt::format("is \"{}\", expected left, straight or right", word));
 }
 
+Segment segment_from(const Document& file, const Node& node, double radius) {
+  Segment segment{.curvature = curvature_from(file, node, radius),
+                  .length = file.number(file.at(node, "length"))};
+  if (const Node* const rate = file.find(node, "curvature_rate")) {
+    if (file.find(node, "turn") != nullptr) {
+      file.fail(*rate, "stands beside turn, expected it beside curvature");
+    }
+    segment.curvature_rate = file.number(*rate);
+  }
+  return segment;
+}
+
 Path path_from(const Document& file, const Node& node, double radius) {
   Path path{pose_from(file, file.at(node, "start")), {}};
   for (const Node& segment : file.list(file.at(node, "segments"), "a list of segments")) {
-    path.segments.push_back(
-        {curvature_from(file, segment, radius), file.number(file.at(segment, "length"))});
+    path.segments.push_back(segment_from(file, segment, radius));
   }
   return path;
 }

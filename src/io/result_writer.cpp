@@ -22,7 +22,10 @@ Json json_of(const Pose& pose) { return {{"x", pose.x}, {"y", pose.y}, {"heading
 
 Json json_of(const Segment& segment, double radius) {
   Json json;
-  if (segment.curvature == 0.0) {
+  if (segment.curvature_rate != 0.0) {
+    json["curvature"] = segment.curvature;
+    json["curvature_rate"] = segment.curvature_rate;
+  } else if (segment.curvature == 0.0) {
     json["turn"] = "straight";
   } else if (std::abs(segment.curvature) == 1.0 / radius) {
     json["turn"] = segment.curvature > 0.0 ? "left" : "right";
@@ -44,19 +47,9 @@ Json json_of(const PathPoint& point) {
   return json;
 }
 
-/// The poses of a path, integrated beside its start, where doubles are fine enough.
 Json poses_of(const Path& path) {
-  const double x = std::round(path.start.x);
-  const double y = std::round(path.start.y);
-  Path local = path;
-  local.start.x -= x;
-  local.start.y -= y;
   Json json = Json::array();
-  for (PathPoint& point : sampled(local, pose_distance)) {
-    point.pose.x += x;
-    point.pose.y += y;
-    json.push_back(json_of(point));
-  }
+  for (const PathPoint& point : sampled(path, pose_distance)) json.push_back(json_of(point));
   return json;
 }
 

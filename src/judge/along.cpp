@@ -11,14 +11,20 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr double look_distance = 1e-3;    // driven between two looks [m]
+constexpr double look_distance = 1e-3;    // of any point of a body between two looks [m]
 constexpr double clearance_error = 1e-3;  // of the clearance reported [m]
 constexpr double walking_sight = 1.0;     // of a walk to the first touch [m]
 
-/// After one full turn an arc repeats itself.
+/// After one full turn an arc repeats itself; a clothoid never does.
 Real length_to_look_at(const Stretch& stretch) {
+  if (stretch.rate != 0) return stretch.length;
   const Real curvature = std::abs(stretch.curvature);
   return curvature * stretch.length > full_turn ? full_turn / curvature : stretch.length;
+}
+
+/// No point of the body moves further than this for each metre driven.
+double speed_of(const Rectangle& body, const Stretch& stretch) {
+  return 1 + static_cast<double>(steepest(stretch)) * reach_of(body);
 }
 
 /// A part of a stretch, with one thing in view.
@@ -45,8 +51,14 @@ class Survey {
  private:
   [[nodiscard]] double clearance(std::size_t thing, const Place& place, double half) const {
     const Stretch& stretch = track_.stretches[place.stretch];
-    const auto curvature = static_cast<double>(stretch.curvature);
-    return things_[thing].clearance({after(stretch, place.t), curvature, half}, least_);
+    const auto curvature = static_cast<double>(curvature_at(stretch, place.t));
+    const auto rate = static_cast<double>(stretch.rate);
+    return things_[thing].clearance({after(stretch, place.t), curvature, half, rate}, least_);
+  }
+  /// Whether the body passes it before any of its points has moved by more than `look_distance`.
+  [[nodiscard]] bool is_short(const Part& part) const {
+    const double speed = speed_of(things_[part.thing].body, track_.stretches[part.stretch]);
+    return static_cast<double>(part.end - part.begin) * speed <= look_distance;
   }
   void look(std::size_t thing, const Place& place) {
     least_ = clearance(thing, place, 0);
@@ -81,7 +93,7 @@ void Survey::look_between() {
     const double bound = clearance(part.thing, middle, half);
     if (bound > 0 && bound >= least_ - clearance_error) continue;
     look(part.thing, middle);
-    if (2 * half <= look_distance && bound >= least_ - clearance_error) continue;
+    if (bound >= least_ - clearance_error && is_short(part)) continue;
     parts.push({bound, part.thing, part.stretch, part.begin, middle.t});
     parts.push({bound, part.thing, part.stretch, middle.t, part.end});
   }
@@ -91,23 +103,20 @@ bool is_before(const Place& a, const Place& b) {
   return std::tie(a.stretch, a.t) < std::tie(b.stretch, b.t);
 }
 
-/// Looks along the track, every millimetre, or as far as the clearance proves that nothing can be
-/// touched in between: lowers `touch` to the first touch of a thing if that is before it.
+/// Looks along the track, at every millimetre that the body moves, or as far as the clearance
+/// proves that nothing can be touched in between: lowers `touch` to the first touch of a thing if
+/// that is before it.
 void walk(const Track& track, const Thing& thing, std::size_t index, Touch& touch) {
-  const Rectangle& body = thing.body;
-  const double reach =
-      std::hypot(std::max(-body.x_min, body.x_max), std::max(-body.y_min, body.y_max));
   for (Place place; place.stretch <= touch.place.stretch; ++place.stretch) {
     const Stretch& stretch = track.stretches[place.stretch];
-    // No point of the body moves further than this for each metre driven.
-    const double speed = 1 + static_cast<double>(std::abs(stretch.curvature)) * reach;
+    const double speed = speed_of(thing.body, stretch);
     for (place.t = 0; place.t < length_to_look_at(stretch) && is_before(place, touch.place);) {
       const double distance = thing.clearance({after(stretch, place.t)}, walking_sight);
       if (distance == 0) {
         touch = {index, place};
         return;
       }
-      place.t += std::max(look_distance, distance / speed);
+      place.t += std::max(look_distance, distance) / speed;
     }
   }
 }

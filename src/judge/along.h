@@ -33,7 +33,8 @@ struct Nearest {
   std::optional<Touch> touch;  ///< the first on the way; none if `clearance` is above 0
 };
 
-/// Looks at every millimetre driven, except where nothing can be nearer than what is known.
+/// Looks wherever a point of a body has moved by a millimetre, except where nothing can be nearer
+/// than what is known.
 [[nodiscard]] Nearest nearest_along(const Track& track, const std::vector<Thing>& things);
 
 }  // namespace vandplan::judge

@@ -135,10 +135,11 @@ Point CellTree::Search::seen(Real x, Real y) const {
 }
 
 double CellTree::clearance(const Passage& passage, const Rectangle& body, double most) const {
-  Search search(*this, passage, body, most);
+  const double aside = deviation(passage, body);
+  Search search(*this, passage, body, most + aside);
   if (!grid_.unknown_is_free) search.look_outside();
   search.look(levels_.size(), 0, 0);
-  return search.least();
+  return std::clamp(search.least() - aside, 0.0, most);
 }
 
 }  // namespace vandplan::judge

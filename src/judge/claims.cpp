@@ -71,7 +71,8 @@ bool lies_on(const StatedPose& stated, const Stretch& stretch) {
   const Real t = std::clamp<Real>(stated.s - stretch.s, 0, stretch.length);
   if (!(std::abs(stretch.s + t - stated.s) <= stated_tolerance)) return false;
   if (stated.direction && *stated.direction != stretch.direction) return false;
-  if (stated.curvature && !(std::abs(stretch.curvature - *stated.curvature) <= stated_tolerance)) {
+  const Real curvature = curvature_at(stretch, t);
+  if (stated.curvature && !(std::abs(curvature - *stated.curvature) <= stated_tolerance)) {
     return false;
   }
   return is_near(after(stretch, t), stated.pose);

@@ -100,8 +100,19 @@ std::array<Point, 4> corners_of(const Rectangle& body) {
           {body.x_min, body.y_max}};
 }
 
+double reach_of(const Rectangle& body) {
+  return std::hypot(std::max(-body.x_min, body.x_max), std::max(-body.y_min, body.y_max));
+}
+
+double deviation(const Passage& passage, const Rectangle& body) {
+  if (passage.rate == 0) return 0;
+  const double square = passage.half * passage.half;
+  return std::abs(passage.rate) * square * (passage.half / 6 + reach_of(body) / 2);
+}
+
 double approach(const Passage& passage, const Point& p, const Point& direction) {
-  const auto& [middle, curvature, half] = passage;
+  const double curvature = passage.curvature;
+  const double half = passage.half;
   const Point velocity{curvature * p.y - 1, -curvature * p.x};  // for each metre driven
   const double speed = std::sqrt(velocity.x * velocity.x + velocity.y * velocity.y);
   const double along = std::abs(velocity.x * direction.x + velocity.y * direction.y);
@@ -151,7 +162,8 @@ double clearance(const Passage& passage, const Rectangle& body, const Polygon& p
     const auto dy = static_cast<double>(corner.y - position.y);
     seen.push_back({dx * cos + dy * sin, dy * cos - dx * sin});
   }
-  return clearance_of_seen(passage, body, seen, most);
+  const double aside = deviation(passage, body);
+  return std::clamp(clearance_of_seen(passage, body, seen, most + aside) - aside, 0.0, most);
 }
 
 }  // namespace vandplan::judge

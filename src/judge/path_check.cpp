@@ -9,7 +9,6 @@
 #include <limits>
 #include <vector>
 
-#include "base/derived.h"
 #include "judge/along.h"
 #include "judge/cell_tree.h"
 #include "judge/claims.h"
@@ -49,8 +48,14 @@ std::optional<Fault> not_finite(const Path& path) {
   }
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     const Segment& segment = path.segments[i];
-    if (std::isfinite(segment.curvature) && std::isfinite(segment.length)) continue;
-    return Fault{"segments[" + std::to_string(i) + "] is not finite", {}};
+    const auto fault = [i](const char* problem) {
+      return Fault{"segments[" + std::to_string(i) + "] " + problem, {}};
+    };
+    if (!std::isfinite(segment.curvature) || !std::isfinite(segment.length) ||
+        !std::isfinite(segment.curvature_rate)) {
+      return fault("is not finite");
+    }
+    if (!(stretches_of(segment) <= most_stretches)) return fault("winds too often to be judged");
   }
   return std::nullopt;
 }
@@ -68,17 +73,47 @@ std::optional<Fault> off_pose(const Position& actual, const Pose& expected, cons
 std::optional<Fault> too_tight(const Track& track, double radius) {
   const Real limit = (1 + static_cast<Real>(curvature_slack)) / radius;
   for (std::size_t i = 0; i < track.stretches.size(); ++i) {
-    const Real curvature = track.stretches[i].curvature;
-    if (std::abs(curvature) <= limit) continue;
-    return Fault{text("curvature %.10g is tighter than the turning radius of %.10g m allows",
-                      static_cast<double>(curvature), radius),
-                 Place{i, 0}};
+    const Stretch& stretch = track.stretches[i];
+    for (const Real t : {Real{0}, stretch.length}) {
+      const Real curvature = curvature_at(stretch, t);
+      if (std::abs(curvature) <= limit) continue;
+      return Fault{text("curvature %.10g is tighter than the turning radius of %.10g m allows",
+                        static_cast<double>(curvature), radius),
+                   Place{i, t}};
+    }
   }
   return std::nullopt;
 }
 
+/// Where a stretch has turned by `turn`: curvature t + rate t^2 / 2 = turn, within its length.
+void add_places_of(const Stretch& stretch, Real turn, std::vector<Real>& places) {
+  const auto add = [&](Real t) {
+    if (t > 0 && t < stretch.length) places.push_back(t);
+  };
+  const Real curvature = stretch.curvature;
+  const Real rate = stretch.rate;
+  const Real square = curvature * curvature + 2 * rate * turn;
+  if (square < 0) return;
+  const Real sum = curvature + std::copysign(std::sqrt(square), curvature);
+  if (sum != 0) add(2 * turn / sum);
+  add(-sum / rate);
+}
+
+/// Where on a clothoid's stretch x or y can be extreme. It turns by less than a quarter.
+std::vector<Real> extremes_of_clothoid(const Stretch& stretch) {
+  std::vector<Real> places = {0, stretch.length};
+  const Real first = stretch.start.heading / (full_turn / 4);
+  for (const Real axis : {std::floor(first), std::ceil(first)}) {
+    const Real turn = stretch.direction * (axis * (full_turn / 4) - stretch.start.heading);
+    add_places_of(stretch, turn, places);
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
 /// Where on a stretch x or y can be extreme: its ends, and where it points along an axis.
 std::vector<Real> extremes(const Stretch& stretch) {
+  if (stretch.rate != 0) return extremes_of_clothoid(stretch);
   std::vector<Real> places = {0, stretch.length};
   const Real turn_rate = stretch.curvature * stretch.direction;
   if (turn_rate == 0) return places;
@@ -134,9 +169,8 @@ std::vector<Thing> polygons_of(const Surroundings& ground, const Vehicle& vehicl
 
 /// The cells of a world's map, ready to be asked; made when the judge needs them first.
 std::shared_ptr<const CellTree> cells_of(const World& world) {
-  return world.derived().find_or_make<CellTree>(
-      [](const CellTree&) { return true; },
-      [&] { return std::make_shared<const CellTree>(*world.local().map); });
+  return std::static_pointer_cast<const CellTree>(world.kept(
+      typeid(CellTree), [&] { return std::make_shared<const CellTree>(*world.local().map); }));
 }
 
 Thing map_of(const World& world, const Vehicle& vehicle) {

@@ -2,18 +2,76 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "judge/track.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vandplan::judge {
 
-// On a circle the chord to the place an angle 2a further has length 2 sin(a) / curvature and
-// points along heading + a.
-Position after(const Stretch& stretch, Real t) {
+namespace {
+
+struct Way {
+  Real x = 0;
+  Real y = 0;
+};
+
+/// On a circle the chord to the place an angle 2a further has length 2 sin(a) / curvature and
+/// points along heading + a.
+Position after_arc(const Stretch& stretch, Real t) {
   const Real way = stretch.direction * t;
   const Real a = stretch.curvature * way / 2;
   const Real chord = a == 0 ? way : way * (std::sin(a) / a);
   const auto& [x, y, heading] = stretch.start;
   return {x + chord * std::cos(heading + a), y + chord * std::sin(heading + a), heading + 2 * a};
+}
+
+/// How far a vehicle comes in `t` metres if it turns by `turn` t + `growth` t^2 / 2, as seen from
+/// its start: the power series of exp(i (turn v + growth v^2 / 2)), integrated term by term.
+Way series(Real turn, Real growth, Real t) {
+  constexpr int terms = 40;
+  const Real first = turn * t;
+  const Real second = growth * t * t;
+  // Term n of the integrand is c_n (v / t)^n, and (n + 1) c_(n+1) = i (first c_n + second c_(n-1)).
+  Way last;
+  Way term{1, 0};
+  Way sum = term;
+  for (int n = 0; n < terms; ++n) {
+    const Way next{-(first * term.y + second * last.y) / (n + 1),
+                   (first * term.x + second * last.x) / (n + 1)};
+    sum = {sum.x + next.x / (n + 2), sum.y + next.y / (n + 2)};
+    last = term;
+    term = next;
+  }
+  return {t * sum.x, t * sum.y};
+}
+
+Position after_clothoid(const Stretch& stretch, Real t) {
+  const auto& [x, y, heading] = stretch.start;
+  const Real d = stretch.direction;
+  const Way way = series(d * stretch.curvature, d * stretch.rate, t);
+  const Real cos = d * std::cos(heading);
+  const Real sin = d * std::sin(heading);
+  return {x + way.x * cos - way.y * sin, y + way.x * sin + way.y * cos,
+          heading + d * t * (stretch.curvature + stretch.rate * t / 2)};
+}
+
+}  // namespace
+
+Position after(const Stretch& stretch, Real t) {
+  return stretch.rate == 0 ? after_arc(stretch, t) : after_clothoid(stretch, t);
+}
+
+Real steepest(const Stretch& stretch) {
+  return std::max(std::abs(stretch.curvature), std::abs(curvature_at(stretch, stretch.length)));
+}
+
+// On each, length * (|curvature| + sqrt |rate|) is at most 1/2 (docs/algorithms/path_check.md).
+Real stretches_of(const Segment& segment) {
+  if (segment.curvature_rate == 0) return 1;
+  const Real length = std::abs(static_cast<Real>(segment.length));
+  const Real rate = segment.curvature_rate;
+  const Real first = segment.curvature;
+  const Real most = std::max(std::abs(first), std::abs(first + rate * length));
+  return std::max<Real>(1, std::ceil(2 * length * (most + std::sqrt(std::abs(rate)))));
 }
 
 Track integrate(const Path& path) {
@@ -26,8 +84,15 @@ Track integrate(const Path& path) {
       ++track.gear_changes;
     }
     const Real length = std::abs(static_cast<Real>(segment.length));
-    track.stretches.push_back({track.end, segment.curvature, direction, length, track.length});
-    track.end = after(track.stretches.back(), length);
+    const Real rate = segment.curvature_rate;
+    const Real count = stretches_of(segment);
+    const Real part = length / count;
+    for (Real i = 0; i < count; ++i) {
+      const Real curvature = segment.curvature + rate * i * part;
+      track.stretches.push_back(
+          {track.end, curvature, direction, part, track.length + i * part, rate});
+      track.end = after(track.stretches.back(), part);
+    }
     track.length += length;
     if (direction < 0) track.reverse_length += length;
   }
@@ -41,7 +106,7 @@ PathPoint point_at(const Track& track, const Place& place) {
   return {.s = static_cast<double>(stretch.s + place.t),
           .pose = {static_cast<double>(position.x), static_cast<double>(position.y),
                    static_cast<double>(std::remainder(position.heading, full_turn))},
-          .curvature = static_cast<double>(stretch.curvature),
+          .curvature = static_cast<double>(curvature_at(stretch, place.t)),
           .direction = stretch.direction > 0 ? 1 : -1};
 }
 

@@ -24,14 +24,29 @@ struct Position {
   Real heading = 0;
 };
 
-/// A segment and where it begins.
+/// A segment and where it begins; of a clothoid a part so short that `after` is exact.
 struct Stretch {
   Position start;
-  Real curvature = 0;
+  Real curvature = 0;  ///< at the start [1/m]
   Real direction = 1;  ///< 1 forward, -1 reverse
   Real length = 0;     ///< driven, >= 0
   Real s = 0;          ///< driven before
+  Real rate = 0;       ///< change of the curvature per metre driven [1/m^2]
 };
+
+/// So many stretches a clothoid may take; one that takes more winds too often to be judged.
+inline constexpr Real most_stretches = 1e4L;
+
+/// How many stretches a segment is taken in: 1, or for a clothoid as many as `after` needs.
+[[nodiscard]] Real stretches_of(const Segment& segment);
+
+/// Curvature `t` metres into a stretch [1/m].
+[[nodiscard]] inline Real curvature_at(const Stretch& stretch, Real t) {
+  return stretch.curvature + stretch.rate * t;
+}
+
+/// The largest absolute curvature on a stretch [1/m].
+[[nodiscard]] Real steepest(const Stretch& stretch);
 
 /// `t` metres into a stretch.
 struct Place {
@@ -47,7 +62,7 @@ struct Track {
   int gear_changes = 0;
 };
 
-/// Every number of the path is finite.
+/// Every number of the path is finite, and no segment takes more than `most_stretches`.
 [[nodiscard]] Track integrate(const Path& path);
 
 [[nodiscard]] Position after(const Stretch& stretch, Real t);

@@ -6,22 +6,65 @@
 #include <cmath>
 
 #include "base/trigonometry.h"
+#include "path/clothoid.h"
 
 namespace vandplan {
+namespace {
+
+Pose advance_clothoid(const Pose& pose, const Segment& segment) noexcept {
+  const auto [x, y, turn] = path::along_clothoid(segment);
+  const auto [sin, cos] = base::sin_cos(pose.heading);
+  return {pose.x + (x * cos - y * sin), pose.y + (x * sin + y * cos),
+          wrap_angle(pose.heading + wrap_angle(turn))};
+}
+
+/// Whole metres beside the start of a path: from there poses are added up, because far from the
+/// origin doubles are coarse.
+Point beside(const Pose& start) { return {std::round(start.x), std::round(start.y)}; }
+
+Pose moved(const Pose& pose, double dx, double dy) {
+  return {pose.x + dx, pose.y + dy, pose.heading};
+}
+
+/// Whether `next` goes on as `segment` does, but for rounding where the curvature changes.
+bool goes_on(const Segment& segment, const Segment& next) {
+  if ((segment.length > 0.0) != (next.length > 0.0)) return false;
+  if (segment.curvature_rate != next.curvature_rate) return false;
+  const double driven = std::abs(segment.length);
+  const double change = std::abs(segment.curvature_rate) * driven;
+  const double jump = std::abs(curvature_at(segment, driven) - next.curvature);
+  constexpr double rounding = 1e-15;
+  if (change == 0.0) return segment.curvature == next.curvature;
+  return jump <= rounding * (std::abs(segment.curvature) + change);
+}
+
+}  // namespace
+
+Segment part_of(const Segment& segment, double begin, double end) noexcept {
+  return {curvature_at(segment, begin), std::copysign(end - begin, segment.length),
+          segment.curvature_rate};
+}
 
 Piece reversed(const Piece& piece) noexcept {
   Piece result = piece;
   std::reverse(result.segments.begin(), result.segments.begin() + result.count);
-  for (Segment& segment : result.segments) segment.length = -segment.length;
+  for (Segment& segment : result.segments) {
+    if (segment.curvature_rate != 0.0) {
+      segment.curvature = curvature_at(segment, std::abs(segment.length));
+      segment.curvature_rate = -segment.curvature_rate;
+    }
+    segment.length = -segment.length;
+  }
   return result;
 }
 
 Pose advance(const Pose& pose, const Segment& segment) noexcept {
+  if (segment.curvature_rate != 0.0) return advance_clothoid(pose, segment);
   // The chord of an arc of angle a and length s is s * sin(a/2) / (a/2), under heading + a/2.
   const double half = segment.curvature * segment.length / 2;
-  const double ratio = std::abs(half) < 1e-4 ? 1 - half * half / 6 : sin_cos(half).sin / half;
+  const double ratio = std::abs(half) < 1e-4 ? 1 - half * half / 6 : base::sin_cos(half).sin / half;
   const double chord = segment.length * ratio;
-  const auto [sin, cos] = sin_cos(pose.heading + half);
+  const auto [sin, cos] = base::sin_cos(pose.heading + half);
   return {pose.x + chord * cos, pose.y + chord * sin, wrap_angle(pose.heading + 2 * half)};
 }
 
@@ -30,6 +73,8 @@ double length(std::span<const Segment> segments) noexcept {
   for (const Segment& segment : segments) sum += std::abs(segment.length);
   return sum;
 }
+
+double length(const Path& path) noexcept { return length(path.segments); }
 
 int gear_changes(std::span<const Segment> segments) noexcept {
   int changes = 0;
@@ -42,27 +87,33 @@ int gear_changes(std::span<const Segment> segments) noexcept {
   return changes;
 }
 
+int gear_changes(const Path& path) noexcept { return gear_changes(path.segments); }
+
 Pose end_pose(const Path& path) noexcept {
-  Pose pose = path.start;
+  const auto [x, y] = beside(path.start);
+  Pose pose = moved(path.start, -x, -y);
   for (const Segment& segment : path.segments) pose = advance(pose, segment);
-  return pose;
+  return moved(pose, x, y);
 }
 
 Pose pose_at(const Path& path, double s) noexcept {
-  Pose pose = path.start;
+  const auto [x, y] = beside(path.start);
+  Pose pose = moved(path.start, -x, -y);
   double left = std::max(s, 0.0);
   for (const Segment& segment : path.segments) {
     const double part = std::min(left, std::abs(segment.length));
-    pose = advance(pose, {segment.curvature, std::copysign(part, segment.length)});
+    pose = advance(pose, part_of(segment, 0.0, part));
     left -= part;
     if (left <= 0.0) break;
   }
-  return pose;
+  return moved(pose, x, y);
 }
 
 std::vector<PathPoint> sampled(const Path& path, double step) {
+  if (path.segments.empty()) return {{0.0, path.start, 0.0, 1}};
   std::vector<PathPoint> points;
-  Pose pose = path.start;
+  const auto [x, y] = beside(path.start);
+  Pose pose = moved(path.start, -x, -y);
   double s = 0.0;
   for (const Segment& segment : path.segments) {
     const double size = std::abs(segment.length);
@@ -70,14 +121,16 @@ std::vector<PathPoint> sampled(const Path& path, double step) {
     const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(size / step)));
     for (std::size_t i = 0; i < steps; ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(steps);
-      points.push_back({s + size * part, advance(pose, {segment.curvature, segment.length * part}),
-                        segment.curvature, direction});
+      const Segment driven{segment.curvature, segment.length * part, segment.curvature_rate};
+      points.push_back({s + size * part, moved(advance(pose, driven), x, y),
+                        curvature_at(segment, size * part), direction});
     }
     pose = advance(pose, segment);
     s += size;
   }
-  if (path.segments.empty()) return {{0.0, path.start, 0.0, 1}};
-  points.push_back({s, pose, points.back().curvature, points.back().direction});
+  const Segment& last = path.segments.back();
+  points.push_back(
+      {s, moved(pose, x, y), curvature_at(last, std::abs(last.length)), points.back().direction});
   return points;
 }
 
@@ -85,8 +138,7 @@ std::vector<Segment> merged(std::span<const Segment> segments) {
   std::vector<Segment> result;
   for (const Segment& segment : segments) {
     if (segment.length == 0.0) continue;
-    if (!result.empty() && result.back().curvature == segment.curvature &&
-        (result.back().length > 0.0) == (segment.length > 0.0)) {
+    if (!result.empty() && goes_on(result.back(), segment)) {
       result.back().length += segment.length;
     } else {
       result.push_back(segment);

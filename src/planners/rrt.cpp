@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "base/random.h"
 #include "planners/shared_options.h"
 #include "vandplan/nearest.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
 
@@ -163,7 +163,7 @@ class Run {
 
 std::vector<OptionInfo> options(bool tries_goal) {
   return {
-      region_option(),
+      planning::region_option(),
       {.name = "goal_bias",
        .summary = "share of samples that are the goal",
        .standard = 0.05,
@@ -199,7 +199,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, Variant variant
   PlannerAnswer answer;
   Budget budget(options.budget);
   Rng rng(options.budget.seed);
-  const Bounds region = sampling_region(task, region_of(options));
+  const Bounds region = sampling_region(task, planning::region_of(options));
   const double goal_bias = options.planner.number("goal_bias");
   const bool try_goal = options.planner.flag("try_goal");
   Run run(task, options, variant);  // [1]

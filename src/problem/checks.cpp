@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/decimal.h"
+#include "base/text.h"
 #include "geometry/polygon.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
@@ -26,14 +27,14 @@ void require(bool holds, const std::string& where, const std::string& fault) {
 }
 
 void require_positive(double value, const std::string& where) {
-  require(value > 0.0, where, "is " + shortest_text(value) + ", expected more than 0 m");
+  require(value > 0.0, where, "is " + base::shortest_text(value) + ", expected more than 0 m");
   require(value >= smallest_length, where,
-          "is " + shortest_text(value) + ", expected at least 1e-06 m");
+          "is " + base::shortest_text(value) + ", expected at least 1e-06 m");
   require_within(value, largest_length, where);
 }
 
 void require_not_negative(double value, double limit, const std::string& where) {
-  require(value >= 0.0, where, "is " + shortest_text(value) + ", expected 0 m or more");
+  require(value >= 0.0, where, "is " + base::shortest_text(value) + ", expected 0 m or more");
   require_within(value, limit, where);
 }
 
@@ -41,7 +42,7 @@ void check_range(double low, double high, const std::string& where) {
   require_within(low, largest_coordinate, where);
   require_within(high, largest_coordinate, where);
   require(low < high, where,
-          "is [" + shortest_text(low) + ", " + shortest_text(high) +
+          "is [" + base::shortest_text(low) + ", " + base::shortest_text(high) +
               "], expected the smaller number first");
 }
 
@@ -56,8 +57,8 @@ Polygon local_polygon(const Polygon& polygon, const Point& origin, const std::st
   require(local.size() >= 3, where,
           "has " + std::to_string(local.size()) + " corner" + (local.size() == 1 ? "" : "s") +
               ", expected at least 3");
-  local = cleaned(local);
-  const std::string flaw = flaw_of(local, origin);
+  local = geometry::cleaned(local);
+  const std::string flaw = geometry::flaw_of(local, origin);
   require(flaw.empty(), where, flaw);
   return local;
 }
@@ -66,8 +67,8 @@ Polygon local_polygon(const Polygon& polygon, const Point& origin, const std::st
 
 void require_within(double value, double limit, const std::string& where) {
   if (std::abs(value) <= limit) return;  // most are: no text is made for them
-  throw InputError(where, "is " + shortest_text(value) + ", expected a number between " +
-                              shortest_text(-limit) + " and " + shortest_text(limit));
+  throw InputError(where, "is " + base::shortest_text(value) + ", expected a number between " +
+                              base::shortest_text(-limit) + " and " + base::shortest_text(limit));
 }
 
 void check_bounds(const Bounds& bounds) {
@@ -104,7 +105,7 @@ std::vector<Polygon> local_polygons(const std::vector<Polygon>& polygons, const 
 }
 
 Point local_point(const Point& point, const Point& origin) {
-  return {moved(point.x, -origin.x), moved(point.y, -origin.y)};
+  return {base::moved(point.x, -origin.x), base::moved(point.y, -origin.y)};
 }
 
 Pose local_pose(const Pose& pose, const Point& origin) {
@@ -127,14 +128,14 @@ void check_vehicle(const Vehicle& vehicle) {
   if (!vehicle.track_width) return;
   problem::require_positive(*vehicle.track_width, "vehicle.track_width");
   problem::require(*vehicle.track_width <= vehicle.width, "vehicle.track_width",
-                   "is " + shortest_text(*vehicle.track_width) + ", expected at most the width, " +
-                       shortest_text(vehicle.width));
+                   "is " + base::shortest_text(*vehicle.track_width) +
+                       ", expected at most the width, " + base::shortest_text(vehicle.width));
 }
 
 void check_map(const OccupancyGrid& map) {
   using namespace problem;
   require(map.resolution >= smallest_length && map.resolution <= largest_length, "map.resolution",
-          "is " + shortest_text(map.resolution) + ", expected 1e-06 m to 1e+06 m");
+          "is " + base::shortest_text(map.resolution) + ", expected 1e-06 m to 1e+06 m");
   require_within(map.origin.x, largest_coordinate, "map.origin");
   require_within(map.origin.y, largest_coordinate, "map.origin");
   require_within(map.origin.heading, largest_heading, "map.origin");

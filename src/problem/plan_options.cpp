@@ -8,6 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/text.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
@@ -15,12 +16,9 @@ namespace {
 
 constexpr std::array<std::string_view, 3> gear_names = {"any", "forward", "reverse"};
 
-// Shortest text that reads back to the same value, whatever the locale.
 template <typename Number>
 std::string text_of(Number value) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
+  return base::shortest_text(value);
 }
 
 std::string text_of(bool value) { return value ? "true" : "false"; }

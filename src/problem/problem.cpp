@@ -47,13 +47,22 @@ World::~World() = default;
 
 std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle) const {
   check_vehicle(vehicle);
-  const auto found = derived_->find_or_make<VehicleChecker>(
-      [&](const VehicleChecker& made) { return made.vehicle == vehicle; },
+  const auto found = std::static_pointer_cast<const VehicleChecker>(derived_->find_or_make(
+      typeid(VehicleChecker),
+      [&](const void* made) {
+        return static_cast<const VehicleChecker*>(made)->vehicle == vehicle;
+      },
       [&] {
         return std::shared_ptr<const VehicleChecker>(
             new VehicleChecker{vehicle, CollisionChecker(vehicle, ground_)});
-      });
+      }));
   return {found, &found->checker};
+}
+
+std::shared_ptr<const void> World::kept(
+    std::type_index type, const std::function<std::shared_ptr<const void>()>& make) const {
+  return derived_->find_or_make(
+      type, [](const void*) { return true; }, make);
 }
 
 void check_scenario(const Scenario& scenario) {
@@ -101,7 +110,8 @@ Pose to_local(const World& world, const Pose& pose) noexcept {
 }
 
 Pose to_scenario(const World& world, const Pose& pose) noexcept {
-  return {moved(pose.x, world.origin().x), moved(pose.y, world.origin().y), pose.heading};
+  return {base::moved(pose.x, world.origin().x), base::moved(pose.y, world.origin().y),
+          pose.heading};
 }
 
 Bounds sampling_region(const Task& task, Region region) noexcept {

@@ -88,7 +88,8 @@ Piece Connector::free_prefix(const Pose& from, const Piece& piece) {
       pose = advance(pose, segment);
       continue;
     }
-    Segment part{segment.curvature, segment.length / 2};
+    Segment part = segment;
+    part.length /= 2;
     for (int i = 0; i < 4; ++i, part.length /= 2) {
       if (!is_free(pose, part)) continue;
       append(result, part);
@@ -105,7 +106,7 @@ Piece prefix(const Piece& piece, double s) {
   for (const Segment& segment : piece.view()) {
     const double part = std::min(left, std::abs(segment.length));
     if (part <= 0.0) break;
-    append(result, {segment.curvature, std::copysign(part, segment.length)});
+    append(result, part_of(segment, 0.0, part));
     left -= part;
   }
   return result;
@@ -115,9 +116,10 @@ Piece suffix(const Piece& piece, double s) {
   Piece result;
   double skip = s;
   for (const Segment& segment : piece.view()) {
-    const double part = std::abs(segment.length) - std::max(skip, 0.0);
-    skip -= std::abs(segment.length);
-    if (part > 0.0) append(result, {segment.curvature, std::copysign(part, segment.length)});
+    const double length = std::abs(segment.length);
+    const double begin = std::max(skip, 0.0);
+    skip -= length;
+    if (length > begin) append(result, part_of(segment, begin, length));
   }
   return result;
 }

@@ -13,7 +13,7 @@
 
 #include <cstdint>
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 inline constexpr int radial_cells = 64;
 inline constexpr int side_cells = 32;
@@ -39,4 +39,4 @@ constexpr int bound_index(int radial, int side, int turn) {
 
 inline constexpr int bound_cells = radial_cells * side_cells * turn_cells;
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

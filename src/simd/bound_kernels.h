@@ -11,7 +11,7 @@
 #include "simd/bound_grid.h"
 #include "simd/series.h"
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 /// Where the lengths lead to [m, rad]; heading in [-pi, pi].
 struct BoundSample {
@@ -29,7 +29,8 @@ struct LowHigh {
                                     float heading_node, float heading_sample,
                                     float radius) noexcept;
 
-/// The same from every node, given as structure of arrays, to one sample. Equal sizes.
+/// Bounds of the lengths from every node, given as structure of arrays, to one sample [m]. Equal
+/// sizes.
 void length_bounds(const BoundEntry* entries, std::span<const float> x, std::span<const float> y,
                    std::span<const float> heading, const BoundSample& sample, float radius,
                    std::span<float> low, std::span<float> high) noexcept;
@@ -51,4 +52,4 @@ inline constexpr float sine_series[] = {-1.0F / 39916800, 1.0F / 362880, -1.0F /
 inline constexpr float cosine_series[] = {
     1.0F / 479001600, -1.0F / 3628800, 1.0F / 40320, -1.0F / 720, 1.0F / 24, -0.5F, 1.0F};
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

@@ -7,7 +7,7 @@
 
 #include "simd/bound_kernels.h"
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -73,11 +73,11 @@ void scalar::length_bounds(const BoundEntry* entries, std::span<const float> x,
                            const BoundSample& sample, float radius, std::span<float> low,
                            std::span<float> high) noexcept {
   for (std::size_t i = 0; i < low.size(); ++i) {
-    const LowHigh bounds = kernels::length_bounds(entries, x[i] - sample.x, y[i] - sample.y,
-                                                  heading[i], sample.heading, radius);
+    const LowHigh bounds = simd::length_bounds(entries, x[i] - sample.x, y[i] - sample.y,
+                                               heading[i], sample.heading, radius);
     low[i] = bounds.low;
     high[i] = bounds.high;
   }
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

@@ -18,7 +18,7 @@
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace vandplan::kernels::HWY_NAMESPACE {
+namespace vandplan::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using F = hn::ScalableTag<float>;
@@ -39,7 +39,7 @@ HWY_INLINE Floats horner(const float (&series)[n], Floats x) {
   return sum;
 }
 
-}  // namespace vandplan::kernels::HWY_NAMESPACE
+}  // namespace vandplan::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

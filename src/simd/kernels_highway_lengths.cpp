@@ -18,7 +18,7 @@
 #include "simd/kernels_highway-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace vandplan::kernels::HWY_NAMESPACE {
+namespace vandplan::simd::HWY_NAMESPACE {
 namespace {
 
 using Which = hn::Mask<F>;
@@ -76,21 +76,18 @@ Circles circles(Floats dx, Floats dy, Floats node, Floats sample, float radius) 
   const Floats reduced = hn::Sub(mean, hn::Mul(turns, set(pi)));
   const auto [sin, cos] = direction(hn::Sub(reduced, hn::Mul(turns, set(rest_of_pi))));
   const Floats scale = set(1.0F / radius);
-  Circles p;
-  p.x = hn::Mul(hn::Abs(sum_of_products(dx, cos, dy, sin)), scale);
-  p.y = hn::Mul(hn::Abs(difference_of_products(dy, cos, dx, sin)), scale);
+  const Floats x = hn::Mul(hn::Abs(sum_of_products(dx, cos, dy, sin)), scale);
+  const Floats y = hn::Mul(hn::Abs(difference_of_products(dy, cos, dx, sin)), scale);
   const Floats difference = hn::Abs(hn::Sub(node, sample));
   const Floats other_way = hn::Add(hn::Sub(set(2 * pi), difference), set(2 * rest_of_pi));
-  p.a = hn::Mul(set(0.5F), at_least_zero(hn::Min(difference, other_way)));
-  const auto [s, c] = direction(p.a);
-  p.s = s;
-  p.c = c;
+  const Floats a = hn::Mul(set(0.5F), at_least_zero(hn::Min(difference, other_way)));
+  const auto [s, c] = direction(a);
   const Floats two_s = hn::Mul(set(2.0F), s);
   const Floats four_c = hn::Mul(set(4.0F), c);
-  const Floats shared = hn::Mul(hn::Sub(p.x, two_s), hn::Add(p.x, two_s));
-  p.lr = hn::Add(shared, hn::Mul(p.y, hn::Sub(p.y, four_c)));
-  p.rl = hn::Add(shared, hn::Mul(p.y, hn::Add(p.y, four_c)));
-  return p;
+  const Floats shared = hn::Mul(hn::Sub(x, two_s), hn::Add(x, two_s));
+  const Floats lr = hn::Add(shared, hn::Mul(y, hn::Sub(y, four_c)));
+  const Floats rl = hn::Add(shared, hn::Mul(y, hn::Add(y, four_c)));
+  return {x, y, a, s, c, lr, rl};
 }
 
 /// A word's length is line + 2 * angle; the angle is that of the vector (x, y) turned by the one of
@@ -238,11 +235,11 @@ void lengths(const float* x, const float* y, const float* heading, const LengthS
 }
 
 }  // namespace
-}  // namespace vandplan::kernels::HWY_NAMESPACE
+}  // namespace vandplan::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace vandplan::kernels {
+namespace vandplan::simd {
 namespace {
 
 HWY_EXPORT(lengths);
@@ -256,5 +253,5 @@ void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
   (x.data(), y.data(), heading.data(), sample, radius, out.data(), out.size());
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd
 #endif  // HWY_ONCE

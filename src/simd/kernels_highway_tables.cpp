@@ -21,7 +21,7 @@
 #include "simd/kernels_highway-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace vandplan::kernels::HWY_NAMESPACE {
+namespace vandplan::simd::HWY_NAMESPACE {
 namespace {
 
 Ints whole(Floats value) { return hn::ConvertTo(I(), value); }
@@ -198,11 +198,11 @@ std::size_t lanes() { return hn::Lanes(F()); }
 const char* target() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace
-}  // namespace vandplan::kernels::HWY_NAMESPACE
+}  // namespace vandplan::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace vandplan::kernels {
+namespace vandplan::simd {
 namespace {
 
 HWY_EXPORT(many_table_distances);
@@ -235,5 +235,5 @@ void length_bounds(const BoundEntry* entries, std::span<const float> x, std::spa
    low.size());
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd
 #endif  // HWY_ONCE

@@ -8,7 +8,7 @@
 #include "simd/table_kernels.h"
 #include "simd/target.h"
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 std::string_view simd_target() noexcept { return "scalar"; }
 
@@ -30,4 +30,4 @@ void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
   scalar::reeds_shepp_lengths(x, y, heading, sample, radius, out);
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 /// Where the paths lead to [m, rad]; heading in [-pi, pi].
 struct LengthSample {
@@ -20,7 +20,7 @@ struct LengthSample {
 [[nodiscard]] float reeds_shepp_length(float dx, float dy, float heading_node, float heading_sample,
                                        float radius) noexcept;
 
-/// The same from every node, given as structure of arrays, to one sample. Equal sizes.
+/// Lengths from every node, given as structure of arrays, to one sample [m]. Equal sizes.
 void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
                          std::span<const float> heading, const LengthSample& sample, float radius,
                          std::span<float> out) noexcept;
@@ -48,4 +48,4 @@ inline constexpr float arc_tangent_rest[] = {8.0699567e-2F, -0.138832571F, 0.199
                                              -0.333329676F};
 inline constexpr float tan_eighth = 0.41421356F;  ///< tan(pi/8)
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 /// pi - float(pi).
 inline constexpr float rest_of_pi = -8.742278e-8F;
@@ -18,4 +18,4 @@ constexpr float horner(const float (&series)[n], float x) noexcept {
   return sum;
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 /// A table and a turning radius, in the form the look-up wants. All in float.
 struct TableView {
@@ -23,7 +23,7 @@ struct TableView {
 };
 
 /// A cell, and the shape of the table it is in.
-struct TableCell {
+struct TableGridPoint {
   int x, y, heading_node, heading_sample;
 };
 struct TableShape {
@@ -31,7 +31,7 @@ struct TableShape {
 };
 
 /// Position of a cell's entry; used by fill and look-up alike.
-constexpr int table_index(const TableShape& shape, const TableCell& cell) {
+constexpr int table_index(const TableShape& shape, const TableGridPoint& cell) {
   return ((cell.x * shape.positions + cell.y) * shape.headings + cell.heading_node) *
              shape.headings +
          cell.heading_sample;
@@ -58,4 +58,4 @@ void table_distances(const TableView& table, std::span<const float> x, std::span
                      std::span<float> out) noexcept;
 }
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

@@ -5,9 +5,9 @@
 
 #include <string_view>
 
-namespace vandplan::kernels {
+namespace vandplan::simd {
 
 /// "AVX2", say; "scalar" in a build without vector kernels.
 [[nodiscard]] std::string_view simd_target() noexcept;
 
-}  // namespace vandplan::kernels
+}  // namespace vandplan::simd

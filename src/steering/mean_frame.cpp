@@ -10,7 +10,7 @@
 
 #include "base/trigonometry.h"
 
-namespace vandplan {
+namespace vandplan::steering {
 
 MeanFrame mean_frame(const Pose& from, const Pose& to, double radius) noexcept {
   constexpr double two_pi = 2 * std::numbers::pi;
@@ -24,7 +24,7 @@ MeanFrame mean_frame(const Pose& from, const Pose& to, double radius) noexcept {
                                             (std::abs(from.heading) + std::abs(to.heading))) {
     turn = 0.0;  // what rounding left of whole turns
   }
-  const auto [sin, cos] = sin_cos(sum / 2);
+  const auto [sin, cos] = base::sin_cos(sum / 2);
   // An odd number of whole turns between the headings leaves their mean pointing backwards.
   const bool odd = (std::bit_cast<std::uint64_t>(shifted) & 1) != 0;
   const double scale = odd ? -radius : radius;
@@ -33,4 +33,4 @@ MeanFrame mean_frame(const Pose& from, const Pose& to, double radius) noexcept {
   return {dx * cos + dy * sin, dy * cos - dx * sin, turn / 2};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::steering

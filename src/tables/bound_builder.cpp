@@ -12,11 +12,11 @@
 
 #include "tables/excess.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double unit = kernels::bound_unit;
+constexpr double unit = simd::bound_unit;
 // What a look-up in float may be off by, beside a part of the distance.
 constexpr double rounding = 2e-5;
 // A box is cut in eight while the excess may stray further from the cell's plane within it.
@@ -40,10 +40,10 @@ Interval coarse_excess(const PairBox& box) {
 }
 
 /// The cell in question, with the slopes that its planes shall have.
-class Cell {
+class BoundCell {
  public:
-  Cell(int radial, int side, int turn)
-      : size_{1.0 / kernels::radial_cells, 1.0 / kernels::side_cells, 1.0 / kernels::turn_cells},
+  BoundCell(int radial, int side, int turn)
+      : size_{1.0 / simd::radial_cells, 1.0 / simd::side_cells, 1.0 / simd::turn_cells},
         corner_{radial * size_[0], side * size_[1], turn * size_[2]} {}
 
   /// Slopes of the plane that comes closest to the middles of the cell's eight parts.
@@ -103,10 +103,10 @@ std::uint32_t bits(double value, int count) {
 
 }  // namespace
 
-kernels::BoundEntry bound_entry(int radial, int side, int turn) {
-  constexpr Numbers steps{kernels::slope_step * unit, kernels::slope_step * unit, unit};
+simd::BoundEntry bound_entry(int radial, int side, int turn) {
+  constexpr Numbers steps{simd::slope_step * unit, simd::slope_step * unit, unit};
   constexpr std::array<int, 3> slope_bits{11, 11, 10};
-  const Cell cell(radial, side, turn);
+  const BoundCell cell(radial, side, turn);
   Numbers slopes = cell.fitted_slopes();
   std::array<std::uint32_t, 3> packed;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -124,4 +124,4 @@ kernels::BoundEntry bound_entry(int radial, int side, int turn) {
           packed[0] << 21 | packed[1] << 10 | packed[2]};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::tables

@@ -7,10 +7,10 @@
 
 #include "simd/bound_grid.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 
 /// The entry of one cell. Its bounds hold for every pair of poses in the closed cell, and a little
 /// beyond: see `rounding` in the source.
-[[nodiscard]] kernels::BoundEntry bound_entry(int radial, int side, int turn);
+[[nodiscard]] simd::BoundEntry bound_entry(int radial, int side, int turn);
 
-}  // namespace vandplan
+}  // namespace vandplan::tables

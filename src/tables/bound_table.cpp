@@ -10,11 +10,11 @@
 
 namespace vandplan {
 
-using kernels::bound_entries;
+using simd::bound_entries;
 
 LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) noexcept {
   // The difference is taken in double, so that poses may be far from the origin.
-  const auto [low, high] = kernels::length_bounds(
+  const auto [low, high] = simd::length_bounds(
       bound_entries, static_cast<float>(from.x - to.x), static_cast<float>(from.y - to.y),
       static_cast<float>(wrap_angle(from.heading)), static_cast<float>(wrap_angle(to.heading)),
       static_cast<float>(radius));
@@ -25,15 +25,15 @@ void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
                    std::span<float> low, std::span<float> high) noexcept {
   assert(nodes.x.size() == low.size() && nodes.y.size() == low.size() &&
          nodes.heading.size() == low.size() && high.size() == low.size());
-  const kernels::BoundSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
-                                static_cast<float>(wrap_angle(sample.heading))};
-  kernels::length_bounds(bound_entries, nodes.x, nodes.y, nodes.heading, to,
-                         static_cast<float>(radius), low, high);
+  const simd::BoundSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
+                             static_cast<float>(wrap_angle(sample.heading))};
+  simd::length_bounds(bound_entries, nodes.x, nodes.y, nodes.heading, to,
+                      static_cast<float>(radius), low, high);
 }
 
 BoundTableInfo bound_table_info() noexcept {
-  static_assert(std::size(bound_entries) == kernels::bound_cells);
-  return {kernels::radial_cells, kernels::side_cells, kernels::turn_cells, sizeof bound_entries};
+  static_assert(std::size(bound_entries) == simd::bound_cells);
+  return {simd::radial_cells, simd::side_cells, simd::turn_cells, sizeof bound_entries};
 }
 
 }  // namespace vandplan

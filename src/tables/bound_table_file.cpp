@@ -3,94 +3,30 @@
 #include <bit>
 
 #include "bound_entries.h"
-#include "base/decimal.h"
 #include "tables/table_bytes.h"
 #include "vandplan/table_file.h"
 
 namespace vandplan {
-namespace {
 
-using kernels::bound_unit;
-using kernels::BoundEntry;
-
-// Bits `skip` to `skip + count` of a word, counted from the highest one, as a signed number.
-double signed_bits(std::uint32_t word, int skip, int count) {
-  return static_cast<double>(static_cast<std::int32_t>(word << skip) >> (32 - count));
-}
-
-// "base,width,slope_radial,slope_side,slope_turn" [turning radii].
-std::string planes_of(const BoundEntry& entry) {
-  const double slope_unit = kernels::slope_step * bound_unit;
-  const double numbers[] = {signed_bits(entry.base_width, 0, 16) * bound_unit,
-                            static_cast<double>(entry.base_width & 0xFFFFU) * bound_unit,
-                            signed_bits(entry.slopes, 0, 11) * slope_unit,
-                            signed_bits(entry.slopes, 11, 11) * slope_unit,
-                            signed_bits(entry.slopes, 22, 10) * bound_unit};
-  std::string text;
-  for (const double number : numbers) text += "," + shortest_text(number);
-  return text;
-}
-
-}  // namespace
+namespace table_bytes = tables::table_bytes;
 
 std::string bound_table_to_bytes() {
-  constexpr auto cells = static_cast<std::uint64_t>(kernels::radial_cells) |
-                         static_cast<std::uint64_t>(kernels::side_cells) << 16 |
-                         static_cast<std::uint64_t>(kernels::turn_cells) << 32 |
-                         static_cast<std::uint64_t>(kernels::slope_step) << 48;
-  std::string bytes = table_bytes::start_of(
-      {.kind = &table_bytes::bounds,
-       .parameters = {std::bit_cast<std::uint64_t>(1.0),
-                      std::bit_cast<std::uint64_t>(kernels::radial_reach),
-                      std::bit_cast<std::uint64_t>(kernels::bound_unit), cells},
-       .count = kernels::bound_cells});
-  for (const kernels::BoundEntry& entry : kernels::bound_entries) {
+  constexpr auto cells = static_cast<std::uint64_t>(simd::radial_cells) |
+                         static_cast<std::uint64_t>(simd::side_cells) << 16 |
+                         static_cast<std::uint64_t>(simd::turn_cells) << 32 |
+                         static_cast<std::uint64_t>(simd::slope_step) << 48;
+  std::string bytes =
+      table_bytes::start_of({.kind = &table_bytes::bounds,
+                             .parameters = {std::bit_cast<std::uint64_t>(1.0),
+                                            std::bit_cast<std::uint64_t>(simd::radial_reach),
+                                            std::bit_cast<std::uint64_t>(simd::bound_unit), cells},
+                             .count = simd::bound_cells});
+  for (const simd::BoundEntry& entry : simd::bound_entries) {
     table_bytes::append(bytes, entry.base_width);
     table_bytes::append(bytes, entry.slopes);
   }
   table_bytes::seal(bytes);
   return bytes;
-}
-
-std::string bound_table_to_header(std::string_view name) {
-  table_bytes::check_identifier(name);
-  std::string text =
-      "// Bounds of Reeds-Shepp lengths for turning radius 1, written by vandplan. Row-major\n"
-      "// entries[radial][side][turn][2]; see docs/formats.md of vandplan.\n"
-      "#pragma once\n\nnamespace ";
-  text.append(name).append(" {\n\n");
-  const auto constant = [&text](const char* what, double value) {
-    text.append("inline constexpr ").append(what).append(" = ");
-    text.append(shortest_text(value)).append(";\n");
-  };
-  constant("int radial_cells", kernels::radial_cells);
-  constant("int side_cells", kernels::side_cells);
-  constant("int turn_cells", kernels::turn_cells);
-  constant("double radial_reach", kernels::radial_reach);
-  constant("double unit", bound_unit);
-  constant("int slope_step", kernels::slope_step);
-  text.append("\ninline constexpr unsigned entries[][2] = {");
-  int column = 0;
-  for (const BoundEntry& entry : kernels::bound_entries) {
-    text.append(column++ % 4 == 0 ? "\n    " : " ");
-    text.append("{").append(std::to_string(entry.base_width)).append("U, ");
-    text.append(std::to_string(entry.slopes)).append("U},");
-  }
-  return text.append("\n};\n\n}  // namespace ").append(name).append("\n");
-}
-
-std::string bound_table_to_csv() {
-  std::string text = "radial,side,turn,base,width,slope_radial,slope_side,slope_turn\n";
-  for (int radial = 0; radial < kernels::radial_cells; ++radial) {
-    for (int side = 0; side < kernels::side_cells; ++side) {
-      for (int turn = 0; turn < kernels::turn_cells; ++turn) {
-        const BoundEntry& entry = kernels::bound_entries[kernels::bound_index(radial, side, turn)];
-        text += std::to_string(radial) + "," + std::to_string(side) + "," + std::to_string(turn) +
-                planes_of(entry) + "\n";
-      }
-    }
-  }
-  return text;
 }
 
 }  // namespace vandplan

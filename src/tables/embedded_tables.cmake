@@ -8,6 +8,7 @@ add_library(
   tables/heuristic_table.cpp
   base/input_error.cpp
   steering/mean_frame.cpp
+  path/clothoid.cpp
   path/path.cpp
   steering/reeds_shepp.cpp
   simd/bound_kernels_scalar.cpp
@@ -27,18 +28,24 @@ vandplan_core_target(vandplan_tables)
 target_include_directories(vandplan_tables PRIVATE ${PROJECT_SOURCE_DIR}/include)
 
 # What the library looks up, but never computes itself.
-add_library(vandplan_bound_builder OBJECT tables/bound_builder.cpp tables/excess.cpp
-                                          tables/words_in_box.cpp)
+add_library(vandplan_bound_builder OBJECT EXCLUDE_FROM_ALL
+            tables/bound_builder.cpp tables/excess.cpp tables/words_in_box.cpp)
 vandplan_core_target(vandplan_bound_builder)
 target_include_directories(vandplan_bound_builder PRIVATE ${PROJECT_SOURCE_DIR}/include)
 
-foreach(tool make_thesis_table make_bound_table)
-  add_executable(${tool} ${PROJECT_SOURCE_DIR}/tools/${tool}.cpp)
-  vandplan_core_target(${tool})
-  target_include_directories(${tool} PRIVATE ${PROJECT_SOURCE_DIR}/include)
-  target_sources(${tool} PRIVATE $<TARGET_OBJECTS:vandplan_tables>)
-endforeach()
-target_sources(make_bound_table PRIVATE $<TARGET_OBJECTS:vandplan_bound_builder>)
+# The tools that compute them run on the machine that builds.
+set(table_tools make_thesis_table make_bound_table)
+if(VANDPLAN_TOOLS OR CMAKE_CROSSCOMPILING)
+  include(${PROJECT_SOURCE_DIR}/cmake/tools_of_the_host.cmake)
+else()
+  foreach(tool IN LISTS table_tools)
+    add_executable(${tool} ${PROJECT_SOURCE_DIR}/tools/${tool}.cpp)
+    vandplan_core_target(${tool})
+    target_include_directories(${tool} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+    target_sources(${tool} PRIVATE $<TARGET_OBJECTS:vandplan_tables>)
+  endforeach()
+  target_sources(make_bound_table PRIVATE $<TARGET_OBJECTS:vandplan_bound_builder>)
+endif()
 
 set(embedded_tables ${CMAKE_CURRENT_BINARY_DIR}/embedded)
 file(MAKE_DIRECTORY ${embedded_tables})
@@ -48,6 +55,7 @@ foreach(number 1 2 3 4)
   add_custom_command(
     OUTPUT ${embedded_tables}/hlut_${number}.h
     COMMAND make_thesis_table ${number} ${embedded_tables}/hlut_${number}.h
+    DEPENDS make_thesis_table
     VERBATIM)
   list(APPEND embedded_headers ${embedded_tables}/hlut_${number}.h)
 endforeach()
@@ -56,5 +64,9 @@ endforeach()
 add_custom_command(
   OUTPUT ${embedded_tables}/bound_entries.h
   COMMAND make_bound_table ${embedded_tables}/bound_entries.h
+  DEPENDS make_bound_table
   VERBATIM)
 list(APPEND embedded_headers ${embedded_tables}/bound_entries.h)
+
+# To make them alone.
+add_custom_target(vandplan_embedded_tables DEPENDS ${embedded_headers})

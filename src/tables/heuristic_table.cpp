@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal.h"
+#include "base/text.h"
 #include "simd/table_kernels.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
@@ -22,7 +22,8 @@ constexpr double most_entries = 0x1p28;  // 1 GiB of floats; an index fits in 32
 
 // `given` was asked for; `expected` tells the range.
 void require(bool holds, const char* where, double given, const char* expected) {
-  if (!holds) throw InputError(where, "is " + shortest_text(given) + ", expected " + expected);
+  if (!holds)
+    throw InputError(where, "is " + base::shortest_text(given) + ", expected " + expected);
 }
 
 // Grid points along x and along y. Throws InputError if an option is out of range.
@@ -37,8 +38,8 @@ int checked_positions(const HeuristicTableOptions& options) {
           "a multiple of the step");
   const double plane = (cells + 1.0) * (heading_cells + 1.0);
   if (plane * plane > most_entries) {
-    throw InputError("step", "the table would hold " + shortest_text(plane * plane) +
-                                 " entries, expected at most " + shortest_text(most_entries));
+    throw InputError("step", "the table would hold " + base::shortest_text(plane * plane) +
+                                 " entries, expected at most " + base::shortest_text(most_entries));
   }
   return static_cast<int>(cells) + 1;
 }
@@ -50,7 +51,7 @@ std::size_t entry_count(int positions, int headings) {
 
 double heading_at(int index, int heading_cells) { return -pi + 2 * pi * index / heading_cells; }
 
-kernels::TableView view_of(const HeuristicTable& table, double radius) {
+simd::TableView view_of(const HeuristicTable& table, double radius) {
   const HeuristicTableOptions& options = table.options();
   return {.entries = table.entries().data(),
           .positions = table.positions(),
@@ -84,9 +85,9 @@ HeuristicTable::HeuristicTable(const HeuristicTableOptions& options)
       for (int node = 0; node < headings(); ++node) {
         const Pose from = node_of({x, y, node, 0});
         for (int sample = 0; sample < headings(); ++sample) {
-          const Cell cell{x, y, node, sample};
-          entries[index_of(cell)] =
-              static_cast<float>(reeds_shepp_length(from, sample_of(cell), radius));
+          const GridPoint point{x, y, node, sample};
+          entries[index_of(point)] =
+              static_cast<float>(reeds_shepp_length(from, sample_of(point), radius));
         }
       }
     }
@@ -110,25 +111,25 @@ HeuristicTable::HeuristicTable(const HeuristicTableOptions& options, std::span<c
   }
 }
 
-std::size_t HeuristicTable::index_of(const Cell& cell) const noexcept {
-  const int index = kernels::table_index({positions(), headings()},
-                                         {cell.x, cell.y, cell.heading_node, cell.heading_sample});
+std::size_t HeuristicTable::index_of(const GridPoint& point) const noexcept {
+  const int index = simd::table_index({positions(), headings()},
+                                      {point.x, point.y, point.heading_node, point.heading_sample});
   return static_cast<std::size_t>(index);
 }
 
-Pose HeuristicTable::node_of(const Cell& cell) const noexcept {
-  return {cell.x * options_.step, cell.y * options_.step,
-          heading_at(cell.heading_node, options_.heading_cells)};
+Pose HeuristicTable::node_of(const GridPoint& point) const noexcept {
+  return {point.x * options_.step, point.y * options_.step,
+          heading_at(point.heading_node, options_.heading_cells)};
 }
 
-Pose HeuristicTable::sample_of(const Cell& cell) const noexcept {
-  return {0.0, 0.0, heading_at(cell.heading_sample, options_.heading_cells)};
+Pose HeuristicTable::sample_of(const GridPoint& point) const noexcept {
+  return {0.0, 0.0, heading_at(point.heading_sample, options_.heading_cells)};
 }
 
 double HeuristicTable::distance(const Pose& node, const Pose& sample,
                                 double radius) const noexcept {
   // The difference is taken in double, so that poses may be far from the origin.
-  return static_cast<double>(kernels::table_distance(
+  return static_cast<double>(simd::table_distance(
       view_of(*this, radius), static_cast<float>(node.x - sample.x),
       static_cast<float>(node.y - sample.y), static_cast<float>(wrap_angle(node.heading)),
       static_cast<float>(wrap_angle(sample.heading))));
@@ -138,9 +139,9 @@ void HeuristicTable::distances(const PoseColumns& nodes, const Pose& sample, dou
                                std::span<float> out) const noexcept {
   assert(nodes.x.size() == out.size() && nodes.y.size() == out.size() &&
          nodes.heading.size() == out.size());
-  const kernels::TableSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
-                                static_cast<float>(wrap_angle(sample.heading))};
-  kernels::table_distances(view_of(*this, radius), nodes.x, nodes.y, nodes.heading, to, out);
+  const simd::TableSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
+                             static_cast<float>(wrap_angle(sample.heading))};
+  simd::table_distances(view_of(*this, radius), nodes.x, nodes.y, nodes.heading, to, out);
 }
 
 }  // namespace vandplan

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace vandplan::table_bytes {
+namespace vandplan::tables::table_bytes {
 
 inline constexpr std::size_t head_size = 96;
 inline constexpr std::uint64_t most_entries = std::uint64_t{1} << 28;
@@ -47,9 +47,6 @@ void seal(std::string& bytes);
 
 [[nodiscard]] std::uint64_t checksum(std::string_view bytes) noexcept;
 
-/// Throws InputError if `name` cannot be the name of a C++ namespace.
-void check_identifier(std::string_view name);
-
 template <class Unsigned>
 void append(std::string& bytes, Unsigned value) {
   for (std::size_t i = 0; i < sizeof value; ++i) {
@@ -67,4 +64,4 @@ template <class Unsigned>
   return value;
 }
 
-}  // namespace vandplan::table_bytes
+}  // namespace vandplan::tables::table_bytes

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include "tables/table_export.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <string>
 #include <vector>
 
-#include "base/decimal.h"
-#include "tables/table_bytes.h"
+#include "base/text.h"
 #include "vandplan/input_error.h"
-#include "vandplan/table_file.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 namespace {
 
 constexpr std::size_t most_entries = std::size_t{1} << 24;  // more than a compiler could bear
@@ -30,15 +30,9 @@ void append_hex_float(std::string& text, float value) {
   text.append("0x").append(buffer.data(), end).append("F");
 }
 
-void append_shortest(std::string& text, float value) {
-  std::array<char, 32> buffer{};
-  text.append(buffer.data(),
-              std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
-}
-
 }  // namespace
 
-void table_bytes::check_identifier(std::string_view name) {
+void check_identifier(std::string_view name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
@@ -51,7 +45,7 @@ void table_bytes::check_identifier(std::string_view name) {
 }
 
 std::string table_to_header(const HeuristicTable& table, std::string_view name) {
-  table_bytes::check_identifier(name);
+  check_identifier(name);
   check_size(table);
   const HeuristicTableOptions& options = table.options();
   std::string text =
@@ -62,7 +56,7 @@ std::string table_to_header(const HeuristicTable& table, std::string_view name) 
   text.append(name).append(" {\n\n");
   const auto constant = [&text](std::string_view type, std::string_view what, double value) {
     text.append("inline constexpr ").append(type).append(" ").append(what).append(" = ");
-    text.append(shortest_text(value)).append(";\n");
+    text.append(base::shortest_text(value)).append(";\n");
   };
   constant("double", "turning_radius", options.turning_radius);
   constant("double", "extent", options.extent);
@@ -83,10 +77,10 @@ std::string table_to_csv(const HeuristicTable& table) {
   check_size(table);
   std::vector<std::string> positions, headings;
   for (int i = 0; i < table.positions(); ++i) {
-    positions.push_back(shortest_text(table.node_of({i, 0, 0, 0}).x) + ",");
+    positions.push_back(base::shortest_text(table.node_of({i, 0, 0, 0}).x) + ",");
   }
   for (int i = 0; i < table.headings(); ++i) {
-    headings.push_back(shortest_text(table.node_of({0, 0, i, 0}).heading) + ",");
+    headings.push_back(base::shortest_text(table.node_of({0, 0, i, 0}).heading) + ",");
   }
   std::string text = "x,y,heading_node,heading_sample,length\n";
   auto entry = table.entries().begin();  // row-major
@@ -95,7 +89,7 @@ std::string table_to_csv(const HeuristicTable& table) {
       for (const std::string& node : headings) {
         for (const std::string& sample : headings) {
           text.append(x).append(y).append(node).append(sample);
-          append_shortest(text, *entry++);
+          text.append(base::shortest_text(*entry++));
           text.push_back('\n');
         }
       }
@@ -104,4 +98,4 @@ std::string table_to_csv(const HeuristicTable& table) {
   return text;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::tables

@@ -13,6 +13,8 @@
 namespace vandplan {
 namespace {
 
+namespace table_bytes = tables::table_bytes;
+
 using table_bytes::Head;
 
 static_assert(table_file_head_size == table_bytes::head_size);

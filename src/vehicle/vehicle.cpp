@@ -24,7 +24,7 @@ double inner_radius(const Footprint& footprint) noexcept {
 }
 
 std::array<Point, 4> corners(const Footprint& footprint, const Pose& pose) noexcept {
-  const SinCos heading = sin_cos(pose.heading);
+  const base::SinCos heading = base::sin_cos(pose.heading);
   const auto at = [&](double forward, double left) {
     return Point{pose.x + forward * heading.cos - left * heading.sin,
                  pose.y + forward * heading.sin + left * heading.cos};

@@ -151,6 +151,21 @@ TEST_F(BadInput, OutputWithoutAName) {
             ": cannot write: No such file or directory");
 }
 
+TEST_F(BadInput, OutputWhoseEndingPromisesAnotherFormat) {
+  const std::string file = folder_ / "poses.CSV";
+  EXPECT_EQ(complaint_of_plan({"--output", file, "--time", "60"}),
+            file + ": ends in .CSV, but a result is JSON, expected a name that ends in .json");
+  EXPECT_EQ(complaint_of_plan({"--poses", scenario_, "--output", folder_ / "a.yaml"}),
+            (folder_ / "a.yaml") +
+                ": ends in .yaml, but results of --poses are JSON Lines, "
+                "expected a name that ends in .jsonl");
+  write_content(folder_ / "case.csv", "0,0,0,10,0,0,1,4,30,20,31,20,31,21,30,21\n");
+  EXPECT_EQ(complaint({"convert", "tpcap", folder_ / "case.csv", "-o", folder_ / "a.json"}),
+            (folder_ / "a.json") +
+                ": ends in .json, but a scenario is YAML, expected a name that "
+                "ends in .yaml");
+}
+
 TEST_F(BadInput, PictureOfUnknownKind) {
   const std::string file = folder_ / "yard.gif";
   EXPECT_EQ(complaint_of_plan({"--draw", file, "--time", "60"}),
@@ -213,11 +228,11 @@ TEST_F(BadInput, NumberOutOfRange) {
   EXPECT_EQ(complaint_of_plan({"--time", "-1"}), "--time: -1 is not a number >= 0 [s]");
   EXPECT_EQ(complaint_of_plan({"--time", "nan"}), "--time: nan is not a number >= 0 [s]");
   EXPECT_EQ(place({"--max-iterations", "-1"}), "--max-iterations");
-  EXPECT_EQ(place({"--max-nodes", "0"}), "--max-nodes");
-  EXPECT_EQ(place({"--max-nodes", "1e3"}), "--max-nodes");
+  EXPECT_EQ(place({"--planner", "rrt-opt-euc", "--max-nodes", "0"}), "--max-nodes");
+  EXPECT_EQ(place({"--max-nodes", "1e3", "--planner", "rrt-opt-euc"}), "--max-nodes");
   EXPECT_EQ(place({"--seed", "18446744073709551616"}), "--seed");
   EXPECT_EQ(place({"--region", "all"}), "--region");
-  EXPECT_EQ(place({"--set", "goal_bias=2"}), "goal_bias");
+  EXPECT_EQ(place({"--set", "goal_bias=2", "--planner", "rrt-opt-euc"}), "goal_bias");
 }
 
 TEST_F(BadInput, UnknownKeyOfSet) {

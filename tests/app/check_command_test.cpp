@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "support/process.h"
 #include "support/yard.h"
@@ -53,7 +54,8 @@ TEST_F(CheckCommand, ForeignResultIsJudged) {
   const Outcome outcome = check(drive_ahead());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   // The wall begins at x = 12, the front bumper ends at 10.9.
-  EXPECT_EQ(outcome.out, "valid: length 5.000 m, gear changes 0, clearance 1.100 m\n");
+  EXPECT_EQ(outcome.out,
+            "valid: length 5.000 m, gear changes 0, in reverse 0 m, clearance 1.100 m\n");
 }
 
 TEST_F(CheckCommand, JsonHoldsTheFigures) {
@@ -63,6 +65,7 @@ TEST_F(CheckCommand, JsonHoldsTheFigures) {
   EXPECT_EQ(verdict.at("valid"), true);
   EXPECT_EQ(verdict.at("length"), 5);
   EXPECT_EQ(verdict.at("gear_changes"), 0);
+  EXPECT_EQ(verdict.at("reverse_length"), 0);
   EXPECT_NEAR(verdict.at("clearance").get<double>(), 1.1, 1e-3);
 }
 
@@ -187,6 +190,104 @@ TEST_F(CheckCommand, ResultWithoutAPathFailsWithItsStatus) {
   EXPECT_EQ(Json::parse(check(unsolved, {"--json"}).out).at("valid"), false);
 }
 
+TEST_F(CheckCommand, AResultWithoutAPathSaysItsReason) {
+  const Json unsolved = {{"format", "vandplan-result/1"},
+                         {"status", "rejected"},
+                         {"reason", "the path ends 1 m away\x1b[0m"}};
+  EXPECT_EQ(check(unsolved).out, "no path: rejected (the path ends 1 m away\\x1b[0m)\n");
+  EXPECT_EQ(Json::parse(check(unsolved, {"--json"}).out).at("reason"), unsolved["reason"]);
+}
+
+TEST_F(CheckCommand, ASmallClearanceIsSaidInMillimetres) {
+  Json result =
+      drive_ahead();  // the front bumper ends 5.9 m ahead of the rear axle, the wall is at 12
+  result["length"] = 6.095;
+  result["path"]["segments"][1]["length"] = 3.095;
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5,", "goal: {x: 6.095, y: 0,"));
+  const Outcome outcome = check(result);
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_NE(outcome.out.find(" mm (known to 1.00 mm)\n"), std::string::npos) << outcome.out;
+}
+
+// ---- many pairs ----
+
+class CheckPairs : public CheckCommand {
+ protected:
+  /// Results for three pairs, a line each.
+  std::vector<Json> planned() {
+    write_content(folder_ / "poses.csv", "0,0,0,4,0,0\n0,0,0,0,0,3\n0,0,0,12,0,0\n");
+    const Outcome outcome = run_vandplan(
+        {"plan", scenario_, "--poses", folder_ / "poses.csv", "--max-iterations", "300", "--json"});
+    std::vector<Json> results;
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);) results.push_back(Json::parse(line));
+    EXPECT_EQ(results.size(), 3U) << outcome.err;
+    return results;
+  }
+
+  Outcome check_lines(const std::vector<Json>& results, const std::vector<std::string>& options) {
+    std::string text;
+    for (const Json& result : results) text += result.dump() + '\n';
+    write_content(result_, text);
+    std::vector<std::string> arguments = {"check", scenario_, result_};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_vandplan(arguments);
+  }
+};
+
+TEST_F(CheckPairs, EachPairIsJudgedAgainstItsOwnStartAndGoal) {
+  const Outcome outcome = check_lines(planned(), {});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.out.substr(0, 25), "1: valid: length 4.000 m,");
+  EXPECT_NE(outcome.out.find("\n3: no path: goal_in_collision (the footprint hits obstacles[0])\n"
+                             "yard: 2 valid, 0 invalid, 1 without a path\n"),
+            std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(CheckPairs, OnePathThatIsNoneFailsThemAll) {
+  std::vector<Json> results = planned();
+  results[0]["goal"]["y"] = 0.5;
+  const Outcome text = check_lines(results, {});
+  EXPECT_EQ(text.status, 1);
+  EXPECT_EQ(text.out.substr(0, 34), "1: invalid: the path ends 0.5 m an");
+  const Outcome json = check_lines(results, {"--json"});
+  EXPECT_EQ(json.status, 1);
+  std::istringstream lines(json.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(Json::parse(line).at("pair"), 1);
+  EXPECT_EQ(Json::parse(line).at("valid"), false);
+  std::getline(lines, line);
+  EXPECT_EQ(Json::parse(line).at("valid"), true);
+}
+
+TEST_F(CheckPairs, MistakesNameTheLine) {
+  std::vector<Json> results = planned();
+  results[1]["path"]["segments"] = 7;
+  const Outcome outcome = check_lines(results, {});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("result.json:2: path.segments: is \"7\", expected a list"),
+            std::string::npos)
+      << outcome.err;
+}
+
+TEST_F(CheckPairs, SomeOrOneOfThemAreDrawn) {
+  (void)check_lines(planned(), {});
+  const auto draw = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"draw", scenario_, result_, "-o", folder_ / "pairs.svg"});
+    return run_vandplan(options);
+  };
+  const Outcome sheet = draw({});
+  EXPECT_EQ(sheet.status, 0) << sheet.err;
+  EXPECT_EQ(sheet.out, "yard: 3 pairs drawn to " + (folder_ / "pairs.svg") + "\n");
+  EXPECT_EQ(draw({"--pair", "2"}).out, "yard: pair 2 drawn to " + (folder_ / "pairs.svg") + "\n");
+  EXPECT_EQ(draw({"--pair", "4"}).err, "vandplan: --pair: there is no pair 4\n");
+  write_content(result_, drive_ahead().dump());
+  EXPECT_EQ(draw({"--pair", "1"}).err,
+            "vandplan: --pair: the result is one, not many with numbers\n");
+}
+
 TEST_F(CheckCommand, EveryGoalOfARowIsJudged) {
   write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5, heading: 0}",
                                     "goals:\n"
@@ -197,7 +298,7 @@ TEST_F(CheckCommand, EveryGoalOfARowIsJudged) {
   const Outcome half = check(row);
   EXPECT_EQ(half.status, 0) << half.err;
   EXPECT_EQ(half.out,
-            "goals[0]: valid: length 5.000 m, gear changes 0, clearance 1.100 m\n"
+            "goals[0]: valid: length 5.000 m, gear changes 0, in reverse 0 m, clearance 1.100 m\n"
             "goals[1]: no path: time_limit\n");
 
   row["furthest"] = 5;
@@ -221,7 +322,7 @@ TEST_F(CheckCommand, EveryGoalOfARowIsJudged) {
 
 TEST_F(CheckCommand, WhatPlanWritesIsValid) {
   write_content(scenario_, yard());
-  for (const std::string planner : {"anytime", "rrt-bsc-euc", "rrt-opt-hlut-4"}) {
+  for (const std::string planner : {"anytime", "rrt-bsc-euc-goal", "rrt-opt-hlut-4-goal"}) {
     const Outcome planned = run_vandplan({"plan", scenario_, "--planner", planner, "--region",
                                           "scene", "--max-iterations", "500", "--output", result_});
     ASSERT_EQ(planned.status, 0) << planned.err;

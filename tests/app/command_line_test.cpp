@@ -69,6 +69,17 @@ TEST(PlannersCommand, ListsEveryPlannerAndMarksTheDefault) {
   EXPECT_EQ(json.at("planners").size(), planners().size());
 }
 
+TEST(PlannersCommand, OnePlannerIsToldWithItsOptions) {
+  const Outcome text = run_vandplan({"planners", "rrt-bsc-euc"});
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("\n  goal_bias=0.05 "), std::string::npos) << text.out;
+  EXPECT_EQ(text.out.find("reverse_weight"), std::string::npos) << text.out;
+  const Json json = Json::parse(run_vandplan({"planners", "rrt-bsc-euc", "--json"}).out);
+  EXPECT_EQ(json.at("properties").at("family"), "rrt");
+  EXPECT_EQ(json.at("options").at(0).contains("range"), true);
+  EXPECT_EQ(run_vandplan({"planners", "best"}).status, 2);
+}
+
 // ---- draw ----
 
 class DrawCommand : public testing::Test {
@@ -90,8 +101,8 @@ TEST_F(DrawCommand, DrawsWhatPlanDraws) {
   const std::string result = folder_ / "result.json";
   const std::string planned = folder_ / "planned.svg";
   const std::string drawn = folder_ / "drawn.svg";
-  ASSERT_EQ(run_vandplan({"plan", scenario_, "--planner", "rrt-opt-euc", "--max-iterations", "300",
-                          "--set", "keep_tree=true", "--output", result, "--draw", planned})
+  ASSERT_EQ(run_vandplan({"plan", scenario_, "--planner", "rrt-opt-euc-goal", "--max-iterations",
+                          "300", "--set", "keep_tree=true", "--output", result, "--draw", planned})
                 .status,
             0);
   const Outcome outcome = run_vandplan({"draw", scenario_, result, "-o", drawn, "--json"});

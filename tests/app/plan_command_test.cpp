@@ -40,10 +40,13 @@ class PlanCommand : public testing::Test {
 };
 
 TEST_F(PlanCommand, SummaryNamesPlannerAndOutcome) {
-  const Outcome outcome = plan({"--planner", "rrt-opt-rs", "--max-iterations", "100"});
+  const Outcome outcome = plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "100"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(outcome.out.substr(0, 39), "yard, rrt-opt-rs, seed 1\nsolved: length");
+  EXPECT_EQ(outcome.out.substr(0, 44), "yard, rrt-opt-rs-goal, seed 1\nsolved: length");
+  EXPECT_NE(outcome.out.find(", in reverse "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(", clearance "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find(" 0.000"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("gap"), std::string::npos) << "proven by nobody: " << outcome.out;
 }
 
@@ -65,6 +68,9 @@ TEST_F(PlanCommand, ManyPairsArePlannedInOneWorld) {
   EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
   EXPECT_EQ(outcome.out.substr(0, 36), "1: solved: length 4.000 m, gear chan");
   EXPECT_NE(outcome.out.find("yard, anytime: 3 of 3 solved in "), std::string::npos) << outcome.out;
+  const std::size_t end = outcome.err.find("100 %");
+  EXPECT_NE(end, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("100 %", end + 1), std::string::npos) << outcome.err;
   std::istringstream lines(content_of(file));
   int pair = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -119,11 +125,10 @@ TEST_F(PlanCommand, FlagsAndSetReachThePlanner) {
 }
 
 TEST_F(PlanCommand, AnIterationBudgetRepeatsThePathToTheByte) {
-  for (const PlannerInfo* planner : {&default_planner(), &planner_named("rrt-opt-euc")}) {
-    const std::string name(planner->name);
+  for (const std::string& name : {default_planner().name, std::string("rrt-opt-euc-goal")}) {
     EXPECT_TRUE(planned_path(name, "1") == planned_path(name, "1")) << name;
   }
-  EXPECT_FALSE(planned_path("rrt-opt-euc", "1") == planned_path("rrt-opt-euc", "2"));
+  EXPECT_FALSE(planned_path("rrt-opt-euc-goal", "1") == planned_path("rrt-opt-euc-goal", "2"));
 }
 
 TEST_F(PlanCommand, ScenarioComesFromStandardInputToo) {
@@ -148,6 +153,7 @@ TEST_F(PlanCommand, ResultAndPictureAreWritten) {
 
 struct NoPath {
   const char* status;
+  const char* reason;
   const char* from;
   const char* to;
   std::vector<std::string> options;
@@ -161,7 +167,9 @@ TEST_P(PlanCommandWithoutPath, ExitsWithOneAndNamesTheStatus) {
   const Outcome text = plan(no_path.options);
   EXPECT_EQ(text.status, 1);
   EXPECT_EQ(text.err, "");
-  EXPECT_NE(text.out.find(std::string("no path: ") + no_path.status), std::string::npos)
+  const std::string reason = no_path.reason;
+  const std::string why = reason.empty() ? "; " : " (" + reason + "); ";
+  EXPECT_NE(text.out.find(std::string("no path: ") + no_path.status + why), std::string::npos)
       << text.out;
 
   std::vector<std::string> options = no_path.options;
@@ -170,20 +178,38 @@ TEST_P(PlanCommandWithoutPath, ExitsWithOneAndNamesTheStatus) {
   EXPECT_EQ(json.status, 1);
   const Json result = Json::parse(json.out);
   EXPECT_EQ(result.at("status"), no_path.status);
+  EXPECT_EQ(result.value("reason", ""), reason);
   EXPECT_FALSE(result.contains("path"));
   EXPECT_FALSE(result.contains("length"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Statuses, PlanCommandWithoutPath,
-    testing::Values(NoPath{"start_in_collision", "start: {x: 0", "start: {x: 10", {}},
-                    NoPath{"start_in_collision", "start: {x: 0", "start: {x: -60", {}},
-                    NoPath{"goal_in_collision", "goal: {x: 20, y: 5", "goal: {x: 9, y: -2", {}},
-                    NoPath{"goal_in_collision", "goal: {x: 20", "goal: {x: 51", {}},
-                    NoPath{"iteration_limit", "", "", {"--max-iterations", "0"}},
-                    NoPath{"time_limit", "", "", {"--time", "0"}},
+    testing::Values(NoPath{"start_in_collision",
+                           "the footprint hits obstacles[0]",
+                           "start: {x: 0",
+                           "start: {x: 10",
+                           {}},
+                    NoPath{"start_in_collision",
+                           "the rear axle is 10 m outside the bounds",
+                           "start: {x: 0",
+                           "start: {x: -60",
+                           {}},
+                    NoPath{"goal_in_collision",
+                           "the footprint hits obstacles[0]",
+                           "goal: {x: 20, y: 5",
+                           "goal: {x: 9, y: -2",
+                           {}},
+                    NoPath{"goal_in_collision",
+                           "the rear axle is 1 m outside the bounds",
+                           "goal: {x: 20",
+                           "goal: {x: 51",
+                           {}},
+                    NoPath{"iteration_limit", "", "", "", {"--max-iterations", "0"}},
+                    NoPath{"time_limit", "", "", "", {"--time", "0"}},
                     // Shut in by walls, so that the tree fills up.
                     NoPath{"node_limit",
+                           "",
                            "[12, -9], [13, -9], [13, 9], [12, 9]",
                            "[12, -60], [13, -60], [13, 60], [12, 60]",
                            {"--planner", "rrt-opt-euc", "--max-nodes", "5", "--max-iterations",
@@ -207,6 +233,57 @@ TEST_F(PlanCommand, RowOfGoalsNamesTheFurthestReached) {
   EXPECT_EQ(result.at("goals").size(), 3);
 
   EXPECT_EQ(plan({"--max-iterations", "0"}).status, 1);
+}
+
+// ---- options ----
+
+TEST_F(PlanCommand, AnOptionThatThePlannerDoesNotHonourIsRefused) {
+  const Outcome flag = plan({"--max-nodes", "5000"});  // the default of those that have it
+  EXPECT_EQ(flag.status, 2);
+  EXPECT_EQ(flag.err.substr(0, 60), "vandplan: --max-nodes: is no option of anytime, expected one");
+  EXPECT_NE(flag.err.find("rrt-bsc-euc, "), std::string::npos) << flag.err;
+  EXPECT_EQ(flag.err.find('\n'), flag.err.size() - 1);
+
+  const Outcome key = plan({"--set", "reverse_weight=1", "--planner", "rrt-bsc-euc"});
+  EXPECT_EQ(key.status, 2);
+  EXPECT_EQ(key.err,
+            "vandplan: reverse_weight: is no option of rrt-bsc-euc, expected one of the planners "
+            "that honour it: anytime\n");
+}
+
+TEST_F(PlanCommand, HelpListsTheOptionsOfEveryFamily) {
+  const Outcome help = run_vandplan({"plan", "--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const Planner& planner : planners()) {
+    for (const OptionInfo& info : planner.options) {
+      EXPECT_NE(help.out.find("\n  " + info.name + "="), std::string::npos) << info.name;
+    }
+  }
+  EXPECT_NE(help.out.find("try_goal=false|true "), std::string::npos) << help.out;
+}
+
+// ---- what reads odd ----
+
+TEST_F(PlanCommand, AHeadingBeyondAFullTurnIsDoubtedAndPlanned) {
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5, heading: 0}",
+                                    "goal: {x: 20, y: 5, heading: 12.5663706}"));
+  const Outcome outcome = plan({"--max-iterations", "300"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_EQ(outcome.err.substr(0, 19), "vandplan: warning: ");
+  EXPECT_NE(outcome.err.find("yard.yaml:5: goal.heading: is 12.5663706 rad, more than a full turn"),
+            std::string::npos)
+      << outcome.err;
+}
+
+TEST_F(PlanCommand, ControlCharactersOfANameDoNotReachTheTerminal) {
+  write_content(scenario_, replaced(yard(), "name: yard", "name: \"\\x1b[31myard\\x9b\""));
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"plan", scenario_, "--max-iterations", "100"},
+        std::vector<std::string>{"draw", scenario_, "-o", folder_ / "yard.svg"}}) {
+    const Outcome outcome = run_vandplan(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.substr(0, 16), "\\x1b[31myard\\x9b") << outcome.out;
+  }
 }
 
 // ---- signals ----
@@ -238,7 +315,7 @@ TEST_F(PlanCommand, SignalsEndTheRunWithTheBestSoFar) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string file = folder_ / "result.json";
     Process process({"plan", scenario_, "--json", "--time", "1000", "--max-nodes", "10000000",
-                     "--planner", "rrt-opt-euc", "--output", file});
+                     "--planner", "rrt-opt-euc-goal", "--output", file});
     wait_until_busy(process);
     process.send(signal);
     const Outcome outcome = process.wait();

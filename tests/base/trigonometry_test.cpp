@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
-#include "base/random.h"
 #include "support/cases.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -25,7 +25,7 @@ double error_of(double actual, long double expected) {
 }
 
 void expect_right_sin_cos(double angle) {
-  const auto [sin, cos] = sin_cos(angle);
+  const auto [sin, cos] = base::sin_cos(angle);
   EXPECT_LT(error_of(sin, std::sin(static_cast<long double>(angle))), 1) << as_code(angle);
   EXPECT_LT(error_of(cos, std::cos(static_cast<long double>(angle))), 1) << as_code(angle);
 }
@@ -55,31 +55,31 @@ TEST(SinCos, IsRightNextToMultiplesOfQuarterTurns) {
 TEST(SinCos, IsRightForTheDoubleThatIsNearestToAMultipleOfQuarterTurns) {
   // 6381956970095103 * 2^797 (Muller 2016, table 11.1): 2^-60.9 from a multiple of pi/2.
   const double angle = std::ldexp(6381956970095103.0, 797);
-  EXPECT_EQ(sin_cos(angle).cos, -4.6871659242546277e-19);
-  EXPECT_EQ(sin_cos(angle).sin, 1);
+  EXPECT_EQ(base::sin_cos(angle).cos, -4.6871659242546277e-19);
+  EXPECT_EQ(base::sin_cos(angle).sin, 1);
 }
 
 TEST(SinCos, IsOddAndEvenBitForBit) {
   Rng rng(4);
   for (int i = 0; i < cases(100'000); ++i) {
     const double angle = std::ldexp(uniform(1, 2, rng), static_cast<int>(rng() % 100) - 50);
-    EXPECT_EQ(sin_cos(-angle).sin, -sin_cos(angle).sin) << as_code(angle);
-    EXPECT_EQ(sin_cos(-angle).cos, sin_cos(angle).cos) << as_code(angle);
+    EXPECT_EQ(base::sin_cos(-angle).sin, -base::sin_cos(angle).sin) << as_code(angle);
+    EXPECT_EQ(base::sin_cos(-angle).cos, base::sin_cos(angle).cos) << as_code(angle);
   }
 }
 
 TEST(SinCos, KnowsTheSpecialArguments) {
-  EXPECT_EQ(sin_cos(0).sin, 0);
-  EXPECT_EQ(sin_cos(0).cos, 1);
-  EXPECT_EQ(sin_cos(5e-324).sin, 5e-324);
+  EXPECT_EQ(base::sin_cos(0).sin, 0);
+  EXPECT_EQ(base::sin_cos(0).cos, 1);
+  EXPECT_EQ(base::sin_cos(5e-324).sin, 5e-324);
   for (const double angle : {infinity, -infinity, nan}) {
-    EXPECT_TRUE(std::isnan(sin_cos(angle).sin));
-    EXPECT_TRUE(std::isnan(sin_cos(angle).cos));
+    EXPECT_TRUE(std::isnan(base::sin_cos(angle).sin));
+    EXPECT_TRUE(std::isnan(base::sin_cos(angle).cos));
   }
 }
 
 void expect_right_atan_2(double y, double x) {
-  EXPECT_LT(error_of(atan_2(y, x), std::atan2(static_cast<long double>(y), x)), 2.5)
+  EXPECT_LT(error_of(base::atan_2(y, x), std::atan2(static_cast<long double>(y), x)), 2.5)
       << as_code(y) << ", " << as_code(x);
 }
 
@@ -109,11 +109,11 @@ TEST(Atan2, KnowsTheSpecialArguments) {
   for (const double y : values) {
     for (const double x : values) {
       const double expected = std::atan2(y, x);
-      EXPECT_DOUBLE_EQ(atan_2(y, x), expected) << y << ", " << x;
-      EXPECT_EQ(std::signbit(atan_2(y, x)), std::signbit(expected)) << y << ", " << x;
+      EXPECT_DOUBLE_EQ(base::atan_2(y, x), expected) << y << ", " << x;
+      EXPECT_EQ(std::signbit(base::atan_2(y, x)), std::signbit(expected)) << y << ", " << x;
     }
-    EXPECT_TRUE(std::isnan(atan_2(y, nan)));
-    EXPECT_TRUE(std::isnan(atan_2(nan, y)));
+    EXPECT_TRUE(std::isnan(base::atan_2(y, nan)));
+    EXPECT_TRUE(std::isnan(base::atan_2(nan, y)));
   }
 }
 

@@ -12,12 +12,13 @@
 #include <memory>
 #include <numbers>
 
-#include "base/random.h"
 #include "support/cases.h"
 #include "support/collision_oracle.h"
 #include "support/draws.h"
+#include "support/problems.h"
 #include "vandplan/collision.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -109,8 +110,8 @@ TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
     const Footprint body = footprint(c.vehicle);
     const CollisionChecker checker(body, c.bounds, c.obstacles);
     if (checker.is_free(c.path.start, c.path.segments)) {
-      const Problem problem{std::make_shared<World>(c.vehicle, c.bounds, c.obstacles, Point{}),
-                            c.path.start, end_pose(c.path)};
+      const Problem problem =
+          problem_of_path({.bounds = c.bounds, .obstacles = c.obstacles}, c.path, c.vehicle);
       const PathCheck check = check_path(problem, c.path, {});
       EXPECT_TRUE(check.valid) << check.reason << "; " << described(c);
       ++accepted;
@@ -130,9 +131,7 @@ TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
 
 bool judged_within(const Path& path, const Bounds& bounds) {
   const Vehicle vehicle{.min_turning_radius = 1e-3};
-  const Problem problem{std::make_shared<World>(vehicle, bounds, std::vector<Polygon>{}, Point{}),
-                        path.start, end_pose(path)};
-  return check_path(problem, path, {}).valid;
+  return check_path(problem_of_path({.bounds = bounds}, path, vehicle), path, {}).valid;
 }
 
 TEST(CollisionLaw, TheRearAxleIsKeptInTheBoundsToAMicrometre) {

@@ -213,5 +213,52 @@ TEST(Collision, AnEdgeIsFreeIfAllItsSegmentsAre) {
   EXPECT_FALSE(checker.is_free({20, 0, 0}, std::span<const Segment>{}));
 }
 
+// ---- Clothoids ----
+
+TEST(CollisionOfClothoids, TheyAreSweptAsTheyAreDriven) {
+  // From straight ahead to a radius of 5 m within 10 m: at the end the heading is 1 rad.
+  const Segment bend{0, 10, 0.02};
+  const Pose end = advance({0, 0, 0}, bend);
+  EXPECT_NEAR(end.heading, 1, 1e-15);
+  EXPECT_TRUE(among({}).is_free({0, 0, 0}, bend));
+  // A thorn that points at the front, where that is at the end.
+  const auto thorn = [&](double ahead) {
+    Polygon polygon;
+    for (const Point& p : {Point{4 + ahead, 0.5}, Point{5, -0.5}, Point{5, 1.5}}) {
+      const Pose at = compose(end, {p.x, p.y, 0});
+      polygon.push_back({at.x, at.y});
+    }
+    return polygon;
+  };
+  EXPECT_FALSE(among({thorn(-1e-4)}).is_free({0, 0, 0}, bend));
+  EXPECT_TRUE(among({thorn(1.1e-3)}).is_free({0, 0, 0}, bend));
+  // The way goes on from where the clothoid ends.
+  const Segment on[] = {bend, {0, 0.5}};
+  EXPECT_FALSE(among({thorn(0.3)}).is_free({0, 0, 0}, on));
+  EXPECT_TRUE(among({thorn(0.3)}).is_free({0, 0, 0}, bend));
+}
+
+TEST(CollisionOfClothoids, TheAxleIsHeldToTheBoundsOnThemNotOnArcs) {
+  // Through the unit spiral's northernmost place, where it has turned by half a turn.
+  const Segment spiral{0, 3, pi};
+  const Pose top = advance({0, 0, 0}, {0, std::sqrt(2.0), pi});
+  const Bounds around{-10, 10, -10, 10};
+  const auto below = [&](double y_max) {
+    Bounds bounds = around;
+    bounds.y_max = y_max;
+    return CollisionChecker(body, bounds, {}).is_free({0, 0, 0}, spiral);
+  };
+  EXPECT_TRUE(below(top.y + 1e-12));
+  EXPECT_FALSE(below(top.y - 1e-12));
+}
+
+TEST(CollisionOfClothoids, WhatWindsWithoutEndIsNotAccepted) {
+  for (const Segment& segment : {Segment{0, 1, 1e300}, Segment{0, 1e300, 1e-300},
+                                 Segment{1e300, -1e300, 1}, Segment{0, 1, std::nan("")}}) {
+    EXPECT_FALSE(among({}).is_free({0, 0, 0}, segment));
+  }
+  EXPECT_TRUE(among({}).is_free({0, 0, 0}, Segment{0, 0, 1}));
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -66,9 +66,10 @@ TEST(DiscTrace, WhatIsNotInDoubtIsSo) {
   int partly = 0;
   for_each_case(1, cases_count, [&](Rng& rng) {
     const Case c = any_case(rng);
-    const DistanceField distances(BlockedCells(c.grid), 1);
-    const PlacedSegment placed(placement_of(c.from), c.segment);
-    const DiscTrace trace = trace_discs(distances, c.grid.resolution, DiscRows(c.body), placed);
+    const geometry::DistanceField distances(geometry::BlockedCells(c.grid), 1);
+    const collision::PlacedSegment placed(collision::placement_of(c.from), c.segment);
+    const collision::DiscTrace trace =
+        collision::trace_discs(distances, c.grid.resolution, collision::DiscRows(c.body), placed);
     const std::vector<Polygon> squares = squares_of(c.grid);
     const double length = std::abs(c.segment.length);
     const auto expect = [&](bool touched, double begin, double end) {
@@ -97,10 +98,11 @@ TEST(DiscTrace, OpenGroundIsClearFurtherThanTheFieldKnowsCells) {
   rows.back()[0] = '#';
   OccupancyGrid grid = grid_of(rows, 0.1, {0.1, 0.1, 0});
   grid.unknown_is_free = true;
-  const DistanceField distances(BlockedCells(grid), 3);
-  const DiscRows discs(footprint({}));
-  const auto is_clear = [&](const Placement& from) {
-    const DiscTrace trace = trace_discs(distances, 0.1, discs, {from, {0, 45}});
+  const geometry::DistanceField distances(geometry::BlockedCells(grid), 3);
+  const collision::DiscRows discs(footprint({}));
+  const auto is_clear = [&](const collision::Placement& from) {
+    const collision::DiscTrace trace =
+        collision::trace_discs(distances, 0.1, discs, {from, {0, 45}});
     return !trace.is_hit && trace.in_doubt().empty();
   };
   EXPECT_TRUE(is_clear({{10, 10}, {1, 0}}));

@@ -14,6 +14,7 @@
 #include "support/collision_oracle.h"
 #include "support/grids.h"
 #include "support/map_cases.h"
+#include "support/problems.h"
 #include "vandplan/collision.h"
 #include "vandplan/path_check.h"
 
@@ -32,15 +33,14 @@ struct Counts {
 void expect_law(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& path,
                 Counts& counts) {
   const Footprint body = footprint(vehicle);
-  const auto world =
-      std::make_shared<World>(vehicle, Surroundings{.bounds = wide, .map = grid}, Point{});
+  const Problem problem = problem_of_path({.bounds = wide, .map = grid}, path, vehicle);
   const auto described = [&] {
     return as_code(path) + " on cells of " + as_code(grid.resolution) + " m at " +
            as_code(grid.origin) + ", " + std::to_string(grid.columns) + " x " +
            std::to_string(grid.rows) + ": " + as_code(squares_of(grid));
   };
-  if (world->checker().is_free(path.start, path.segments)) {
-    const PathCheck check = check_path({world, path.start, end_pose(path)}, path, {});
+  if (problem.task().checker->is_free(path.start, path.segments)) {
+    const PathCheck check = check_path(problem, path, {});
     EXPECT_TRUE(check.valid) << check.reason << "; " << described();
     ++counts.accepted;
     counts.barely_accepted += check.clearance < 4e-3;
@@ -94,8 +94,7 @@ TEST(MapLaw, TheJudgeSeesCellsAsItSeesSquares) {
     const Path path = any_edge(rng);
     const OccupancyGrid grid = any_grid(rng);
     const auto judged = [&](const Surroundings& surroundings) {
-      const auto world = std::make_shared<World>(vehicle, surroundings, Point{});
-      return check_path({world, path.start, end_pose(path)}, path, {});
+      return check_path(problem_of_path(surroundings, path, vehicle), path, {});
     };
     const PathCheck cells = judged({.bounds = wide, .map = grid});
     const PathCheck squares = judged({.bounds = wide, .obstacles = squares_of(grid)});

@@ -34,7 +34,7 @@ Scenario yard() {
   scenario.name = "yard";
   scenario.bounds = {-200, 200, -200, 200};
   scenario.start = {0, 0, 0};
-  scenario.goals = {{{}, {13, -7, pi / 2}, {}}};
+  scenario.goal = {13, -7, pi / 2};
   scenario.obstacles = {{{8, 8}, {12, 8}, {12, 12}, {8, 12}}};
   return scenario;
 }
@@ -44,7 +44,7 @@ Path yard_path() { return {{0, 0, 0}, {{0, 20}, {-1 / radius, -radius * pi / 2}}
 Scenario moved(Scenario scenario, double x, double y) {
   scenario.bounds = {scenario.bounds.x_min + x, scenario.bounds.x_max + x,
                      scenario.bounds.y_min + y, scenario.bounds.y_max + y};
-  for (Pose* pose : {&scenario.start, &scenario.goals[0].pose}) {
+  for (Pose* pose : {&scenario.start, &scenario.goal}) {
     pose->x += x;
     pose->y += y;
   }
@@ -195,12 +195,6 @@ TEST(Draw, GroundOutOfBoundsIsShaded) {
   EXPECT_TRUE(looks(page.at({15.5, 2.3}), picture::colour::outside));
 }
 
-TEST(Draw, ObstaclesOfTheGoalAreDrawnToo) {
-  Scenario scenario = yard();
-  scenario.goals[0].obstacles = {{{2, 8}, {5, 8}, {5, 12}, {2, 12}}};
-  EXPECT_TRUE(looks(Page({.scenario = &scenario}).at({3.3, 10.4}), picture::colour::obstacle));
-}
-
 TEST(Draw, TreeIsDrawnWhenThereIsOne) {
   const Scenario scenario = yard();
   // One straight edge along y = 5 m.
@@ -243,11 +237,54 @@ TEST(Draw, FarFromTheOriginOnlyTheLabelsDiffer) {
   EXPECT_EQ(different, 0);
 }
 
+picture::Framing framing_of(const Scenario& scenario) {
+  return picture::framed(picture::scene_of({.scenario = &scenario}));
+}
+
 TEST(Draw, FarObstaclesDoNotShrinkTheScene) {
   Scenario scenario = yard();
-  const Bounds before = picture::framed(picture::scene_of({.scenario = &scenario}));
+  const picture::Framing before = framing_of(scenario);
+  EXPECT_FALSE(before.is_cropped);
   scenario.obstacles.push_back({{1e6, 1e6}, {1e6 + 5, 1e6}, {1e6, 1e6 + 5}});
-  EXPECT_EQ(picture::framed(picture::scene_of({.scenario = &scenario})), before);
+  EXPECT_EQ(framing_of(scenario).seen, before.seen);
+  EXPECT_TRUE(framing_of(scenario).is_cropped);
+}
+
+TEST(Draw, AllThatStandsAroundThePathIsShown) {
+  Scenario scenario = yard();  // start and goal take up 18 m
+  scenario.obstacles.push_back({{-26, -30}, {-24, -30}, {-24, -28}, {-26, -28}});
+  scenario.kerbs.push_back({{30, 20}, {32, 20}, {32, 30}, {30, 30}});
+  const picture::Framing framing = framing_of(scenario);
+  EXPECT_FALSE(framing.is_cropped);
+  EXPECT_TRUE(contains(framing.seen, {-26, -30}));
+  EXPECT_TRUE(contains(framing.seen, {32, 30}));
+}
+
+TEST(Draw, TheFenceOfAYardIsShownAndGenerousBoundsAreNot) {
+  Scenario scenario = yard();
+  EXPECT_FALSE(contains(framing_of(scenario).seen, {-199, -199}));
+  scenario.bounds = {-6, 24, -14, 16};
+  EXPECT_TRUE(contains(framing_of(scenario).seen, {-6, -14}));
+  EXPECT_TRUE(contains(framing_of(scenario).seen, {24, 16}));
+}
+
+TEST(Draw, ACroppedPictureSaysSo) {
+  Scenario scenario = yard();
+  const auto ink_below = [&] {  // dark pixels left of the middle, where the axis has its title
+    const Page page({.scenario = &scenario});
+    const picture::Box& plot = page.view.plot;
+    int found = 0;
+    for (int row = static_cast<int>(plot.y + plot.height) + 22; row < page.image.height(); ++row) {
+      if (row > plot.y + plot.height + 36) break;
+      for (int column = static_cast<int>(plot.x); column < plot.x + 200; ++column) {
+        found += page.image.at(column, row)[0] < 180;
+      }
+    }
+    return found;
+  };
+  EXPECT_EQ(ink_below(), 0);
+  scenario.obstacles.push_back({{1e6, 1e6}, {1e6 + 5, 1e6}, {1e6, 1e6 + 5}});
+  EXPECT_GT(ink_below(), 100);
 }
 
 TEST(Draw, AnObstacleThatReachesFarOutCoversTheViewWhereItShould) {
@@ -322,8 +359,9 @@ TEST(Draw, BadInputIsNamed) {
   };
   EXPECT_THROW((void)draw_png({.scenario = &scenario}, 49), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario}, 10001), InputError);
-  EXPECT_THROW((void)draw_png({.scenario = &scenario, .goal = 1}, 300), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario, .path = &broken}, 300), InputError);
+  const Path winding{{0, 0, 0}, {{0, 1, std::numeric_limits<double>::infinity()}}};
+  EXPECT_THROW((void)draw_png({.scenario = &scenario, .path = &winding}, 300), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario, .caption = "\xff\xfe"}, 300), InputError);
   EXPECT_THROW((void)draw(ContactSheet{.columns = 0}, PictureFormat::png, 300), InputError);
 }

@@ -23,6 +23,17 @@ TEST(PathMetrics, CanBeCheckedWithAPencil) {
   EXPECT_DOUBLE_EQ(metrics.driving_time, 24.5 / 2.0 + 2 * 3.0);
 }
 
+TEST(PathMetrics, OfClothoidsCanBeCheckedWithAPencil) {
+  // To the left within 2 m, then 1 m so, over to the right in reverse within 4 m, 1 m so.
+  const double full = 0.2;
+  const Path path{{}, {{0.0, 2.0, full / 2}, {full, 1.0}, {full, -4.0, -full / 2}, {-full, -1.0}}};
+  const PathMetrics metrics = metrics_of(path, {});
+  EXPECT_DOUBLE_EQ(metrics.turning, 0.2 + 0.2 + 2 * 0.2 + 0.2);
+  EXPECT_EQ(metrics.curvature_changes, 2);  // as often as the wheel is turned
+  const Path with_jump{{}, {{0.0, 2.0, full / 2}, {0.1, 1.0}}};
+  EXPECT_EQ(metrics_of(with_jump, {}).curvature_changes, 2);
+}
+
 TEST(PathMetrics, DoNotDependOnHowAPathIsCut) {
   const Path whole{{}, {{left, 7.0}, {0.0, -10.0}}};
   const Path cut{{}, {{left, 3.0}, {left, 4.0}, {0.0, 0.0}, {0.0, -4.0}, {0.0, -6.0}}};

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "base/random.h"
 #include "support/made_up_runs.h"
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan::evaluation {

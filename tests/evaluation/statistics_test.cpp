@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-#include "base/random.h"
+#include "vandplan/random.h"
 
 namespace vandplan::evaluation {
 namespace {

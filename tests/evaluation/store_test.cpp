@@ -33,7 +33,7 @@ RunRecord solved_run(Store& store, std::uint64_t seed) {
   run.jobs = 2;
   run.started = "2026-11-21T05:16:33Z";
   run.result.status = PlanStatus::solved;
-  run.result.path = Path{{0.1, 4.5e9, -0.3}, {{1.0 / 7.0, 1.0 / 3.0}, {0.0, -2e-7}}};
+  run.result.path = Path{{0.1, 4.5e9, -0.3}, {{1.0 / 7.0, 1.0 / 3.0}, {0.0, -2e-7, 1.0 / 9.0}}};
   run.result.cost = 1.0 / 3.0 + 2e-7;
   run.result.iterations = 812;
   run.result.time_total = 0.0625;
@@ -237,6 +237,9 @@ TEST(Store, RefusesAnotherFormat) {
   Database(file, Database::Mode::write).execute("PRAGMA user_version = 99");
   EXPECT_EQ(complaint(file),
             file + ": is a result store of format 99, expected " + std::to_string(Store::format));
+  // The one before this knew no clothoids.
+  Database(file, Database::Mode::write).execute("PRAGMA user_version = 2");
+  EXPECT_EQ(complaint(file), file + ": is a result store of format 2, expected 3");
 }
 
 TEST(Store, RefusesADamagedFile) {

@@ -15,7 +15,7 @@ namespace vandplan {
 namespace {
 
 /// The squared distance of a point, in cells of the frame, from the nearest blocked square.
-double squared_distance(const BlockedCells& cells, double x, double y) {
+double squared_distance(const geometry::BlockedCells& cells, double x, double y) {
   double least = std::numeric_limits<double>::infinity();
   for (std::int32_t row = 0; row < cells.rows(); ++row) {
     for (std::int32_t column = 0; column < cells.columns(); ++column) {
@@ -37,8 +37,8 @@ OccupancyGrid any_grid(Rng& rng) {
 
 TEST(DistanceField, IsExactAtTheCornersOfCells) {
   for_each_case(1, 60, [](Rng& rng) {
-    const BlockedCells cells(any_grid(rng));
-    const DistanceField field(cells, 2);
+    const geometry::BlockedCells cells(any_grid(rng));
+    const geometry::DistanceField field(cells, 2);
     for (std::int32_t y = 0; y <= cells.rows(); ++y) {
       for (std::int32_t x = 0; x <= cells.columns(); ++x) {
         const double expected = std::min(65025.0, squared_distance(cells, x, y));
@@ -53,7 +53,7 @@ TEST(DistanceField, KnowsNoMoreThan255Cells) {
   rows[1][0] = '#';
   OccupancyGrid grid = grid_of(rows, 1);
   grid.unknown_is_free = true;
-  const DistanceField field{BlockedCells(grid), 3};
+  const geometry::DistanceField field{geometry::BlockedCells(grid), 3};
   EXPECT_EQ(field.square_at(2 + 254, 2), 254U * 254U);
   EXPECT_EQ(field.square_at(2 + 255, 2), 65025U);
   EXPECT_EQ(field.square_at(2 + 300, 2), 65025U);
@@ -66,7 +66,7 @@ TEST(DistanceField, KnowsRoughlyHowFarItIsBeyond255Cells) {
   rows[1][0] = '#';
   OccupancyGrid grid = grid_of(rows, 1);
   grid.unknown_is_free = true;
-  const DistanceField field{BlockedCells(grid), 3};
+  const geometry::DistanceField field{geometry::BlockedCells(grid), 3};
   for (const double distance : {100.0, 254.0, 256.0, 300.0, 2000.0, 2400.0}) {
     const double least = field.at_least({2 + distance, 2});
     EXPECT_LE(least, distance);
@@ -76,8 +76,8 @@ TEST(DistanceField, KnowsRoughlyHowFarItIsBeyond255Cells) {
 
 TEST(DistanceField, BoundsDistancesEverywhere) {
   for_each_case(2, 60, [](Rng& rng) {
-    const BlockedCells cells(any_grid(rng));
-    const DistanceField field(cells, 2);
+    const geometry::BlockedCells cells(any_grid(rng));
+    const geometry::DistanceField field(cells, 2);
     for (int i = 0; i < 500; ++i) {
       const double x = uniform(-20, cells.columns() + 20, rng);
       const double y = uniform(-20, cells.rows() + 20, rng);
@@ -87,7 +87,7 @@ TEST(DistanceField, BoundsDistancesEverywhere) {
       EXPECT_LE(least, expected + 1e-12);
       EXPECT_LE(at_least, expected + 1e-12);
       EXPECT_GE(most, expected - 1e-12);
-      if (expected > DistanceField::furthest) continue;
+      if (expected > geometry::DistanceField::furthest) continue;
       const bool is_inside = x >= 0 && y >= 0 && x <= cells.columns() && y <= cells.rows();
       EXPECT_LE(most - least, is_inside ? 1.4143 : 60);
       EXPECT_GE(at_least, expected - (is_inside ? 4 * 1.4143 + 0.1 : 60));
@@ -98,11 +98,11 @@ TEST(DistanceField, BoundsDistancesEverywhere) {
 TEST(BlockedCells, EdgeCellsHaveANeighbourThatIsFree) {
   for_each_case(3, 100, [](Rng& rng) {
     const OccupancyGrid grid = any_grid(rng);
-    const BlockedCells cells(grid);
+    const geometry::BlockedCells cells(grid);
     std::vector<std::vector<bool>> found(
         static_cast<std::size_t>(cells.rows()),
         std::vector<bool>(static_cast<std::size_t>(cells.columns())));
-    const CellBox all{-5, cells.columns() + 5, -5, cells.rows() + 5};
+    const geometry::CellBox all{-5, cells.columns() + 5, -5, cells.rows() + 5};
     EXPECT_FALSE(
         cells.edges().any_run(all, [&](std::int32_t y, std::int32_t begin, std::int32_t end) {
           for (std::int32_t x = begin; x < end; ++x) {

@@ -8,22 +8,22 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
 #include "support/cases.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
 
-std::string flaw(const Polygon& polygon) { return flaw_of(polygon, {}); }
+std::string flaw(const Polygon& polygon) { return geometry::flaw_of(polygon, {}); }
 
 TEST(Polygon, RepeatedCornersAreDropped) {
   const Polygon square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  EXPECT_EQ(cleaned({{0, 0}, {0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}), square);
-  EXPECT_EQ(cleaned({{0, 0}, {1, 1}, {0, 0}}), Polygon({{0, 0}, {1, 1}}));
+  EXPECT_EQ(geometry::cleaned({{0, 0}, {0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}), square);
+  EXPECT_EQ(geometry::cleaned({{0, 0}, {1, 1}, {0, 0}}), Polygon({{0, 0}, {1, 1}}));
 }
 
 TEST(Polygon, APointBecomesATriangleAroundIt) {
-  const Polygon speck = cleaned({{2, 3}, {2, 3}, {2, 3}});
+  const Polygon speck = geometry::cleaned({{2, 3}, {2, 3}, {2, 3}});
   EXPECT_EQ(flaw(speck), "");
   const Bounds box = bounding_box(speck);
   EXPECT_TRUE(contains(box, {2, 3}));
@@ -49,7 +49,7 @@ TEST(Polygon, CornersOnOneLineHaveNoArea) {
 }
 
 TEST(Polygon, CrossingSidesAreNamedInTheFrameOfTheReader) {
-  EXPECT_EQ(flaw_of({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {1000, -20}),
+  EXPECT_EQ(geometry::flaw_of({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {1000, -20}),
             "crosses or touches itself where the sides that begin at [1000, -20] and [1001, -20] "
             "meet, expected a simple polygon");
 }

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <string>
 
-#include "base/random.h"
 #include "support/cases.h"
 #include "support/shared_files.h"
 #include "support/temporary_folder.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/random.h"
+#include "vandplan/result_file.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -116,16 +118,16 @@ TEST(BadFile, ScenariosAreReadOrRefused) {
     expect_read_or_refused(
         [&] {
           // What is read can be planned on and written.
-          const Scenario scenario = scenario_from_yaml(text, "s.yaml");
-          (void)make_problem(scenario, 0);
-          (void)scenario_from_yaml(scenario_to_yaml(scenario), "again.yaml");
+          const ScenarioFile scenario = scenario_from_yaml(text, "s.yaml");
+          (void)make_problems(scenario);
+          (void)scenario_from_yaml(to_yaml(scenario), "again.yaml");
         },
         "s.yaml", text);
   });
 }
 
 TEST(BadFile, ResultsAreReadOrRefused) {
-  const Scenario scenario = scenario_from_yaml(our_scenario("5-leave-cage.yaml"), "s.yaml");
+  const ScenarioFile scenario = scenario_from_yaml(our_scenario("5-leave-cage.yaml"), "s.yaml");
   ResultRecord record{.scenario = "s",
                       .planner = "p",
                       .options = {},
@@ -134,7 +136,7 @@ TEST(BadFile, ResultsAreReadOrRefused) {
                       .claims = {},
                       .furthest = {}};
   record.result.status = PlanStatus::solved;
-  record.result.path = Path{scenario.start, {{0, 1}, {1.0 / 7, -0.2}}};
+  record.result.path = Path{scenario.scenario.start, {{0, 1}, {1.0 / 7, -0.2}}};
   record.result.tree = TreeSnapshot{{{0, 0, 0}, {1, 0, 0.5}}, {-1, 0}};
   const std::string valid = results_to_json(scenario, {record});
   const TemporaryFolder folder;
@@ -142,6 +144,28 @@ TEST(BadFile, ResultsAreReadOrRefused) {
     const std::string text = hurt_often(valid, rng);
     const std::string file = folder.put("r.json", text);
     expect_read_or_refused([&] { (void)read_results(file, scenario); }, file, text);
+  });
+}
+
+TEST(BadFile, ResultsOfManyPairsAreReadOrRefused) {
+  const ScenarioFile scenario = scenario_from_yaml(our_scenario("5-leave-cage.yaml"), "s.yaml");
+  const Problem problem = make_problem(scenario.scenario);
+  ResultRecord record;
+  record.result.status = PlanStatus::solved;
+  record.result.path = Path{scenario.scenario.start, {{0, 1}, {1.0 / 7, -0.2}}};
+  const std::string valid =
+      result_to_json_line(1, problem, record) + result_to_json_line(2, problem, record);
+  const TemporaryFolder folder;
+  for_each_case(4, 3000, [&](Rng& rng) {
+    const std::string text = hurt_often(valid, rng);
+    const std::string file = folder.put("r.jsonl", text);
+    const auto read = [&] {
+      ResultReader reader(file, scenario);
+      if (!reader.has_pairs()) return (void)reader.all();
+      while (reader.next()) {
+      }
+    };
+    expect_read_or_refused(read, file, text);
   });
 }
 

@@ -8,7 +8,7 @@
 
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -61,12 +61,12 @@ TEST_F(MovingAi, CellsCountFromTheUpperLeftCorner) {
   const Scenario first = read(movingai_map, problems, 1);
   EXPECT_EQ(first.name, "a-1");
   EXPECT_EQ(first.start, (Pose{1, 5, -pi / 2}));
-  EXPECT_EQ(first.goals[0].pose, (Pose{1, 1, -pi / 2}));
+  EXPECT_EQ(first.goal, (Pose{1, 1, -pi / 2}));
   EXPECT_EQ(first.bounds, (Bounds{0, 8, 0, 6}));
   EXPECT_EQ(first.vehicle, vehicle_named("tpcap-car"));
   const Scenario second = read(movingai_map, problems, 2);
   EXPECT_EQ(second.start, (Pose{3, 1, 0}));
-  EXPECT_EQ(second.goals[0].pose, (Pose{7, 1, 0}));
+  EXPECT_EQ(second.goal, (Pose{7, 1, 0}));
 }
 
 TEST_F(MovingAi, GroundGrassAndSwampAreFree) {
@@ -141,7 +141,7 @@ TEST_F(Dynobench, ACarAmongBoxesIsRead) {
   EXPECT_EQ(scenario.vehicle, vehicle_named("van"));
   EXPECT_EQ(scenario.bounds, (Bounds{0, 6, 0, 5}));
   EXPECT_EQ(scenario.start, (Pose{0.7, 0.6, 0}));
-  EXPECT_EQ(scenario.goals[0].pose, (Pose{1.9, 0.3, 1.5}));
+  EXPECT_EQ(scenario.goal, (Pose{1.9, 0.3, 1.5}));
   EXPECT_EQ(scenario.obstacles,
             (std::vector<Polygon>{{{2, 1.25}, {3, 1.25}, {3, 1.75}, {2, 1.75}}}));
 }

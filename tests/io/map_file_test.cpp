@@ -9,7 +9,7 @@
 #include "support/temporary_folder.h"
 #include "support/yard.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

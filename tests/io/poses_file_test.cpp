@@ -6,14 +6,14 @@
 
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
 
 std::vector<PosePair> read(const std::string& text) {
   const TemporaryFolder folder;
-  return read_pose_pairs(folder.put("p.csv", text));
+  return read_pose_pairs(folder.put("p.csv", text)).pairs;
 }
 
 std::string message_for(const std::string& text) {
@@ -33,6 +33,16 @@ TEST(PosesFile, HeaderCommentsAndBlanksArePassedOver) {
   EXPECT_EQ(pairs[0].start, (Pose{1, 2.5, -0.5}));
   EXPECT_EQ(pairs[0].goal, (Pose{30, 4, 5}));
   EXPECT_EQ(pairs[1].goal, (Pose{9, 10, 11}));
+}
+
+TEST(PosesFile, TheFirstHeadingThatLooksLikeDegreesIsDoubted) {
+  const TemporaryFolder folder;
+  const PosePairs read = read_pose_pairs(
+      folder.put("p.csv", "0,0,6.2831853,1,1,-6.2831853\n0,0,0,5,0,90\n0,0,180,5,0,0\n"));
+  EXPECT_EQ(read.pairs.size(), 3U);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].substr(folder.path().size() + 1),
+            "p.csv:2: goal_heading: is 90 rad, more than a full turn; 90 degrees are 1.5708 rad");
 }
 
 TEST(PosesFile, MistakesNameTheLine) {

@@ -10,7 +10,8 @@
 
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/result_file.h"
+#include "vandplan/scenario_file.h"
 #include "vandplan/version.h"
 
 namespace vandplan {
@@ -23,15 +24,14 @@ Scenario yard() {
   scenario.name = "yard";
   scenario.bounds = {-100, 100, -100, 100};
   scenario.start = {0.3, -1.0 / 3, 0.1};
-  scenario.goals = {{.distance = {}, .pose = {20, 0, 0}, .obstacles = {}}};
+  scenario.goal = {20, 0, 0};
   return scenario;
 }
 
-Scenario row() {
-  Scenario scenario = yard();
-  scenario.goals_are_a_row = true;
-  scenario.goals = {{20.0, {20, 0, 0}, {}}, {40.0, {40, 0, 0}, {}}, {60.0, {60, 0, 0}, {}}};
-  return scenario;
+ScenarioFile yard_file() { return {yard()}; }
+
+ScenarioFile row() {
+  return {yard(), {{20.0, {20, 0, 0}, {}}, {40.0, {40, 0, 0}, {}}, {60.0, {60, 0, 0}, {}}}};
 }
 
 ResultRecord solved(const Scenario& scenario) {
@@ -39,15 +39,21 @@ ResultRecord solved(const Scenario& scenario) {
   ResultRecord record;
   record.scenario = scenario.name;
   record.planner = "rrt-opt-euc";
-  record.options.seed = std::numeric_limits<std::uint64_t>::max();
+  record.options.budget.seed = std::numeric_limits<std::uint64_t>::max();
   PlanResult& result = record.result;
   result.status = PlanStatus::solved;
   result.path = Path{scenario.start, {{curvature, 3.2}, {0, -12.34}, {-curvature, 0.1}, {0.05, 2}}};
   result.cost = 17.65;
   result.iterations = 8123;
-  result.nodes = 5000;
+  result.counters = {{"nodes", 5000}, {"edge_checks", 12345}};
   result.time_total = 0.5;
   result.anytime = {{0.0031, 61, 375.9}, {0.0102, 190, 17.65}};
+  result.check = PathCheck{.valid = true,
+                           .length = 17.64,
+                           .reverse_length = 12.34,
+                           .gear_changes = 2,
+                           .clearance = 0.25};
+  record.options.planner.set("max_nodes", std::int64_t{700});
   return record;
 }
 
@@ -68,10 +74,11 @@ std::vector<std::string> keys_of(const Json& json) {
 using Keys = std::vector<std::string>;
 
 TEST(ResultFile, HoldsTheDocumentedKeysInTheirOrder) {
-  const Json json = Json::parse(results_to_json(yard(), {solved(yard())}));
-  EXPECT_EQ(keys_of(json), (Keys{"format", "scenario", "planner", "seed", "status", "length",
-                                 "cost", "gear_changes", "time", "iterations", "nodes", "anytime",
-                                 "path", "options", "build"}));
+  const Json json = Json::parse(results_to_json(yard_file(), {solved(yard())}));
+  EXPECT_EQ(keys_of(json),
+            (Keys{"format", "scenario", "planner", "seed", "status", "length", "cost",
+                  "gear_changes", "reverse_length", "clearance", "time", "iterations", "nodes",
+                  "counters", "anytime", "path", "options", "build"}));
   EXPECT_EQ(json["format"], "vandplan-result/1");
   EXPECT_EQ(json["scenario"], "yard");
   EXPECT_EQ(json["planner"], "rrt-opt-euc");
@@ -83,21 +90,40 @@ TEST(ResultFile, HoldsTheDocumentedKeysInTheirOrder) {
   EXPECT_EQ(json["time"], (Json{{"total", 0.5}, {"first_solution", 0.0031}}));
   EXPECT_EQ(json["anytime"][1], (Json{{"time", 0.0102}, {"iteration", 190}, {"cost", 17.65}}));
   EXPECT_EQ(json["build"]["version"], build_info().version);
-  EXPECT_EQ(json["options"]["max_nodes"], 5000);
-  EXPECT_EQ(json["options"]["region"], "bounds");
+  EXPECT_EQ(json["options"]["max_nodes"], 700);
+  EXPECT_EQ(json["options"]["threads"], 1);
+  EXPECT_EQ(json["reverse_length"], 12.34);
+  EXPECT_EQ(json["clearance"], 0.25);
+  EXPECT_EQ(json["nodes"], 5000);
+  EXPECT_EQ(json["counters"], (Json{{"nodes", 5000}, {"edge_checks", 12345}}));
 }
 
 TEST(ResultFile, SegmentsAreTurnsAtFullSteeringOrCurvatures) {
-  const Json json = Json::parse(results_to_json(yard(), {solved(yard())}));
+  const Json json = Json::parse(results_to_json(yard_file(), {solved(yard())}));
   EXPECT_EQ(json["path"]["start"], (Json{{"x", 0.3}, {"y", -1.0 / 3}, {"heading", 0.1}}));
   EXPECT_EQ(json["path"]["segments"], Json::parse(R"([{"turn": "left", "length": 3.2},
       {"turn": "straight", "length": -12.34}, {"turn": "right", "length": 0.1},
       {"curvature": 0.05, "length": 2.0}])"));
 }
 
+TEST(ResultFile, ClothoidsSayTheirCurvatureRate) {
+  ResultRecord record = solved(yard());
+  // The curvature goes from 0 to that of full steering, and back in reverse.
+  record.result.path->segments = {{0, 2, 1.0 / 14}, {1.0 / 7, -4, -1.0 / 28}};
+  const Json json = Json::parse(results_to_json(yard_file(), {record}));
+  const Json& segments = json["path"]["segments"];
+  EXPECT_EQ(segments[0], (Json{{"curvature", 0.0}, {"curvature_rate", 1.0 / 14}, {"length", 2.0}}));
+  EXPECT_EQ(keys_of(segments[1]), (Keys{"curvature", "curvature_rate", "length"}));
+  const Json& poses = json["path"]["poses"];
+  EXPECT_EQ(poses[0]["curvature"], 0.0);
+  EXPECT_EQ(poses[10]["curvature"], 1.0 / 14);
+  EXPECT_EQ(poses[20]["curvature"], 1.0 / 7);
+  EXPECT_EQ(poses.back()["curvature"], 0.0);
+}
+
 TEST(ResultFile, PosesFollowThePathAtMostTenCentimetresApart) {
   const ResultRecord record = solved(yard());
-  const Json json = Json::parse(results_to_json(yard(), {record}));
+  const Json json = Json::parse(results_to_json(yard_file(), {record}));
   const Json& poses = json["path"]["poses"];
   EXPECT_EQ(keys_of(poses[0]), (Keys{"s", "x", "y", "heading", "curvature", "direction"}));
   EXPECT_EQ(poses.front()["x"], 0.3);
@@ -122,8 +148,8 @@ TEST(ResultFile, PosesFarAwayAreAsGoodAsADoubleIs) {
   far.start = {4484378811.24645, -354286007.239762, 0.1};
   Scenario near = yard();
   near.start = {far.start.x - 4484378811, far.start.y + 354286007, 0.1};
-  const Json far_json = Json::parse(results_to_json(far, {solved(far)}));
-  const Json near_json = Json::parse(results_to_json(near, {solved(near)}));
+  const Json far_json = Json::parse(results_to_json({far}, {solved(far)}));
+  const Json near_json = Json::parse(results_to_json({near}, {solved(near)}));
   EXPECT_EQ(far_json["path"]["start"]["x"], far.start.x);
   const Json& poses = far_json["path"]["poses"];
   ASSERT_EQ(poses.size(), near_json["path"]["poses"].size());
@@ -140,14 +166,15 @@ TEST(ResultFile, TheStartIsWrittenAsTheScenarioWritesIt) {
   scenario.start.heading = -6.11698657169903;
   ResultRecord record = solved(scenario);
   record.result.path->start.heading = wrap_angle(scenario.start.heading);
-  const Json json = Json::parse(results_to_json(scenario, {record}));
+  const Json json = Json::parse(results_to_json({scenario}, {record}));
   EXPECT_EQ(json["path"]["start"]["heading"], -6.11698657169903);
 }
 
 TEST(ResultFile, WithoutAPathThereIsNothingOfAPath) {
-  const Json json = Json::parse(results_to_json(yard(), {unsolved(yard())}));
-  EXPECT_EQ(keys_of(json), (Keys{"format", "scenario", "planner", "seed", "status", "time",
-                                 "iterations", "nodes", "anytime", "options", "build"}));
+  const Json json = Json::parse(results_to_json(yard_file(), {unsolved(yard())}));
+  EXPECT_EQ(keys_of(json),
+            (Keys{"format", "scenario", "planner", "seed", "status", "time", "iterations", "nodes",
+                  "counters", "anytime", "options", "build"}));
   EXPECT_EQ(json["status"], "time_limit");
   EXPECT_EQ(keys_of(json["time"]), Keys{"total"});
   EXPECT_EQ(json["anytime"], Json::array());
@@ -156,15 +183,15 @@ TEST(ResultFile, WithoutAPathThereIsNothingOfAPath) {
 TEST(ResultFile, APathOfNoLengthIsAPath) {
   ResultRecord record = solved(yard());
   record.result.path->segments.clear();
-  const Json json = Json::parse(results_to_json(yard(), {record}));
+  const Json json = Json::parse(results_to_json(yard_file(), {record}));
   EXPECT_EQ(json["length"], 0.0);
   EXPECT_EQ(json["path"]["segments"], Json::array());
   EXPECT_EQ(json["path"]["poses"].size(), 1U);
 }
 
 TEST(ResultFile, ARowHoldsAResultForEachGoalAndTheFurthestReached) {
-  std::vector<ResultRecord> records = {solved(row()), solved(row()), unsolved(row())};
-  for (std::size_t i = 0; i < 3; ++i) records[i].distance = row().goals[i].distance;
+  std::vector<ResultRecord> records = {solved(yard()), solved(yard()), unsolved(yard())};
+  for (std::size_t i = 0; i < 3; ++i) records[i].distance = row().row[i].distance;
   Json json = Json::parse(results_to_json(row(), records));
   EXPECT_EQ(keys_of(json), (Keys{"format", "scenario", "planner", "seed", "goals", "furthest"}));
   ASSERT_EQ(json["goals"].size(), 3U);
@@ -179,7 +206,7 @@ TEST(ResultFile, ARowHoldsAResultForEachGoalAndTheFurthestReached) {
 }
 
 TEST(ResultFile, APoseIsALine) {
-  const std::string text = results_to_json(yard(), {unsolved(yard())});
+  const std::string text = results_to_json(yard_file(), {unsolved(yard())});
   EXPECT_EQ(text.substr(0, text.find("\"options\"")), R"({
   "format": "vandplan-result/1",
   "scenario": "yard",
@@ -189,20 +216,21 @@ TEST(ResultFile, APoseIsALine) {
   "time": {"total": 0.5},
   "iterations": 8123,
   "nodes": 5000,
+  "counters": {"nodes": 5000, "edge_checks": 12345},
   "anytime": [],
   )");
-  EXPECT_NE(results_to_json(yard(), {solved(yard())})
+  EXPECT_NE(results_to_json(yard_file(), {solved(yard())})
                 .find("\n      {\"turn\": \"straight\", \"length\": -12.34},\n"),
             std::string::npos);
 }
 
-class ResultReader : public testing::Test {
+class ReadResults : public testing::Test {
  protected:
-  std::vector<ResultRecord> read(const std::string& text, const Scenario& scenario) {
+  std::vector<ResultRecord> read(const std::string& text, const ScenarioFile& scenario) {
     return read_results(folder_.put("r.json", text), scenario);
   }
 
-  std::string message_for(const std::string& text, const Scenario& scenario) {
+  std::string message_for(const std::string& text, const ScenarioFile& scenario) {
     try {
       (void)read(text, scenario);
     } catch (const InputError& error) {
@@ -216,22 +244,23 @@ class ResultReader : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(ResultReader, ReadsWhatWasWritten) {
+TEST_F(ReadResults, ReadsWhatWasWritten) {
   ResultRecord record = solved(yard());
   record.result.tree = TreeSnapshot{{{0, 0, 0}, {1, 0, 0.5}, {2, 0, 0}}, {-1, 0, 0}};
-  const std::vector<ResultRecord> read_back = read(results_to_json(yard(), {record}), yard());
+  const std::vector<ResultRecord> read_back =
+      read(results_to_json(yard_file(), {record}), yard_file());
   ASSERT_EQ(read_back.size(), 1U);
   const ResultRecord& copy = read_back[0];
   EXPECT_EQ(copy.scenario, "yard");
   EXPECT_EQ(copy.planner, "rrt-opt-euc");
-  EXPECT_EQ(copy.options.seed, record.options.seed);
+  EXPECT_EQ(copy.options.budget.seed, record.options.budget.seed);
   EXPECT_EQ(copy.claims.length, length(record.result.path->segments));
   EXPECT_EQ(copy.claims.gear_changes, 2);
   EXPECT_EQ(copy.result.status, PlanStatus::solved);
   EXPECT_EQ(copy.result.path, record.result.path);
   EXPECT_EQ(copy.result.cost, 17.65);
   EXPECT_EQ(copy.result.iterations, 8123);
-  EXPECT_EQ(copy.result.nodes, 5000);
+  EXPECT_EQ(counter(copy.result, "nodes"), 5000);
   EXPECT_EQ(copy.result.time_total, 0.5);
   ASSERT_EQ(copy.result.anytime.size(), 2U);
   EXPECT_EQ(copy.result.anytime[1].iteration, 190);
@@ -240,9 +269,18 @@ TEST_F(ResultReader, ReadsWhatWasWritten) {
   EXPECT_EQ(copy.result.tree->parents, record.result.tree->parents);
 }
 
-TEST_F(ResultReader, ReadsARow) {
-  std::vector<ResultRecord> records = {solved(row()), unsolved(row()), solved(row())};
-  for (std::size_t i = 0; i < 3; ++i) records[i].distance = row().goals[i].distance;
+TEST_F(ReadResults, TheReasonOfARunWithoutAPathIsKept) {
+  ResultRecord record = unsolved(yard());
+  record.result.status = PlanStatus::goal_in_collision;
+  record.result.reason = "the footprint hits obstacles[3]";
+  const std::string text = results_to_json(yard_file(), {record});
+  EXPECT_EQ(Json::parse(text)["reason"], record.result.reason);
+  EXPECT_EQ(read(text, yard_file())[0].result.reason, record.result.reason);
+}
+
+TEST_F(ReadResults, ReadsARow) {
+  std::vector<ResultRecord> records = {solved(yard()), unsolved(yard()), solved(yard())};
+  for (std::size_t i = 0; i < 3; ++i) records[i].distance = row().row[i].distance;
   const auto copies = read(results_to_json(row(), records), row());
   ASSERT_EQ(copies.size(), 3U);
   EXPECT_EQ(copies[1].distance, 40);
@@ -251,21 +289,22 @@ TEST_F(ResultReader, ReadsARow) {
   EXPECT_EQ(copies[2].result.path, records[2].result.path);
 }
 
-TEST_F(ResultReader, SomebodyElsesFileNeedsOnlyThePath) {
+TEST_F(ReadResults, SomebodyElsesFileNeedsOnlyThePath) {
   const auto records = read(R"({"format": "vandplan-result/1", "author": {"name": "me"},
       "path": {"start": {"x": 1, "y": 2, "heading": 3, "v": 0},
                "segments": [{"curvature": 0.1, "length": -2e0}]}})",
-                            yard());
+                            yard_file());
   ASSERT_EQ(records.size(), 1U);
   EXPECT_EQ(records[0].result.path, (Path{{1, 2, 3}, {{0.1, -2}}}));
   EXPECT_FALSE(records[0].claims.length);
   EXPECT_FALSE(records[0].claims.gear_changes);
 }
 
-TEST_F(ResultReader, NumbersAreReadExactly) {
+TEST_F(ReadResults, NumbersAreReadExactly) {
   ResultRecord record = solved(yard());
-  record.result.path->segments = {{std::nextafter(1.0 / 7, 0), 0.1 + 0.2}, {1e-17, 5e-324}};
-  const auto copies = read(results_to_json(yard(), {record}), yard());
+  record.result.path->segments = {
+      {std::nextafter(1.0 / 7, 0), 0.1 + 0.2}, {1e-17, 5e-324}, {1.0 / 7, -0.3, 0.1 + 0.2}};
+  const auto copies = read(results_to_json(yard_file(), {record}), yard_file());
   EXPECT_EQ(copies[0].result.path, record.result.path);
 }
 
@@ -285,7 +324,7 @@ std::string result_with(const std::string& segment) {
          segment + "]}}";
 }
 
-TEST_F(ResultReader, EveryErrorNamesLineKeyAndWhatWasExpected) {
+TEST_F(ReadResults, EveryErrorNamesLineKeyAndWhatWasExpected) {
   const std::string path = R"("path": {"start": {"x": 0, "y": 0, "heading": 0}, "segments": []})";
   const std::string start = "{\"format\": \"vandplan-result/1\"";
   const BadResult bad[] = {
@@ -305,7 +344,7 @@ TEST_F(ResultReader, EveryErrorNamesLineKeyAndWhatWasExpected) {
       {start + "}", "r.json:1: key \"status\" is missing, expected it"},
       {start + ",\n\"status\": \"done\"}",
        "r.json:2: status: is \"done\", expected one of solved, start_in_collision, "
-       "goal_in_collision, iteration_limit, node_limit, time_limit, stopped"},
+       "goal_in_collision, iteration_limit, node_limit, time_limit, stopped, no_path, rejected"},
       {start + ",\n\"status\": \"solved\"}", "r.json:1: key \"path\" is missing, expected it"},
       {start + ",\n\"status\": \"stopped\",\n" + path + "}",
        "r.json:3: path: is given though the status is stopped, expected none"},
@@ -334,10 +373,17 @@ TEST_F(ResultReader, EveryErrorNamesLineKeyAndWhatWasExpected) {
        "r.json:6: path.segments[1]: has neither, expected either turn or curvature"},
       {result_with("{\"turn\": \"left\", \"curvature\": 0, \"length\": 1}"),
        "r.json:6: path.segments[1]: has both, expected either turn or curvature"},
+      {result_with("{\"turn\": \"left\", \"curvature_rate\": 0.1, \"length\": 1}"),
+       "r.json:6: path.segments[1].curvature_rate: stands beside turn, expected it beside "
+       "curvature"},
+      {result_with("{\"curvature\": 0, \"curvature_rate\": \"much\", \"length\": 1}"),
+       "r.json:6: path.segments[1].curvature_rate: is \"much\", expected a number"},
+      {result_with("{\"curvature\": 0, \"curvature_rate\": 1e999, \"length\": 1}"),
+       "r.json:6: is not JSON"},
       {result_with("7"), "r.json:6: path.segments[1]: is \"7\", expected a map of keys"},
   };
   for (const BadResult& one : bad) {
-    const std::string message = message_for(one.text, yard());
+    const std::string message = message_for(one.text, yard_file());
     EXPECT_EQ(message.substr(0, one.message.size()), one.message);
     EXPECT_EQ(message.find('\n'), std::string::npos);
   }
@@ -345,6 +391,70 @@ TEST_F(ResultReader, EveryErrorNamesLineKeyAndWhatWasExpected) {
             "r.json:2: goals: has 0 elements, expected the scenario's 3 goals");
   EXPECT_EQ(message_for(start + ",\n" + path + "}", row()),
             "r.json:1: key \"goals\" is missing, expected it");
+}
+
+// ---- many pairs ----
+
+class ReadPairs : public testing::Test {
+ protected:
+  static std::string line_of(std::size_t pair, const Pose& goal) {
+    Scenario scenario = yard();
+    scenario.goal = goal;
+    return result_to_json_line(pair, make_problem(scenario), solved(scenario));
+  }
+
+  std::string message_for(const std::string& text) {
+    try {
+      ResultReader reader(folder_.put("r.jsonl", text), file_);
+      while (reader.has_pairs() && reader.next()) {
+      }
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(folder_.path().size() + 1);
+    }
+    return "no error";
+  }
+
+  TemporaryFolder folder_;
+  const ScenarioFile file_ = yard_file();
+};
+
+TEST_F(ReadPairs, EveryLineHasItsOwnStartAndGoal) {
+  const std::string text = "\n" + line_of(1, {20, 0, 0}) + "\n" + line_of(7, {5, 6, 0.5});
+  ResultReader reader(folder_.put("r.jsonl", text), file_);
+  ASSERT_TRUE(reader.has_pairs());
+  const std::optional<PairRecord> first = reader.next();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->pair, 1U);
+  EXPECT_EQ(first->poses.start, yard().start);
+  EXPECT_EQ(first->record.result.path, solved(yard()).result.path);
+  const std::optional<PairRecord> second = reader.next();
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->pair, 7U);
+  EXPECT_EQ(second->poses.goal, (Pose{5, 6, 0.5}));
+  EXPECT_FALSE(reader.next());
+}
+
+TEST_F(ReadPairs, AResultOfOneIsNoneOfMany) {
+  for (const bool is_compact : {false, true}) {
+    const std::string text = results_to_json(file_, {solved(yard())});
+    ResultReader reader(folder_.put("r.json", is_compact ? Json::parse(text).dump() : text), file_);
+    EXPECT_FALSE(reader.has_pairs());
+    EXPECT_EQ(reader.all().size(), 1U);
+  }
+  const std::string many = folder_.put("r.jsonl", line_of(1, {20, 0, 0}));
+  EXPECT_THROW((void)read_results(many, file_), InputError);
+}
+
+TEST_F(ReadPairs, MistakesNameTheLineOfTheFile) {
+  const std::string good = line_of(1, {20, 0, 0});
+  EXPECT_EQ(message_for(good + "\n{\"pair\": 2}\n"),
+            "r.jsonl:3: key \"format\" is missing, expected it");
+  EXPECT_EQ(message_for(good + "{\"pair\": 2, \"format\": \"vandplan-result/1\"}\n"),
+            "r.jsonl:2: key \"start\" is missing, expected it");
+  EXPECT_EQ(message_for(good + good + "{\"pair\": \n").substr(0, 23), "r.jsonl:3: is not JSON ");
+  std::string far = good;
+  far.replace(far.find("\"x\":20"), 6, "\"x\":9e6");
+  EXPECT_EQ(message_for(good + far).substr(0, 18), "r.jsonl:2: goal: is");
 }
 
 }  // namespace

@@ -6,8 +6,9 @@
 
 #include "support/shared_files.h"
 #include "support/temporary_folder.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -55,32 +56,36 @@ std::string exchanged(std::string text, const std::string& part, const std::stri
   return text.replace(at, part.size(), by);
 }
 
-void expect_equal(const Scenario& a, const Scenario& b) {
+void expect_equal(const ScenarioFile& one, const ScenarioFile& other) {
+  const Scenario& a = one.scenario;
+  const Scenario& b = other.scenario;
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.description, b.description);
   EXPECT_EQ(a.vehicle, b.vehicle);
   EXPECT_EQ(a.bounds, b.bounds);
   EXPECT_EQ(a.start, b.start);
-  EXPECT_EQ(a.goals_are_a_row, b.goals_are_a_row);
+  EXPECT_EQ(a.goal, b.goal);
   EXPECT_EQ(a.obstacles, b.obstacles);
-  ASSERT_EQ(a.goals.size(), b.goals.size());
-  for (std::size_t i = 0; i < a.goals.size(); ++i) {
-    EXPECT_EQ(a.goals[i].distance, b.goals[i].distance);
-    EXPECT_EQ(a.goals[i].pose, b.goals[i].pose);
-    EXPECT_EQ(a.goals[i].obstacles, b.goals[i].obstacles);
+  ASSERT_EQ(one.row.size(), other.row.size());
+  for (std::size_t i = 0; i < one.row.size(); ++i) {
+    EXPECT_EQ(one.row[i].distance, other.row[i].distance);
+    EXPECT_EQ(one.row[i].goal, other.row[i].goal);
+    EXPECT_EQ(one.row[i].obstacles, other.row[i].obstacles);
   }
 }
 
 TEST(ScenarioFile, EveryKeyIsRead) {
-  const Scenario scenario = scenario_from_yaml(valid, "s.yaml");
+  const ScenarioFile file = scenario_from_yaml(valid, "s.yaml");
+  const Scenario& scenario = file.scenario;
   EXPECT_EQ(scenario.name, "yard");
   EXPECT_EQ(scenario.description, "a test");
   EXPECT_EQ(scenario.vehicle, (Vehicle{4.5, 1.4, 1.6, 2.55, 7}));
   EXPECT_EQ(scenario.bounds, (Bounds{-50, 50, -40, 40.5}));
   EXPECT_EQ(scenario.start, (Pose{0, 0.1, -0.5}));
-  EXPECT_FALSE(scenario.goals_are_a_row);
-  ASSERT_EQ(scenario.goals.size(), 1U);
-  EXPECT_EQ(scenario.goals[0].pose, (Pose{20, 5.25, 0.5}));
+  EXPECT_FALSE(file.is_row());
+  EXPECT_EQ(file.size(), 1U);
+  EXPECT_TRUE(file.warnings.empty());
+  EXPECT_EQ(scenario.goal, (Pose{20, 5.25, 0.5}));
   EXPECT_EQ(scenario.obstacles,
             (std::vector<Polygon>{{{1, 2}, {3, 2}, {3, 4}}, {{-1, -2}, {-3, -2}, {-3, -4}}}));
 }
@@ -144,8 +149,8 @@ TEST_F(ScenarioWithMap, ObstaclesAndBoundsMayStandBesideIt) {
 
 TEST_F(ScenarioWithMap, IsWrittenAndReadBack) {
   const Scenario scenario = read("map: map.yaml\nunknown: free\n");
-  const Scenario again = read_scenario(folder_.put("again.yaml", scenario_to_yaml(scenario)));
-  expect_equal(again, scenario);
+  const Scenario again = read_scenario(folder_.put("again.yaml", to_yaml(scenario)));
+  expect_equal({again}, {scenario});
   ASSERT_TRUE(again.map);
   EXPECT_EQ(again.map_file, "map.yaml");
   EXPECT_TRUE(again.map->unknown_is_free);
@@ -164,9 +169,10 @@ TEST_F(ScenarioWithMap, MistakesHaveOneLineEach) {
 
 TEST(ScenarioFile, KerbsAreReadAndWritten) {
   const std::string text = valid + "kerbs: [[[10, 2], [12, 2], [12, 4]]]\n";
-  const Scenario scenario = scenario_from_yaml(text, "s.yaml");
+  const ScenarioFile file = scenario_from_yaml(text, "s.yaml");
+  const Scenario& scenario = file.scenario;
   EXPECT_EQ(scenario.kerbs, (std::vector<Polygon>{{{10, 2}, {12, 2}, {12, 4}}}));
-  EXPECT_EQ(scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml").kerbs, scenario.kerbs);
+  EXPECT_EQ(scenario_from_yaml(to_yaml(file), "s.yaml").scenario.kerbs, scenario.kerbs);
   EXPECT_EQ(message_for(valid + "kerbs: [[[10, 2], [12, 2]]]\n"),
             "s.yaml:15: kerbs[0]: has 2 corners, expected at least 3");
 }
@@ -177,7 +183,7 @@ std::string with_vehicle(const std::string& vehicle) {
 }
 
 TEST(ScenarioFile, AVehicleMayBeNamed) {
-  const Scenario scenario = scenario_from_yaml(with_vehicle("city-bus"), "s.yaml");
+  const Scenario scenario = scenario_from_yaml(with_vehicle("city-bus"), "s.yaml").scenario;
   EXPECT_EQ(scenario.vehicle, (Vehicle{7.6, 2.1, 2.4, 2.6, 8.66}));
   EXPECT_EQ(message_for(with_vehicle("city-buss")),
             "s.yaml:3: vehicle: is \"city-buss\", expected one of city-bus, coach, "
@@ -187,7 +193,8 @@ TEST(ScenarioFile, AVehicleMayBeNamed) {
 TEST(ScenarioFile, EveryVehicleOfTheCatalogueIsOne) {
   for (const std::string& name : vehicle_names()) {
     SCOPED_TRACE(name);
-    EXPECT_EQ(scenario_from_yaml(with_vehicle(name), "s.yaml").vehicle, vehicle_named(name));
+    EXPECT_EQ(scenario_from_yaml(with_vehicle(name), "s.yaml").scenario.vehicle,
+              vehicle_named(name));
   }
   EXPECT_EQ(vehicle_names().size(), 6U);
   EXPECT_THROW((void)vehicle_named("tank"), InputError);
@@ -200,7 +207,7 @@ TEST(ScenarioFile, SteeringAndTrackMayBeGiven) {
   const Vehicle car =
       scenario_from_yaml(with_vehicle(lengths + ", max_steering_angle: 0.75, track_width: 1.7}"),
                          "s.yaml")
-          .vehicle;
+          .scenario.vehicle;
   EXPECT_NEAR(car.min_turning_radius, 3.005593, 1e-6);
   EXPECT_EQ(car.track_width, 1.7);
   EXPECT_EQ(message_for(with_vehicle(lengths + ", max_steering_angle: 1.6}")),
@@ -219,12 +226,29 @@ TEST(ScenarioFile, SteeringAndTrackMayBeGiven) {
 }
 
 TEST(ScenarioFile, ARowOfGoalsIsRead) {
-  const Scenario scenario = scenario_from_yaml(valid_row, "s.yaml");
-  EXPECT_TRUE(scenario.goals_are_a_row);
-  ASSERT_EQ(scenario.goals.size(), 2U);
-  EXPECT_EQ(scenario.goals[1].distance, 40);
-  EXPECT_EQ(scenario.goals[1].pose, (Pose{40, 0, 0}));
-  EXPECT_EQ(scenario.goals[1].obstacles.size(), 1U);
+  const ScenarioFile file = scenario_from_yaml(valid_row, "s.yaml");
+  EXPECT_TRUE(file.is_row());
+  ASSERT_EQ(file.size(), 2U);
+  EXPECT_EQ(file.scenario.goal, file.row[0].goal);
+  EXPECT_EQ(file.row[1].distance, 40);
+  EXPECT_EQ(file.row[1].goal, (Pose{40, 0, 0}));
+  EXPECT_EQ(file.row[1].obstacles.size(), 1U);
+  EXPECT_EQ(scenario_at(file, 1).goal, (Pose{40, 0, 0}));
+  EXPECT_EQ(scenario_at(file, 1).obstacles.size(), 1U);
+}
+
+TEST(ScenarioFile, AHeadingBeyondAFullTurnIsDoubtedAndItsLineNamed) {
+  const auto warnings_for = [](const std::string& text) {
+    return scenario_from_yaml(text, "s.yaml").warnings;
+  };
+  const std::string doubt = "is 90 rad, more than a full turn; 90 degrees are 1.5708 rad";
+  EXPECT_EQ(warnings_for(exchanged(valid, "heading: .5", "heading: 90")),
+            std::vector{"s.yaml:9: goal.heading: " + doubt});
+  EXPECT_EQ(warnings_for(exchanged(valid, "heading: -0.5", "heading: 90")),
+            std::vector{"s.yaml:5: start.heading: " + doubt});
+  EXPECT_EQ(warnings_for(exchanged(valid_row, "40, y: 0, heading: 0", "40, y: 0, heading: 90")),
+            std::vector{"s.yaml:8: goals[1].goal.heading: " + doubt});
+  EXPECT_TRUE(warnings_for(exchanged(valid, "heading: .5", "heading: -6.2831853")).empty());
 }
 
 TEST(ScenarioFile, WindowsLinesAndAByteOrderMarkAreRead) {
@@ -363,22 +387,16 @@ TEST(ScenarioFile, EveryErrorNamesLineKeyAndWhatWasExpected) {
 
 TEST(ScenarioFile, WritingAndReadingBackChangesNothing) {
   for (const std::string& text : {valid, valid_row}) {
-    Scenario scenario = scenario_from_yaml(text, "s.yaml");
+    ScenarioFile file = scenario_from_yaml(text, "s.yaml");
+    Scenario& scenario = file.scenario;
     scenario.name = "quotes \" and \\ and\nlines\tand \x01 v\xC3\xA4nd: #1";
     scenario.start = {1.0 / 3, 4484378811.24645, -6.11698657169903};
-    for (Goal& goal : scenario.goals) goal.pose.y = 4484378811.5;
+    scenario.goal.y = 4484378811.5;
+    for (RowGoal& goal : file.row) goal.goal.y = 4484378811.5;
     scenario.bounds.y_max = 1e10;
     scenario.vehicle.width = 0.1 + 0.2;
-    expect_equal(scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml"), scenario);
+    expect_equal(scenario_from_yaml(to_yaml(file), "s.yaml"), file);
   }
-}
-
-TEST(ScenarioFile, WritingJoinsTheObstaclesOfASingleGoalToTheOthers) {
-  Scenario scenario = scenario_from_yaml(valid, "s.yaml");
-  scenario.goals[0].obstacles.push_back({{7, 8}, {8, 8}, {8, 9}});
-  const Scenario copy = scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml");
-  EXPECT_EQ(copy.obstacles.size(), 3U);
-  EXPECT_EQ(copy.obstacles.back(), scenario.goals[0].obstacles[0]);
 }
 
 TEST(ScenarioFile, OurScenariosReadBackUnchanged) {
@@ -386,8 +404,8 @@ TEST(ScenarioFile, OurScenariosReadBackUnchanged) {
   ASSERT_EQ(files.size(), 9U);
   for (const std::string& file : files) {
     SCOPED_TRACE(file);
-    const Scenario scenario = read_scenario(file);
-    expect_equal(scenario_from_yaml(scenario_to_yaml(scenario), "s.yaml"), scenario);
+    const ScenarioFile scenario = read_scenario_file(file);
+    expect_equal(scenario_from_yaml(to_yaml(scenario), "s.yaml"), scenario);
   }
 }
 
@@ -399,8 +417,7 @@ TEST(ScenarioFile, OtherPeoplesScenariosAreRead) {
       SCOPED_TRACE(file);
       if (read_file(file, 1 << 20).find("\nimage: ") != std::string::npos)
         continue;  // a map itself
-      const Scenario scenario = read_scenario(file);
-      EXPECT_NO_THROW((void)make_problem(scenario, 0));
+      EXPECT_NO_THROW((void)read_problems(file));
     }
   }
 }
@@ -408,12 +425,12 @@ TEST(ScenarioFile, OtherPeoplesScenariosAreRead) {
 TEST(ScenarioFile, TheFarCaseIsTheSameProblemAsTheNearOne) {
   const auto folder = shared_folder() / "scenarios" / "tpcap";
   if (yaml_files(folder).empty()) GTEST_SKIP() << "no shared scenarios beside the repository";
-  const Problem far = make_problem(read_scenario(folder / "case13.yaml"), 0);
-  const Problem near = make_problem(read_scenario(folder / "case13-local.yaml"), 0);
-  EXPECT_EQ(far.start, near.start);
-  EXPECT_EQ(far.goal, near.goal);
-  EXPECT_EQ(far.world->bounds(), near.world->bounds());
-  EXPECT_EQ(far.world->obstacles(), near.world->obstacles());
+  const Problem far = make_problem(read_scenario(folder / "case13.yaml"));
+  const Problem near = make_problem(read_scenario(folder / "case13-local.yaml"));
+  EXPECT_EQ(far.task().start, near.task().start);
+  EXPECT_EQ(far.task().goal, near.task().goal);
+  EXPECT_EQ(far.world()->local().bounds, near.world()->local().bounds);
+  EXPECT_EQ(far.world()->local().obstacles, near.world()->local().obstacles);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "support/shared_files.h"
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -44,9 +44,7 @@ TEST_F(Tpcap, ReadsPosesObstaclesAndDrawsBoundsAroundThem) {
   EXPECT_EQ(scenario.name, "Case7");
   EXPECT_EQ(scenario.vehicle, (Vehicle{2.8, 0.96, 0.929, 1.942, 3.005593}));
   EXPECT_EQ(scenario.start, (Pose{1.5, -2, 0.25}));
-  ASSERT_EQ(scenario.goals.size(), 1U);
-  EXPECT_FALSE(scenario.goals_are_a_row);
-  EXPECT_EQ(scenario.goals[0].pose, (Pose{10, 3, -1.5}));
+  EXPECT_EQ(scenario.goal, (Pose{10, 3, -1.5}));
   EXPECT_EQ(scenario.obstacles, (std::vector<Polygon>{{{0, 0}, {1, 0}, {1, 1}},
                                                       {{5.1234, 5}, {6, 5}, {6, 6.25}, {5, 6}}}));
   EXPECT_EQ(scenario.bounds, (Bounds{-20, 30, -22, 26.25}));
@@ -90,7 +88,7 @@ TEST_F(Tpcap, WritesTheSameScenariosAsThosePublished) {
     SCOPED_TRACE(file);
     const Scenario expected = read_scenario(file);
     const Pose start = expected.start;
-    const Pose goal = expected.goals[0].pose;
+    const Pose goal = expected.goal;
     std::string csv = fmt::format("{},{},{},{},{},{},{}", start.x, start.y, start.heading, goal.x,
                                   goal.y, goal.heading, expected.obstacles.size());
     for (const Polygon& obstacle : expected.obstacles) csv += fmt::format(",{}", obstacle.size());
@@ -100,7 +98,7 @@ TEST_F(Tpcap, WritesTheSameScenariosAsThosePublished) {
     const Scenario converted = read(csv);
     EXPECT_EQ(converted.vehicle, expected.vehicle);
     EXPECT_EQ(converted.start, expected.start);
-    EXPECT_EQ(converted.goals[0].pose, expected.goals[0].pose);
+    EXPECT_EQ(converted.goal, expected.goal);
     EXPECT_EQ(converted.obstacles, expected.obstacles);
     EXPECT_NEAR(converted.bounds.x_min, expected.bounds.x_min, 1.1e-3);
     EXPECT_NEAR(converted.bounds.x_max, expected.bounds.x_max, 1.1e-3);

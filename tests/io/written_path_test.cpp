@@ -10,28 +10,24 @@
 
 #include "support/problems.h"
 #include "support/shared_files.h"
-#include "vandplan/io.h"
+#include "vandplan/result_file.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
 
 using Json = nlohmann::json;
 
-/// Plans the scenario's nearest goal and returns what would be in the file.
-Json planned(const Scenario& scenario, const std::string& planner) {
-  const Problem problem = make_problem(scenario, 0);
+/// Plans the first goal and returns what would be in the file.
+Json planned(const Scenario& scenario, const std::string& name) {
+  const Planner& planner = planner_named(name);
   ResultRecord record;
   record.scenario = scenario.name;
-  record.planner = planner;
-  record.options.max_iterations = 3000;
-  record.options.region = Region::scene;
-  record.result = plan(problem, planner_named(planner), record.options);
-  if (record.result.path) {
-    Pose& start = record.result.path->start;
-    start = to_scenario(*problem.world, start);
-  }
-  const Json json = Json::parse(results_to_json(scenario, {record}));
-  return scenario.goals_are_a_row ? json["goals"][0] : json;
+  record.planner = name;
+  record.options.budget.max_iterations = 3000;
+  set_option(record.options, planner, "region", "scene");
+  record.result = plan(make_problem(scenario), planner, record.options);
+  return Json::parse(results_to_json({scenario}, {record}));
 }
 
 /// A reader's own integration, from a start near the origin: the straight formulas for an arc.
@@ -62,7 +58,7 @@ void expect_arrival(const Json& result, const Scenario& scenario, double spacing
   EXPECT_EQ(start["x"], scenario.start.x);
   EXPECT_EQ(start["y"], scenario.start.y);
   EXPECT_EQ(start["heading"], scenario.start.heading);
-  const Pose& goal = scenario.goals[0].pose;
+  const Pose& goal = scenario.goal;
   const Pose end = driven({0, 0, scenario.start.heading}, result["path"]["segments"],
                           scenario.vehicle.min_turning_radius);
   EXPECT_NEAR(end.x, goal.x - scenario.start.x, 1e-6 + spacing);
@@ -78,8 +74,8 @@ TEST(WrittenPath, BeginsAtTheStartAndEndsAtTheGoal) {
   int solved = 0;
   for (const std::string& file : yaml_files(repository() / "scenarios" / "thesis")) {
     SCOPED_TRACE(file);
-    const Scenario scenario = read_scenario(file);
-    const Json result = planned(scenario, "rrt-opt-euc");
+    const Scenario scenario = scenario_at(read_scenario_file(file), 0);
+    const Json result = planned(scenario, "rrt-opt-euc-goal");
     if (result["status"] != "solved") continue;
     ++solved;
     expect_arrival(result, scenario, 0.0);
@@ -90,12 +86,12 @@ TEST(WrittenPath, BeginsAtTheStartAndEndsAtTheGoal) {
 TEST(WrittenPath, IsTheSameFarAway) {
   const Scenario here =
       read_scenario((repository() / "scenarios" / "thesis" / "2-flat-obstacle.yaml").string());
-  const Json near = planned(here, "rrt-opt-euc");
+  const Json near = planned(here, "rrt-opt-euc-goal");
   ASSERT_EQ(near["status"], "solved");
   for (const double distance : {-3.0, 4484378811.0, 1e10}) {
     SCOPED_TRACE(distance);
     const Scenario there = moved_by(here, distance, 1 - distance);
-    const Json far = planned(there, "rrt-opt-euc");
+    const Json far = planned(there, "rrt-opt-euc-goal");
     EXPECT_EQ(far["path"]["segments"], near["path"]["segments"]);
     expect_arrival(far, there, 2 * std::abs(std::nextafter(distance, 0) - distance));
   }

@@ -16,8 +16,10 @@
 #include "judge/clearance.h"
 #include "support/cases.h"
 #include "support/map_cases.h"
+#include "support/problems.h"
 #include "support/slow_judge.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -60,6 +62,7 @@ void expect_passage(const Clearance& clearance, const Footprint& body,
   const Pose pose = uniform_pose({-8, 8, -8, 8}, rng);
   const double curvature = chance(0.3, rng) ? 0 : any_sign(any_size(1e-6, 5, rng), rng);
   const double half = any_size(1e-4, 20, rng);
+  const double rate = chance(0.5, rng) ? 0 : any_sign(any_size(1e-6, 2, rng) / half, rng);
   const double most = chance(0.5, rng) ? infinity : any_size(1e-3, 10, rng);
   const double exact = gap_at(body, squares, pose).distance;
   const double here = clearance(judge::Passage{position_of(pose)}, most);
@@ -70,15 +73,17 @@ void expect_passage(const Clearance& clearance, const Footprint& body,
     ++counts.cut_off;
   }
   counts.touched += exact == 0;
-  const double bound = clearance(judge::Passage{position_of(pose), curvature, half}, most);
+  const double bound = clearance(judge::Passage{position_of(pose), curvature, half, rate}, most);
   EXPECT_LE(bound, most);
   double least = exact;
   for (int i = 0; i < 40; ++i) {
     const double s = i < 2 ? any_sign(half, rng) : uniform(-half, half, rng);
-    least = std::min(least, gap_at(body, squares, advance(pose, {curvature, s})).distance);
+    const Pose there = advance(pose, {curvature, s, std::copysign(1.0, s) * rate});
+    least = std::min(least, gap_at(body, squares, there).distance);
   }
-  EXPECT_LE(bound, least + 1e-9) << as_code(pose) << " curvature " << as_code(curvature) << " half "
-                                 << as_code(half) << ": " << as_code(squares);
+  EXPECT_LE(bound, least + 1e-9) << as_code(pose) << " curvature " << as_code(curvature) << " rate "
+                                 << as_code(rate) << " half " << as_code(half) << ": "
+                                 << as_code(squares);
   counts.proven += bound > 0 && bound < most;
   counts.close += bound > 0.8 * std::min(least, most) && least < infinity;
 }
@@ -113,17 +118,9 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
 
 // ---- Whole paths ----
 
-constexpr double step = 1e-3;   // driven between two looks of the judge, at most [m]
-constexpr double moved = 0.05;  // between two looks at the whole of a path [m]
-
-/// What a body may dip into an obstacle between two looks of the judge.
-double deepest_dip(const Footprint& body, const Path& path) {
-  double fastest = 1;
-  for (const Segment& segment : path.segments) {
-    fastest = std::max(fastest, top_speed(body, segment));
-  }
-  return step * fastest;
-}
+constexpr double step = 1e-3;  // of any point of the body between two looks of the judge [m]
+constexpr double deepest_dip = step / 2;  // into an obstacle, between two looks of the judge [m]
+constexpr double moved = 0.05;            // between two looks at the whole of a path [m]
 
 Footprint shrunk(const Footprint& body, double by) {
   return {body.rear - by, body.front - by, body.half_width - by};
@@ -139,13 +136,13 @@ void expect_valid(double clearance, const Footprint& body, const std::vector<Pol
   const double exact = least_gap(body, squares, path, 1e-4).distance;
   EXPECT_LE(clearance, exact + 1e-3);
   EXPECT_GE(clearance, exact - 1e-4);
-  EXPECT_FALSE(comes_within(0, shrunk(body, deepest_dip(body, path)), squares, path));
+  EXPECT_FALSE(comes_within(0, shrunk(body, deepest_dip), squares, path));
 }
 
 void expect_first_touch(const PathPoint& at, const Footprint& body,
                         const std::vector<Polygon>& squares, const Path& path) {
   EXPECT_LE(gap_at(body, squares, at.pose).distance, 1e-9);
-  const Footprint inner = shrunk(body, deepest_dip(body, path));
+  const Footprint inner = shrunk(body, deepest_dip);
   for (const SlowLook& look : look_everywhere(inner, squares, path, moved)) {
     if (look.s >= at.s - step) break;
     EXPECT_GT(look.distance, 0) << look.s << " before " << at.s;
@@ -167,8 +164,7 @@ void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Pat
                as_code(grid.origin) + ": " + as_code(squares));
   for (const Surroundings& surroundings :
        {Surroundings{.bounds = wide, .map = grid}, {.bounds = wide, .obstacles = squares}}) {
-    const auto world = std::make_shared<World>(vehicle, surroundings, Point{});
-    const PathCheck check = check_path({world, path.start, end_pose(path)}, path, {});
+    const PathCheck check = check_path(problem_of_path(surroundings, path, vehicle), path);
     ASSERT_TRUE(check.clearance);
     const Footprint body = footprint(vehicle);
     if (check.valid) {

@@ -10,6 +10,7 @@
 #include "support/naive_check.h"
 #include "support/problems.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -52,8 +53,8 @@ std::vector<Polygon> random_obstacles(int count, double spread, Rng& rng) {
 }
 
 std::string as_code(const Problem& problem, const Path& path) {
-  return vandplan::as_code(path) + "\nto " + vandplan::as_code(problem.goal) + " among " +
-         vandplan::as_code(problem.world->obstacles());
+  return vandplan::as_code(path) + "\nto " + vandplan::as_code(problem.goal()) + " among " +
+         vandplan::as_code(obstacles_of(problem));
 }
 
 TEST(PathCheckLaw, AgreesWithLookingAtEveryMillimetre) {
@@ -62,13 +63,13 @@ TEST(PathCheckLaw, AgreesWithLookingAtEveryMillimetre) {
   for_each_case(1, 100, [&](Rng& rng) {
     const Path path = random_path(3, rng);
     const Problem problem = problem_of(path.start, end_pose(path), random_obstacles(2, 14, rng));
-    const std::vector<Polygon>& obstacles = problem.world->obstacles();
+    const std::vector<Polygon>& obstacles = obstacles_of(problem);
     SCOPED_TRACE(as_code(problem, path));
     const PathCheck check = check_path(problem, path, {});
     ASSERT_TRUE(check.clearance);
 
     // What lies within a millimetre of touching may be seen either way.
-    const Footprint body = footprint(problem.world->vehicle());
+    const Footprint body = footprint(problem.vehicle());
     const std::vector<PathPoint> points = sampled(path, 1e-3);
     if (naive_hit(body, -1e-3, points, obstacles)) {
       EXPECT_EQ(*check.clearance, 0);
@@ -123,7 +124,11 @@ Pose some_pose(const Path& path, Rng& rng) {
 }
 
 void rebuild(Case& c, std::vector<Polygon> obstacles, const Bounds& bounds) {
-  c.problem = problem_of(c.problem.start, c.problem.goal, std::move(obstacles), bounds);
+  c.problem = problem_of(c.problem.start(), c.problem.goal(), std::move(obstacles), bounds);
+}
+
+void aim(Case& c, const Pose& goal) {
+  c.problem = make_problem(c.problem.world(), c.problem.vehicle(), c.problem.start(), goal);
 }
 
 using Spoil = void (*)(Case&, Rng&);
@@ -131,8 +136,16 @@ using Spoil = void (*)(Case&, Rng&);
 const Spoil spoils[] = {
     [](Case& c, Rng& rng) { c.path.start.x += error(2e-6, rng); },
     [](Case& c, Rng& rng) { c.path.start.heading += error(2e-6, rng); },
-    [](Case& c, Rng& rng) { c.problem.goal.y += error(2e-6, rng); },
-    [](Case& c, Rng& rng) { c.problem.goal.heading += error(2e-6, rng); },
+    [](Case& c, Rng& rng) {
+      Pose goal = c.problem.goal();
+      goal.y += error(2e-6, rng);
+      aim(c, goal);
+    },
+    [](Case& c, Rng& rng) {
+      Pose goal = c.problem.goal();
+      goal.heading += error(2e-6, rng);
+      aim(c, goal);
+    },
     // Longer or shorter by d: the end is off by d after a line, by d / 7 m radians after an arc.
     [](Case& c, Rng& rng) { some_segment(c.path, rng).length += error(1e-5, rng); },
     [](Case& c, Rng& rng) {
@@ -143,7 +156,7 @@ const Spoil spoils[] = {
     // Too tight, and the goal where it leads to.
     [](Case& c, Rng& rng) {
       some_segment(c.path, rng).curvature = (1 + std::abs(error(1e-8, rng))) / radius;
-      c.problem.goal = end_pose(c.path);
+      aim(c, end_pose(c.path));
     },
     [](Case& c, Rng& rng) {
       some_segment(c.path, rng).length = std::numeric_limits<double>::quiet_NaN();
@@ -155,7 +168,7 @@ const Spoil spoils[] = {
     [](Case& c, Rng& rng) {
       const Pose pose = some_pose(c.path, rng);
       const Pose p = compose(pose, {uniform(-1.55, 5.85, rng), uniform(-1.22, 1.22, rng), 0});
-      std::vector<Polygon> obstacles = c.problem.world->obstacles();
+      std::vector<Polygon> obstacles = obstacles_of(c.problem);
       obstacles.push_back(random_polygon({p.x, p.y}, 0.05, rng));
       rebuild(c, std::move(obstacles), wide_bounds);
     },
@@ -163,12 +176,12 @@ const Spoil spoils[] = {
     [](Case& c, Rng& rng) {
       Bounds bounds = wide_bounds;
       bounds.x_min = some_pose(c.path, rng).x + std::abs(error(1e-8, rng));
-      rebuild(c, c.problem.world->obstacles(), bounds);
+      rebuild(c, obstacles_of(c.problem), bounds);
     },
     [](Case& c, Rng& rng) {
       Bounds bounds = wide_bounds;
       bounds.y_max = some_pose(c.path, rng).y - std::abs(error(1e-8, rng));
-      rebuild(c, c.problem.world->obstacles(), bounds);
+      rebuild(c, obstacles_of(c.problem), bounds);
     },
 };
 
@@ -193,7 +206,8 @@ TEST(PathCheckLaw, TheWayBackIsJudgedAlike) {
     SCOPED_TRACE(as_code(c.problem, c.path));
     Path back{end_pose(c.path), {c.path.segments.rbegin(), c.path.segments.rend()}};
     for (Segment& segment : back.segments) segment.length = -segment.length;
-    const Problem problem{c.problem.world, c.problem.goal, c.problem.start};
+    const Problem problem =
+        make_problem(c.problem.world(), c.problem.vehicle(), c.problem.goal(), c.problem.start());
     const PathCheck check = check_path(problem, back, c.claims);
     EXPECT_TRUE(check.valid) << check.reason;
     EXPECT_NEAR(*check.clearance, *check_path(c.problem, c.path, {}).clearance, 2e-3);
@@ -205,16 +219,16 @@ TEST(PathCheckLaw, MovingEverythingChangesNothing) {
     const Case c = valid_case(rng);
     SCOPED_TRACE(as_code(c.problem, c.path));
     const Pose frame = uniform_pose({-50, 50, -50, 50}, rng);
-    std::vector<Polygon> obstacles = c.problem.world->obstacles();
+    std::vector<Polygon> obstacles = obstacles_of(c.problem);
     for (Polygon& polygon : obstacles) {
       for (Point& p : polygon) {
         const Pose moved = compose(frame, {p.x, p.y, 0});
         p = {moved.x, moved.y};
       }
     }
-    const Problem problem = problem_of(compose(frame, c.problem.start),
-                                       compose(frame, c.problem.goal), std::move(obstacles));
-    const PathCheck check = check_path(problem, {problem.start, c.path.segments}, c.claims);
+    const Problem problem = problem_of(compose(frame, c.problem.start()),
+                                       compose(frame, c.problem.goal()), std::move(obstacles));
+    const PathCheck check = check_path(problem, {problem.start(), c.path.segments}, c.claims);
     EXPECT_TRUE(check.valid) << check.reason;
     EXPECT_NEAR(*check.clearance, *check_path(c.problem, c.path, {}).clearance, 2e-3);
   });

@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double disc = 1.275;  // [m] half the width of the default truck
 
 double bound_of(const Problem& problem, double longest = infinity) {
-  Geodesic geodesic(*problem.world, problem.start, problem.goal, longest);
+  search::Geodesic geodesic(problem.task(), longest);
   while (geodesic.step()) {
   }
   return geodesic.bound();
@@ -216,9 +216,9 @@ TEST(Geodesic, IsBetweenTheWaysOfTwoDiscsOnAMap) {
                             .rows = 120,
                             .cells = std::make_shared<const std::vector<Cell>>(std::move(cells)),
                             .unknown_is_free = true};
-    const auto world = std::make_shared<const World>(
-        Vehicle{}, Surroundings{.bounds = {-60, 60, -60, 60}, .map = map}, Point{});
-    expect_between_ways(bound_of({world, turned({0, 0, 0}), turned({31, 0, 0})}), boxes);
+    const Problem problem = problem_in({.bounds = {-60, 60, -60, 60}, .map = map},
+                                       turned({0, 0, 0}), turned({31, 0, 0}));
+    expect_between_ways(bound_of(problem), boxes);
   });
 }
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
 #include "support/cases.h"
 #include "support/leads.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {

@@ -5,6 +5,7 @@
 // machine.
 
 #include "simd/length_kernels.h"
+#include "vandplan/random.h"
 
 #include <gtest/gtest.h>
 
@@ -22,17 +23,17 @@ TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnes) {
     const Pose sample = uniform_pose({-200, 200, -200, 200}, rng);
     std::vector<float> x(count), y(count), heading(count), scalar(count), vector(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const PosePair pair = any_pair(radius, rng);  // as seen from the sample
+      const DrawnPair pair = any_pair(radius, rng);  // as seen from the sample
       const Pose node = compose(sample, relative(pair.to, pair.from));
       x[i] = static_cast<float>(node.x);
       y[i] = static_cast<float>(node.y);
       heading[i] = static_cast<float>(node.heading);
     }
-    const kernels::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
-                                   static_cast<float>(sample.heading)};
+    const simd::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
+                                static_cast<float>(sample.heading)};
     const auto r = static_cast<float>(radius);
-    kernels::scalar::reeds_shepp_lengths(x, y, heading, to, r, scalar);
-    kernels::reeds_shepp_lengths(x, y, heading, to, r, vector);
+    simd::scalar::reeds_shepp_lengths(x, y, heading, to, r, scalar);
+    simd::reeds_shepp_lengths(x, y, heading, to, r, vector);
     EXPECT_TRUE(same_bits(scalar, vector));
   });
 }
@@ -50,9 +51,9 @@ TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnesOnAGrid) {
       y[i] = eighths(32);
       heading[i] = eighths(24);
     }
-    const kernels::LengthSample to{eighths(8), eighths(8), eighths(24)};
-    kernels::scalar::reeds_shepp_lengths(x, y, heading, to, 1.0F, scalar);
-    kernels::reeds_shepp_lengths(x, y, heading, to, 1.0F, vector);
+    const simd::LengthSample to{eighths(8), eighths(8), eighths(24)};
+    simd::scalar::reeds_shepp_lengths(x, y, heading, to, 1.0F, scalar);
+    simd::reeds_shepp_lengths(x, y, heading, to, 1.0F, vector);
     EXPECT_TRUE(same_bits(scalar, vector));
   });
 }

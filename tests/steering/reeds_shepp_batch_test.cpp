@@ -13,6 +13,7 @@
 #include "simd/length_kernels.h"
 #include "support/cases.h"
 #include "support/pose_pairs.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -22,7 +23,7 @@ constexpr double pi = std::numbers::pi;
 
 /// The error of the float length as a share of length + radius.
 double error(const Pose& node, const Pose& sample, double radius) {
-  const float length = kernels::reeds_shepp_length(
+  const float length = simd::reeds_shepp_length(
       static_cast<float>(node.x - sample.x), static_cast<float>(node.y - sample.y),
       static_cast<float>(wrap_angle(node.heading)), static_cast<float>(wrap_angle(sample.heading)),
       static_cast<float>(radius));
@@ -36,9 +37,9 @@ void expect_small_errors(std::uint64_t seed, int n, Draw draw) {
   Rng rng(seed);
   for (int i = 0; i < cases(n); ++i) {
     const double radius = uniform(0.5, 20.0, rng);
-    const PosePair pair = draw(radius, rng);
+    const DrawnPair pair = draw(radius, rng);
     const double e = error(pair.from, pair.to, radius);
-    ASSERT_LE(e, static_cast<double>(kernels::length_error) / 2)
+    ASSERT_LE(e, static_cast<double>(simd::length_error) / 2)
         << as_code(pair.from) << ", " << as_code(pair.to) << ", " << as_code(radius);
   }
 }
@@ -49,7 +50,7 @@ TEST(ReedsSheppBatch, ErrorsAreSmallAtAnyDistance) {
   expect_small_errors(2, 5'000'000, [](double radius, Rng& rng) {
     const double distance = radius * std::pow(10.0, uniform(-6.0, 4.0, rng));
     const double bearing = uniform(-pi, pi, rng);
-    PosePair pair{
+    DrawnPair pair{
         {0, 0, uniform(-pi, pi, rng)},
         {distance * std::cos(bearing), distance * std::sin(bearing), uniform(-pi, pi, rng)}};
     if (uniform01(rng) < 0.5) {
@@ -70,7 +71,7 @@ TEST(ReedsSheppBatch, ErrorsAreSmallWhereTheLengthIsSteep) {
     const Pose local{radius * (sideways ? other : shift), radius * (sideways ? shift : other),
                      less * uniform(-2.0, 2.0, rng)};
     const Pose from{0, 0, uniform(-pi, pi, rng)};
-    return PosePair{from, compose(from, local)};
+    return DrawnPair{from, compose(from, local)};
   });
 }
 

@@ -9,9 +9,9 @@
 #include <set>
 #include <string>
 
-#include "base/random.h"
 #include "support/cases.h"
 #include "support/leads.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {

@@ -15,6 +15,7 @@
 #include "support/cases.h"
 #include "vandplan/dubins.h"
 #include "vandplan/heuristic_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {

@@ -10,9 +10,9 @@
 #include <numbers>
 #include <string>
 
-#include "base/random.h"
 #include "support/cases.h"
 #include "vandplan/bound_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {

@@ -12,8 +12,8 @@
 #include <iterator>
 #include <string>
 
-#include "base/random.h"
 #include "vandplan/path.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 
@@ -56,7 +56,8 @@ inline std::string as_code(const Point& p) { return braced({p.x, p.y}); }
 inline std::string as_code(const Pose& p) { return braced({p.x, p.y, p.heading}); }
 
 inline std::string as_code(const Segment& segment) {
-  return braced({segment.curvature, segment.length});
+  if (segment.curvature_rate == 0) return braced({segment.curvature, segment.length});
+  return braced({segment.curvature, segment.length, segment.curvature_rate});
 }
 
 template <typename Range>

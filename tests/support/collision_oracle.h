@@ -107,7 +107,8 @@ struct Stretch {
 /// How fast points of the footprint may move, with the rear axle at speed 1.
 inline double top_speed(const Footprint& footprint, const Segment& segment) {
   const double reach = std::hypot(std::max(footprint.rear, footprint.front), footprint.half_width);
-  return 1 + std::abs(segment.curvature) * reach;
+  const double last = curvature_at(segment, std::abs(segment.length));
+  return 1 + std::max(std::abs(segment.curvature), std::abs(last)) * reach;
 }
 
 /// The least gap along a segment, its distance at most `error` above the truth.
@@ -115,7 +116,7 @@ inline Gap least_gap(const Footprint& footprint, std::span<const Polygon> obstac
                      const Pose& from, const Segment& segment, double error) {
   const double speed = top_speed(footprint, segment);
   const auto at = [&](double s) {
-    return gap_at(footprint, obstacles, advance(from, {segment.curvature, s}));
+    return gap_at(footprint, obstacles, advance(from, part_of(segment, 0, std::abs(s))));
   };
   Gap least = at(0);
   const Gap last = at(segment.length);
@@ -151,7 +152,7 @@ inline bool comes_within(double distance, const Footprint& footprint,
                          const Segment& segment) {
   const double speed = top_speed(footprint, segment);
   const auto at = [&](double s) {
-    return gap_at(footprint, obstacles, advance(from, {segment.curvature, s})).distance;
+    return gap_at(footprint, obstacles, advance(from, part_of(segment, 0, std::abs(s)))).distance;
   };
   std::vector<Stretch> open = {{0, segment.length, at(0), at(segment.length)}};
   while (!open.empty()) {

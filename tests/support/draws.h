@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.h"
 #include "vandplan/path.h"
+#include "vandplan/random.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
@@ -47,11 +47,22 @@ inline Segment any_segment(Rng& rng) {
   return segment;
 }
 
+/// Any segment; every third one changes its curvature on the way, by as much as a turn's worth.
+inline Segment any_drive(Rng& rng) {
+  Segment segment = any_segment(rng);
+  const double length = std::abs(segment.length);
+  if (chance(0.67, rng) || length < 0.02) return segment;
+  if (chance(0.3, rng)) segment.curvature = 0;
+  segment.curvature_rate = any_sign(any_size(1e-6, 8, rng) / length / length, rng);
+  if (chance(0.1, rng)) segment.curvature = -segment.curvature_rate * length;
+  return segment;
+}
+
 /// One or three segments from a pose in the box.
 inline Path any_edge(const Bounds& box, Rng& rng) {
   Path path{uniform_pose(box, rng), {}};
   const int count = chance(0.7, rng) ? 1 : 3;
-  for (int i = 0; i < count; ++i) path.segments.push_back(any_segment(rng));
+  for (int i = 0; i < count; ++i) path.segments.push_back(any_drive(rng));
   return path;
 }
 

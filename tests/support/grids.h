@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/random.h"
 #include "vandplan/occupancy_grid.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 

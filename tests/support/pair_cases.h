@@ -18,6 +18,6 @@ void for_each_pair(std::uint64_t seed, int n, Draw draw, Law law) {
 }
 
 /// The second pose near the first, or far away.
-inline PosePair near_or_far_pair(Rng& rng) { return near_pair(rng() % 2 == 0 ? 10 : 200, rng); }
+inline DrawnPair near_or_far_pair(Rng& rng) { return near_pair(rng() % 2 == 0 ? 10 : 200, rng); }
 
 }  // namespace vandplan

@@ -6,18 +6,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
 #include "vandplan/path.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 
-struct PosePair {
+struct DrawnPair {
   Pose from;
   Pose to;
 };
 
 /// The second pose within `reach` of the first, which is anywhere.
-inline PosePair near_pair(double reach, Rng& rng) {
+inline DrawnPair near_pair(double reach, Rng& rng) {
   const Pose from = uniform_pose({-1000, 1000, -1000, 1000}, rng);
   Pose to = uniform_pose({-reach, reach, -reach, reach}, rng);
   to.x += from.x;
@@ -26,7 +26,7 @@ inline PosePair near_pair(double reach, Rng& rng) {
 }
 
 /// Whole metres and eighths of a turn, so that arcs vanish and words meet.
-inline PosePair grid_pair(Rng& rng) {
+inline DrawnPair grid_pair(Rng& rng) {
   const auto whole = [&](int limit) {
     return static_cast<double>(static_cast<int>(rng() % (2 * static_cast<unsigned>(limit) + 1)) -
                                limit);
@@ -38,7 +38,7 @@ inline PosePair grid_pair(Rng& rng) {
 
 /// The second pose at the end of a few turns and lines, many of them quarter turns: the ends of
 /// words that lack a part lie on the border of other words.
-inline PosePair border_pair(double radius, Rng& rng) {
+inline DrawnPair border_pair(double radius, Rng& rng) {
   const double quarter = radius * std::numbers::pi / 2;
   const Pose from = uniform_pose({-100, 100, -100, 100}, rng);
   Pose to = from;
@@ -52,7 +52,7 @@ inline PosePair border_pair(double radius, Rng& rng) {
 }
 
 /// Offsets from 2^-30 to 1, each of its own size.
-inline PosePair tiny_pair(Rng& rng) {
+inline DrawnPair tiny_pair(Rng& rng) {
   const Pose from{0, 0, uniform(-std::numbers::pi, std::numbers::pi, rng)};
   const auto offset = [&] {
     return std::ldexp(uniform(-1, 1, rng), -static_cast<int>(rng() % 31));
@@ -61,7 +61,7 @@ inline PosePair tiny_pair(Rng& rng) {
 }
 
 /// One of the above.
-inline PosePair any_pair(double radius, Rng& rng) {
+inline DrawnPair any_pair(double radius, Rng& rng) {
   switch (rng() % 5) {
     case 0:
       return near_pair(10, rng);

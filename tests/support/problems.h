@@ -7,16 +7,39 @@
 #include <utility>
 #include <vector>
 
+#include "vandplan/path.h"
 #include "vandplan/problem.h"
 
 namespace vandplan {
 
 inline constexpr Bounds wide_bounds{-200, 200, -200, 200};
 
+/// Surroundings whose world has the frame of the scenario.
+inline std::shared_ptr<const World> world_of(const Surroundings& surroundings) {
+  return std::make_shared<const World>(surroundings, Point{});
+}
+
+/// A vehicle in surroundings, planned for in the scenario's own frame.
+inline Problem problem_in(const Surroundings& surroundings, const Pose& start, const Pose& goal,
+                          const Vehicle& vehicle = {}) {
+  return make_problem(world_of(surroundings), vehicle, start, goal);
+}
+
+/// A vehicle that is asked to drive a path in surroundings.
+inline Problem problem_of_path(const Surroundings& surroundings, const Path& path,
+                               const Vehicle& vehicle = {}) {
+  return problem_in(surroundings, path.start, end_pose(path), vehicle);
+}
+
 /// The default truck among obstacles, planned for in the scenario's own frame.
 inline Problem problem_of(const Pose& start, const Pose& goal, std::vector<Polygon> obstacles,
                           const Bounds& bounds = wide_bounds, const Vehicle& vehicle = {}) {
-  return {std::make_shared<World>(vehicle, bounds, std::move(obstacles), Point{}), start, goal};
+  return problem_in({.bounds = bounds, .obstacles = std::move(obstacles)}, start, goal, vehicle);
+}
+
+/// What stands in a problem's way.
+inline const std::vector<Polygon>& obstacles_of(const Problem& problem) {
+  return problem.world()->local().obstacles;
 }
 
 inline Polygon box(double x_min, double y_min, double x_max, double y_max) {
@@ -35,11 +58,10 @@ inline Scenario moved_by(Scenario scenario, double dx, double dy) {
   const Bounds b = scenario.bounds;
   scenario.bounds = {b.x_min + dx, b.x_max + dx, b.y_min + dy, b.y_max + dy};
   move_pose(scenario.start);
+  move_pose(scenario.goal);
   move_polygons(scenario.obstacles);
-  for (Goal& goal : scenario.goals) {
-    move_pose(goal.pose);
-    move_polygons(goal.obstacles);
-  }
+  move_polygons(scenario.kerbs);
+  if (scenario.map) move_pose(scenario.map->origin);
   return scenario;
 }
 

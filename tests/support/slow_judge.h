@@ -34,8 +34,8 @@ inline std::vector<PathPoint> poses_everywhere(const Footprint& body, const Path
     const double way = std::abs(segment.length) * top_speed(body, segment);
     const int count = 1 + static_cast<int>(way / moved);
     for (int i = 1; i <= count; ++i) {
-      const double s = segment.length * i / count;
-      points.push_back({.s = before + std::abs(s), .pose = advance(from, {segment.curvature, s})});
+      const double s = std::abs(segment.length) * i / count;
+      points.push_back({.s = before + s, .pose = advance(from, part_of(segment, 0, s))});
     }
     from = advance(from, segment);
     before += std::abs(segment.length);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/bound_table.h"
+#include "vandplan/random.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +11,10 @@
 #include <numbers>
 #include <vector>
 
-#include "tables/excess.h"
 #include "simd/bound_grid.h"
 #include "support/bound_law.h"
 #include "support/draws.h"
+#include "tables/excess.h"
 #include "vandplan/path.h"
 
 namespace vandplan {
@@ -32,9 +33,9 @@ TEST(BoundTable, HoldsInTheCornersOfItsCells) {
     return std::clamp(i / cells + (uniform01(rng) < 0.5 ? 0.0 : beside), 0.0, 1.0);
   };
   for (int i = 0; i < cases(1'000'000); ++i) {
-    const double distance = distance_at(std::min(corner(kernels::radial_cells), 0.9999));
-    const double bearing = bearing_at(corner(kernels::side_cells));
-    const double half_turn = any_sign(corner(kernels::turn_cells) * pi / 2, rng);
+    const double distance = tables::distance_at(std::min(corner(simd::radial_cells), 0.9999));
+    const double bearing = tables::bearing_at(corner(simd::side_cells));
+    const double half_turn = any_sign(corner(simd::turn_cells) * pi / 2, rng);
     const Pose from{0.0, 0.0, -half_turn};
     const Pose to{any_sign(distance * std::cos(bearing), rng),
                   any_sign(distance * std::sin(bearing), rng), half_turn};

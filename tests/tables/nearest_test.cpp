@@ -4,6 +4,7 @@
 // The nearest node is that of comparing all exact lengths, ties included.
 
 #include "vandplan/nearest.h"
+#include "vandplan/random.h"
 
 #include <gtest/gtest.h>
 
@@ -160,6 +161,21 @@ TEST(NearestNodes, HeadingsMayBeAnyAngle) {
     const Pose sample{uniform(-20, 20, rng), uniform(-20, 20, rng), uniform(-30, 30, rng)};
     expect_same(with(nodes, 7.0), nodes, sample, 7.0);
   });
+}
+
+TEST(NearestNodes, ACopyGrowsOnItsOwn) {
+  NearestNodes first(7.0);
+  first.add({10, 0, 0});
+  NearestNodes second = first;
+  second.add({1, 0, 0});
+  EXPECT_EQ(first.size(), 1U);
+  EXPECT_EQ(first.nearest({0, 0, 0})->length, 10);
+  EXPECT_EQ(second.size(), 2U);
+  EXPECT_EQ(second.nearest({0, 0, 0})->length, 1);
+  first = second;
+  first.add({0, 0, 0});
+  EXPECT_EQ(second.nearest({0, 0, 0})->length, 1);
+  EXPECT_EQ(first.nearest({0, 0, 0})->node, 2);
 }
 
 TEST(NearestNodes, FewLengthsAreComputed) {

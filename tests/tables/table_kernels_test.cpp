@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
-#include "base/random.h"
 #include "simd/bound_kernels.h"
 #include "simd/table_kernels.h"
 #include "support/simd_targets.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -52,37 +52,37 @@ TEST(TableKernels, DistancesHaveTheBitsOfTheScalarOnes) {
   for (float& entry : entries) entry = static_cast<float>(uniform(0.0, 50.0, entries_rng));
   with_nodes_on_every_target([&entries](const Nodes& nodes, const Nodes& sample, Rng& rng) {
     const auto scale = static_cast<float>(uniform(0.5, 2.0, rng));
-    const kernels::TableView table{.entries = entries.data(),
-                                   .positions = 31,
-                                   .headings = 25,
-                                   .extent = 30.0F,
-                                   .cells_per_metre = 1.0F,
-                                   .cells_per_radian = 12 / std::numbers::pi_v<float>,
-                                   .to_table = scale,
-                                   .from_table = 1.0F / scale};
-    const kernels::TableSample to{sample.x[0], sample.y[0], sample.heading[0]};
+    const simd::TableView table{.entries = entries.data(),
+                                .positions = 31,
+                                .headings = 25,
+                                .extent = 30.0F,
+                                .cells_per_metre = 1.0F,
+                                .cells_per_radian = 12 / std::numbers::pi_v<float>,
+                                .to_table = scale,
+                                .from_table = 1.0F / scale};
+    const simd::TableSample to{sample.x[0], sample.y[0], sample.heading[0]};
     std::vector<float> scalar(nodes.x.size()), vector(nodes.x.size());
-    kernels::scalar::table_distances(table, nodes.x, nodes.y, nodes.heading, to, scalar);
-    kernels::table_distances(table, nodes.x, nodes.y, nodes.heading, to, vector);
+    simd::scalar::table_distances(table, nodes.x, nodes.y, nodes.heading, to, scalar);
+    simd::table_distances(table, nodes.x, nodes.y, nodes.heading, to, vector);
     EXPECT_TRUE(same_bits(scalar, vector));
   });
 }
 
 TEST(TableKernels, BoundsHaveTheBitsOfTheScalarOnes) {
-  std::vector<kernels::BoundEntry> entries(kernels::bound_cells);
+  std::vector<simd::BoundEntry> entries(simd::bound_cells);
   Rng entries_rng(13);
-  for (kernels::BoundEntry& entry : entries) {
+  for (simd::BoundEntry& entry : entries) {
     entry = {static_cast<std::uint32_t>(entries_rng()), static_cast<std::uint32_t>(entries_rng())};
   }
   with_nodes_on_every_target([&entries](const Nodes& nodes, const Nodes& sample, Rng& rng) {
     const auto radius = static_cast<float>(uniform(0.5, 20.0, rng));
-    const kernels::BoundSample to{sample.x[0], sample.y[0], sample.heading[0]};
+    const simd::BoundSample to{sample.x[0], sample.y[0], sample.heading[0]};
     const std::size_t count = nodes.x.size();
     std::vector<float> low(count), high(count), vector_low(count), vector_high(count);
-    kernels::scalar::length_bounds(entries.data(), nodes.x, nodes.y, nodes.heading, to, radius, low,
-                                   high);
-    kernels::length_bounds(entries.data(), nodes.x, nodes.y, nodes.heading, to, radius, vector_low,
-                           vector_high);
+    simd::scalar::length_bounds(entries.data(), nodes.x, nodes.y, nodes.heading, to, radius, low,
+                                high);
+    simd::length_bounds(entries.data(), nodes.x, nodes.y, nodes.heading, to, radius, vector_low,
+                        vector_high);
     EXPECT_TRUE(same_bits(low, vector_low));
     EXPECT_TRUE(same_bits(high, vector_high));
   });

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <deque>
 #include <numbers>
-#include <thread>
 
+#include "base/parallel.h"
 #include "planners/anytime/island.h"
 #include "planners/shared_options.h"
 #include "vandplan/dubins.h"
@@ -53,19 +52,6 @@ double open_ground_bound(const Task& task, const CostRule& rule) {
                    shortest + rule.gear_change_cost});
 }
 
-// Calls `work(i)` for every island, on several threads.
-template <typename Work>
-void for_each_island(int threads, Work work) {
-  std::atomic<std::size_t> next = 0;
-  const auto take = [&] {
-    for (std::size_t i = next++; i < island_count; i = next++) work(i);
-  };
-  std::vector<std::jthread> helpers;
-  const std::size_t wanted = std::min(static_cast<std::size_t>(threads), island_count);
-  for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(take);
-  take();
-}
-
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options);
@@ -97,7 +83,7 @@ Run::Run(const Task& task, const PlanOptions& options)
       threads_(options.budget.threads),
       budget_(options.budget),
       open_ground_(open_ground_bound(task, rule_)) {
-  const Bounds region = sampling_region(task, region_of(options));
+  const Bounds region = sampling_region(task, planning::region_of(options));
   for (std::size_t i = 0; i < island_count; ++i) {
     islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i));
   }
@@ -139,9 +125,9 @@ void Run::round() {
   }
   std::array<Slice, island_count> slices;
   const Route* best = best_ ? &*best_ : nullptr;
-  for_each_island(best_ ? threads_ : 1,
-                  [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
-  for (Slice& slice : slices) merge(slice);
+  parallel_for(island_count, best_ ? threads_ : 1,
+               [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
+  for (Slice& slice : slices) merge(slice);  // [8]
   ++rounds_;
 }
 
@@ -185,15 +171,16 @@ PlannerAnswer Run::result() const {
 
 }  // namespace
 
+// The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
 PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
   Run run(task, options);
-  run.try_open_ground();
+  run.try_open_ground();  // [1]
   std::optional<PlanStatus> end;
   while (!run.is_optimal() && !end) {
     end = run.budget().exhausted();
-    if (!end) run.round();
+    if (!end) run.round();  // [2] to [8]
   }
-  if (run.is_optimal()) run.tidy(options.budget.seed);
+  if (run.is_optimal()) run.tidy(options.budget.seed);  // [9]
   PlannerAnswer answer = run.result();
   if (!answer.segments) answer.status = *end;
   return answer;

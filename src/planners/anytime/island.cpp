@@ -26,18 +26,18 @@ void Island::prepare() {
   is_prepared_ = true;
   const CostRule& rule = connector_.rule();
   switch (work_) {
-    case Work::refine:
+    case Work::refine:  // [6] has the best route only
       break;
-    case Work::search_from_start:
+    case Work::search_from_start:  // [4]
       ladder_.emplace(task_, rule, Root::start);
       break;
-    case Work::search_from_goal:
+    case Work::search_from_goal:  // [3]
       ladder_.emplace(task_, rule, Root::goal);
       break;
-    case Work::random_trees:
+    case Work::random_trees:  // [2]
       attempts_.emplace(task_, rule, region_, stream_seed(seed_, 0));
       break;
-    case Work::bound:
+    case Work::bound:  // [7]
       geodesic_.emplace(task_, best_cost_);
       break;
   }
@@ -89,7 +89,7 @@ bool Island::step() {
     candidate_.emplace(connector_, *std::move(route), stream_seed(seed_, ++candidates_));
     trials_ = 0;
   } else {
-    candidate_->step();
+    candidate_->step();  // [5] [6]
     ++trials_;
   }
   const bool won = candidate_->route().cost < best_cost_;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "vandplan/random.h"
+
 namespace vandplan::anytime {
 namespace {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "base/random.h"
 #include "search/route.h"
+#include "vandplan/random.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "base/random.h"
+#include "vandplan/random.h"
 
 #include <numbers>
 
 namespace vandplan {
+
+double uniform01(Rng& rng) { return static_cast<double>(rng() >> 11) * 0x1.0p-53; }
+
+double uniform(double low, double high, Rng& rng) { return low + (high - low) * uniform01(rng); }
 
 Pose uniform_pose(const Bounds& box, Rng& rng) {
   const double x = uniform(box.x_min, box.x_max, rng);

@@ -13,20 +13,19 @@
 
 namespace vandplan {
 
+/// The one generator of random numbers. Its seed comes from the options of a run.
 using Rng = std::mt19937_64;
 
-/// In [0, 1), 53 random bits.
-inline double uniform01(Rng& rng) { return static_cast<double>(rng() >> 11) * 0x1.0p-53; }
+/// A number in [0, 1), 53 random bits.
+[[nodiscard]] double uniform01(Rng& rng);
 
-/// In [low, high).
-inline double uniform(double low, double high, Rng& rng) {
-  return low + (high - low) * uniform01(rng);
-}
+/// A number in [low, high).
+[[nodiscard]] double uniform(double low, double high, Rng& rng);
 
-/// Position uniform in the box, heading uniform in [-pi, pi).
-Pose uniform_pose(const Bounds& box, Rng& rng);
+/// A pose whose position is uniform in the box and whose heading is uniform in [-pi, pi).
+[[nodiscard]] Pose uniform_pose(const Bounds& box, Rng& rng);
 
 /// A seed for an independent stream: the `stream`-th one of `seed` (splitmix64, Steele 2014).
-std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream);
+[[nodiscard]] std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream);
 
 }  // namespace vandplan

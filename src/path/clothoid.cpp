@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "path/clothoid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/trigonometry.h"
+
+namespace vandplan::path {
+namespace {
+
+/// An integral of the unit vector along the heading.
+struct Way {
+  double x = 0.0;
+  double y = 0.0;
+
+  Way& operator+=(const Way& other) {
+    x += other.x;
+    y += other.y;
+    return *this;
+  }
+};
+
+/// Driven forward from heading 0; a clothoid in reverse is mirrored into this.
+struct Clothoid {
+  double curvature;
+  double rate;
+
+  [[nodiscard]] double curvature_at(double t) const { return curvature + rate * t; }
+  [[nodiscard]] double turn(double t) const { return t * (curvature + rate * t / 2); }
+};
+
+constexpr double most_panels = 256;   // more only where doubles tell nothing any more
+constexpr double enough_panels = 32;  // up to so many, all of it goes through panels
+constexpr double panel_extent = 3;    // of a panel; the error of each is below 7e-16 of its length
+constexpr int terms = 16;             // of the series
+constexpr double steepness = 128;     // curvature^2 / rate where the series begins
+
+/// How many panels a stretch takes: each is so short that its length times
+/// (|curvature| + 4 sqrt(|rate|)) is at most `panel_extent`.
+double panels_of(const Clothoid& clothoid, double begin, double end) {
+  const double steepest =
+      std::max(std::abs(clothoid.curvature_at(begin)), std::abs(clothoid.curvature_at(end)));
+  const double extent = (end - begin) * (steepest + 4 * std::sqrt(std::abs(clothoid.rate)));
+  const double count = std::ceil(extent / panel_extent);
+  return count >= 1 ? count : 1;
+}
+
+/// Gauss-Legendre with eight nodes.
+Way over_panel(const Clothoid& clothoid, double begin, double end) {
+  constexpr std::array<double, 4> nodes = {0x1.77ac94f3c7345p-3, 0x1.0d129583284b4p-1,
+                                           0x1.97e4ab249f41ep-1, 0x1.ebab1cb0acc67p-1};
+  constexpr std::array<double, 4> weights = {0x1.736360b199343p-2, 0x1.413c50a255615p-2,
+                                             0x1.c76fb531d2b96p-3, 0x1.9ea1d04ca0374p-4};
+  const double middle = (begin + end) / 2;
+  const double half = (end - begin) / 2;
+  Way sum;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const base::SinCos before = base::sin_cos(clothoid.turn(middle - half * nodes[i]));
+    const base::SinCos after = base::sin_cos(clothoid.turn(middle + half * nodes[i]));
+    sum.x += weights[i] * (before.cos + after.cos);
+    sum.y += weights[i] * (before.sin + after.sin);
+  }
+  return {half * sum.x, half * sum.y};
+}
+
+Way over_panels(const Clothoid& clothoid, double begin, double end) {
+  const double wanted = panels_of(clothoid, begin, end);
+  const double count = wanted < most_panels ? wanted : most_panels;
+  const double length = (end - begin) / count;
+  Way sum;
+  for (double i = 0; i < count; ++i) {
+    sum += over_panel(clothoid, begin + i * length, i + 1 < count ? begin + (i + 1) * length : end);
+  }
+  return sum;
+}
+
+/// An antiderivative where curvature^2 is large beside the rate: by parts, again and again.
+Way antiderivative(const Clothoid& clothoid, double t) {
+  const double curvature = clothoid.curvature_at(t);
+  const double y = clothoid.rate / curvature / curvature;
+  // The sum of (2n - 1)!! (-i y)^n.
+  double re = 1, im = 0, sum_re = 1, sum_im = 0;
+  for (int n = 1; n < terms; ++n) {
+    const double factor = (2 * n - 1) * y;
+    const double last = re;
+    re = factor * im;
+    im = -factor * last;
+    sum_re += re;
+    sum_im += im;
+  }
+  const auto [sin, cos] = base::sin_cos(clothoid.turn(t));
+  return {(cos * sum_im + sin * sum_re) / curvature, (sin * sum_im - cos * sum_re) / curvature};
+}
+
+Way by_series(const Clothoid& clothoid, double begin, double end) {
+  if (!(begin < end)) return {};
+  const Way first = antiderivative(clothoid, begin);
+  const Way last = antiderivative(clothoid, end);
+  return {last.x - first.x, last.y - first.y};
+}
+
+Way along(const Clothoid& clothoid, double length) {
+  if (panels_of(clothoid, 0, length) <= enough_panels) return over_panels(clothoid, 0, length);
+  // Around the place of curvature 0 the vehicle turns little; elsewhere the series is good.
+  const double rate = std::abs(clothoid.rate);
+  const double inflection = -clothoid.curvature / clothoid.rate;
+  const double reach = std::sqrt(steepness * rate) / rate;
+  const double begin = std::clamp(inflection - reach, 0.0, length);
+  const double end = std::clamp(inflection + reach, 0.0, length);
+  Way sum = by_series(clothoid, 0, begin);
+  if (begin < end) sum += over_panels(clothoid, begin, end);
+  return sum += by_series(clothoid, end, length);
+}
+
+}  // namespace
+
+Displacement along_clothoid(const Segment& segment) noexcept {
+  const double gear = segment.length < 0.0 ? -1.0 : 1.0;
+  const double length = std::abs(segment.length);
+  const Clothoid clothoid{gear * segment.curvature, gear * segment.curvature_rate};
+  const Way way = along(clothoid, length);
+  return {gear * way.x, gear * way.y, clothoid.turn(length)};
+}
+
+}  // namespace vandplan::path
