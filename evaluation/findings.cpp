@@ -62,10 +62,13 @@ std::optional<Compared> extreme(const std::vector<Compared>& comparisons, Verdic
 std::string describe(const std::optional<Compared>& comparison,
                      const std::vector<ScenarioFile>& scenarios) {
   if (!comparison) return "nothing beyond chance";
-  const PairedComparison& result = comparison->result;
-  return fmt::format("{} ({} to {}) by {} in {}", change_text(result.ratio),
-                     change_text(result.interval.low), change_text(result.interval.high),
-                     comparison->twins->planner, scenarios[comparison->scenario].scenario.name);
+  const auto& [low, high] = comparison->result.interval;
+  const std::string change = change_text(comparison->result.ratio);
+  const bool is_sure = change_text(low) == change && change_text(high) == change;
+  const std::string between =
+      is_sure ? "" : fmt::format(" ({} to {})", change_text(low), change_text(high));
+  return fmt::format("{}{} by {} in {}", change, between, comparison->twins->planner,
+                     scenarios[comparison->scenario].scenario.name);
 }
 
 Finding better_in_six_of_nine(const Summary& summary, const Circumstances& where, int scenarios) {
@@ -77,8 +80,10 @@ Finding better_in_six_of_nine(const Summary& summary, const Circumstances& where
       best = found;
   }
   std::string found =
-      fmt::format("At most in {} of {}, by {}; worse in {}, no difference in {}", best.better,
-                  scenarios, best.planner, best.worse, best.no_difference);
+      best.better == 0
+          ? fmt::format("In none of {} scenarios, by any table", scenarios)
+          : fmt::format("At most in {} of {}, by {}; worse in {}, no difference in {}", best.better,
+                        scenarios, best.planner, best.worse, best.no_difference);
   for (const Verdict kind : {Verdict::smaller, Verdict::larger}) {
     std::string list;
     for (const Pooled& planner : pooled_tables(summary, where))

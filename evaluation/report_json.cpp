@@ -186,8 +186,8 @@ std::string headline_json(const Report& report) {
                          {"planners", methods},
                          {"against_euclid", twins}});
   }
-  const OrderedJson all = {{"headline", headlines_json(report.summary)},
-                           {"verdicts", verdicts_json(report.findings)},
+  const OrderedJson all = {{"verdicts", verdicts_json(report.findings)},
+                           {"headline", headlines_json(report.summary)},
                            {"runs", report.runs.size()},
                            {"left_out", report.left_out},
                            {"environment", environment_json(report.environment)},

@@ -275,11 +275,11 @@ bool has_region(const Report& report, Region region) {
 
 std::string headline_markdown(const Report& report) {
   std::string text = "# Comparison of planners\n\n";
+  for (const std::string& verdict : verdicts(report.findings)) text += "- " + verdict + "\n";
   for (const Region region : {Region::bounds, Region::scene})
     if (has_region(report, region))
       text += fmt::format("- Samples from the {}: {}\n", name_of(region),
                           headline(report.summary, region));
-  for (const std::string& verdict : verdicts(report.findings)) text += "- " + verdict + "\n";
   text += "\n" + circumstances(report);
   for (const Region region : {Region::bounds, Region::scene}) {
     if (!has_region(report, region)) continue;

@@ -35,9 +35,10 @@ function renderFrame() {
     `${data.scenarios.length} scenarios, at most ${limit} each, ` +
     `${jobs} at a time on ${here.processor} (${here.cores} cores).`;
   renderClaims();
-  $('headlines').replaceChildren(...Object.entries(data.headlines).filter(([, text]) => text)
-    .map(([region, text]) => element('p', {class: 'headline'}, element('b', {}, `Samples from the ${region}: `), text)),
-    ...data.verdicts.map((text) => element('p', {class: 'headline'}, text)));
+  $('headlines').replaceChildren(
+    ...data.verdicts.map((text) => element('p', {class: 'headline'}, text)),
+    ...Object.entries(data.headlines).filter(([, text]) => text)
+      .map(([region, text]) => element('p', {class: 'headline'}, element('b', {}, `Samples from the ${region}: `), text)));
   $('claims-section').hidden = data.claims.length === 0;
   const share = (part) => `${((100 * part) / overhead.planning).toFixed(2)} % of the planning time`;
   $('facts').replaceChildren(

@@ -197,7 +197,7 @@ TEST(Findings, SayWhatIsLeftOfTheThesisClaims) {
             "together better beyond chance: rrt-opt-hlut-2 (56 % of the pairs better, 0 % worse)");
   EXPECT_FALSE(five[1].holds);
   EXPECT_EQ(five[1].found,
-            "First solution: at best nothing beyond chance; at worst +100 % (+100 % to +100 %) by "
+            "First solution: at best nothing beyond chance; at worst +100 % by "
             "rrt-opt-hlut-2 in s0. Whole run: at best nothing beyond chance; at worst nothing "
             "beyond chance");
   EXPECT_FALSE(five[2].holds);  // 50 % better, not 90 %
