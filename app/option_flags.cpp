@@ -30,9 +30,7 @@ std::string typed_text(std::string json) {
 }
 
 std::string default_of(const CommonOption& option) {
-  if (option.name == "time_limit") {
-    return fmt::format("{} without --max-iterations", default_time_limit);
-  }
+  if (option.name == "time_limit") return fmt::format("{}", default_time_limit);
   return typed_text(option.get(PlanOptions{}));
 }
 
