@@ -17,6 +17,8 @@
 #include "vandplan/table_file.h"
 
 namespace vandplan {
+
+using namespace studies;
 namespace {
 
 using Json = nlohmann::ordered_json;

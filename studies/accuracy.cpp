@@ -13,7 +13,7 @@
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -152,4 +152,4 @@ StudyFiles files_of(const AccuracyStudy& study) {
   return study_files({"accuracy", 1200, 650}, {{"accuracy.csv", histogram_csv(study)}}, body);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

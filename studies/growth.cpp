@@ -12,7 +12,7 @@
 
 #include "vandplan/random.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 double distance(const Pose& a, const Pose& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -181,4 +181,4 @@ StudyFiles files_of(const GrowthStudy& study) {
   return study_files({"growth", 1350, 980}, {{"growth.csv", tree_csv(study.tree)}}, body);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

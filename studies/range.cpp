@@ -12,7 +12,7 @@
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -102,4 +102,4 @@ StudyFiles files_of(const RangeStudy& study) {
                      body);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

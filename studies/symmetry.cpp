@@ -11,7 +11,7 @@
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -142,4 +142,4 @@ StudyFiles files_of(const SymmetryStudy& study) {
                      body + "unset multiplot\n");
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -12,7 +12,7 @@
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 // Float rounds to 6e-8 of the value; the rest is for other compilers' libraries.
@@ -82,4 +82,4 @@ BoundCheck check_bounds(std::int64_t pairs, std::uint64_t seed) {
   return check;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

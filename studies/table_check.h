@@ -8,7 +8,7 @@
 
 #include "vandplan/heuristic_table.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 
 /// Which entries are recomputed.
 struct EntryCheckOptions {
@@ -38,4 +38,4 @@ struct BoundCheck {
 
 [[nodiscard]] BoundCheck check_bounds(std::int64_t pairs, std::uint64_t seed);
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -35,7 +35,7 @@ class GridDistance {
     bool operator==(const RasterCell&) const = default;
   };
 
-  /// Of a point in the box.
+  /// The cell that holds a point of the box.
   [[nodiscard]] RasterCell cell_of(const Point& point) const noexcept;
   void mark_border();
   [[nodiscard]] Point centre_of(const RasterCell& cell) const noexcept;

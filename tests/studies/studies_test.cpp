@@ -18,7 +18,7 @@
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -217,4 +217,4 @@ TEST(SteeringStudy, DrawnPathsEndAtTheirGoals) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::studies

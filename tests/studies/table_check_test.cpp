@@ -10,7 +10,7 @@
 
 #include "studies/percentile.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr HeuristicTableOptions small{
@@ -76,4 +76,4 @@ TEST(Percentile, IsTheValueOfTheNearestRank) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::studies
