@@ -12,7 +12,7 @@
 #include "vandplan/result_file.h"
 #include "wording.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 using evaluation::DrivingStyle;
@@ -221,4 +221,4 @@ void add_check(CLI::App& vandplan, int& status) {
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

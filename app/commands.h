@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::app {
 
 /// What the shell learns.
 namespace exit_status {
@@ -39,4 +39,4 @@ void print_line(const nlohmann::ordered_json& object);
 /// Says on the standard error what deserves a look though nothing is wrong, a line each.
 void warn(const std::vector<std::string>& warnings);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

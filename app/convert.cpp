@@ -13,7 +13,7 @@
 #include "vandplan/scenario_file.h"
 #include "wording.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 struct ConvertArguments {
@@ -125,4 +125,4 @@ void add_convert(CLI::App& vandplan, int&) {
   add_dynobench(*convert);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -10,7 +10,7 @@
 #include "vandplan/input_error.h"
 #include "wording.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 struct DrawArguments {
@@ -77,4 +77,4 @@ void add_draw(CLI::App& vandplan, int&) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -8,7 +8,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 /// Endings that promise a format.
@@ -35,4 +35,4 @@ void expect_ending(const std::string& file, const FileKind& kind) {
                              ", expected a name that ends in " + std::string(kind.endings.front()));
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::app {
 
 /// A kind of file that is written, and the endings that names of such files have.
 struct FileKind {
@@ -24,4 +24,4 @@ inline const FileKind scenario_file = {"a scenario is YAML", {".yaml", ".yml"}};
 /// result. Endings that promise nothing known, and names without one, will do.
 void expect_ending(const std::string& file, const FileKind& kind);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -17,7 +17,7 @@
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -264,4 +264,4 @@ void add_evaluate(CLI::App& vandplan, int& status) {
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -16,7 +16,7 @@
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ bool write_study(const std::string& folder, const StudyFiles& files) {
   return true;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

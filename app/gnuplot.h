@@ -7,7 +7,7 @@
 
 #include "studies/study_files.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 using namespace studies;
 
@@ -19,4 +19,4 @@ void expect_writable_folder(const std::string& folder, const StudyFiles& files);
 /// Throws std::runtime_error with what gnuplot says if it fails.
 [[nodiscard]] bool write_study(const std::string& folder, const StudyFiles& files);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

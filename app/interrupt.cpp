@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 std::atomic<bool> stop = false;
@@ -24,4 +24,4 @@ const std::atomic<bool>* stop_on_signal() {
   return &stop;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

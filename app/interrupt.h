@@ -5,9 +5,9 @@
 
 #include <atomic>
 
-namespace vandplan {
+namespace vandplan::app {
 
 /// From the first call on, SIGINT and SIGTERM set this to true; a second signal kills.
 [[nodiscard]] const std::atomic<bool>* stop_on_signal();
 
-}  // namespace vandplan
+}  // namespace vandplan::app

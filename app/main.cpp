@@ -13,7 +13,7 @@
 #include "vandplan/version.h"
 #include "wording.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 constexpr AddCommand commands[] = {add_plan,  add_check, add_draw,    add_evaluate,
@@ -62,10 +62,11 @@ void warn(const std::vector<std::string>& warnings) {
   }
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app
 
 int main(int argc, char** argv) {
   using namespace vandplan;
+  using namespace vandplan::app;
   try {
     const int status = run(argc, argv);
     if (std::fflush(stdout) == 0) return status;

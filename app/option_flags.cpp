@@ -8,7 +8,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 /// An option that has a flag of its own.
@@ -158,4 +158,4 @@ std::string help_on_own_options() {
   return help;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -12,7 +12,7 @@
 
 #include "vandplan/planner.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 /// An option of a planner that somebody typed.
 struct TypedOption {
@@ -42,4 +42,4 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed);
 /// Lines for the own options of all planners, family by family.
 [[nodiscard]] std::string help_on_own_options();
 
-}  // namespace vandplan
+}  // namespace vandplan::app

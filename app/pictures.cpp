@@ -12,7 +12,7 @@
 #include "vandplan/input_error.h"
 #include "wording.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 constexpr int width = 1200;       // pixels or points
@@ -104,4 +104,4 @@ DrawnPairs write_picture(const std::string& file, const ScenarioFile& scenario,
   return drawn;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -10,7 +10,7 @@
 #include "vandplan/result_file.h"
 #include "vandplan/scenario_file.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 /// Throws InputError if a picture can surely not be written to this file.
 void expect_picture(const std::string& file);
@@ -30,4 +30,4 @@ struct DrawnPairs {
 DrawnPairs write_picture(const std::string& file, const ScenarioFile& scenario,
                          ResultReader& results, std::optional<std::size_t> pair);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

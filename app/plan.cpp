@@ -17,7 +17,7 @@
 #include "vandplan/result_file.h"
 #include "wording.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 struct PlanArguments {
@@ -155,4 +155,4 @@ void add_plan(CLI::App& vandplan, int& status) {
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

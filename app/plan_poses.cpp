@@ -13,7 +13,7 @@
 #include "vandplan/result_file.h"
 #include "wording.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
@@ -102,4 +102,4 @@ int plan_poses(const ScenarioProblems& read, const Planner& planner, const PlanO
   return results.solved() == problems.size() ? exit_status::done : exit_status::failed;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -9,7 +9,7 @@
 #include "vandplan/planner.h"
 #include "vandplan/scenario_file.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 struct PosesJob {
   std::string poses;                  ///< file of starts and goals
@@ -23,4 +23,4 @@ struct PosesJob {
 [[nodiscard]] int plan_poses(const ScenarioProblems& read, const Planner& planner,
                              const PlanOptions& options, const PosesJob& job);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

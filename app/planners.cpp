@@ -11,7 +11,7 @@
 #include "commands.h"
 #include "option_flags.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -96,4 +96,4 @@ void add_planners(CLI::App& vandplan, int&) {
   });
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

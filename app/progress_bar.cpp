@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 constexpr int width = 30;
@@ -53,4 +53,4 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -7,7 +7,7 @@
 
 #include "vandplan/evaluation.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 using evaluation::Progress;
 
@@ -31,4 +31,4 @@ class ProgressBar {
 /// "2 min 05 s".
 [[nodiscard]] std::string duration_text(double seconds);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -14,7 +14,7 @@
 #include "vandplan/bound_table.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -220,4 +220,4 @@ void add_study(CLI::App& vandplan, int&) {
       study_steering);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -193,4 +193,4 @@ Json json_of(const SteeringStudy& study) {
   return {{"turning_radius", study.options.turning_radius}, {"examples", examples}};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

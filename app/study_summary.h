@@ -12,7 +12,7 @@
 #include "studies/steering.h"
 #include "studies/symmetry.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 using namespace studies;
 
@@ -28,4 +28,4 @@ using namespace studies;
 [[nodiscard]] nlohmann::ordered_json json_of(const SymmetryStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const SteeringStudy& study);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

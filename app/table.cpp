@@ -16,9 +16,10 @@
 #include "vandplan/input_error.h"
 #include "vandplan/table_file.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 using namespace studies;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -327,4 +328,4 @@ void add_table(CLI::App& vandplan, int& status) {
   add_table_export(*table);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

@@ -9,7 +9,7 @@
 
 #include "vandplan/files.h"
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -106,4 +106,4 @@ Json json_of(const TableFileHead& head) {
   return json;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

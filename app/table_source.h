@@ -9,7 +9,7 @@
 
 #include "vandplan/table_file.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 inline constexpr const char* bounds_name = "bounds";
 
@@ -35,4 +35,4 @@ struct TableSource {
 [[nodiscard]] std::string text_of(const TableFileHead& head);
 [[nodiscard]] nlohmann::ordered_json json_of(const TableFileHead& head);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

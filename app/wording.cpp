@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-namespace vandplan {
+namespace vandplan::app {
 namespace {
 
 struct Unit {
@@ -78,4 +78,4 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::app

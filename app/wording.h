@@ -10,7 +10,7 @@
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 
-namespace vandplan {
+namespace vandplan::app {
 
 /// "35.120 m", "45.2 mm", "0 m": the unit that fits, three digits at least.
 [[nodiscard]] std::string metres_text(double metres);
@@ -31,4 +31,4 @@ namespace vandplan {
 /// A text from a file as a terminal may have it: control characters are written as "\x1b".
 [[nodiscard]] std::string printable(std::string_view text);
 
-}  // namespace vandplan
+}  // namespace vandplan::app

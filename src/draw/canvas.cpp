@@ -11,7 +11,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 namespace {
 
 using SurfacePtr = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
@@ -97,4 +97,4 @@ double text_width(cairo_t* cairo, const std::string& text, const TextStyle& styl
   return extents.x_advance;
 }
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing

@@ -10,7 +10,7 @@
 
 #include "vandplan/draw.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 
 /// Page units: the picture is laid out for a page of fixed width and scaled to the width asked for.
 struct Size {
@@ -72,4 +72,4 @@ void write_text(cairo_t* cairo, const std::string& text, double x, double y,
 /// How wide the words are [page units].
 [[nodiscard]] double text_width(cairo_t* cairo, const std::string& text, const TextStyle& style);
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing

@@ -11,7 +11,7 @@
 namespace vandplan {
 namespace {
 
-using namespace picture;
+using namespace drawing;
 
 void require_width(int width) {
   if (width < 50 || width > 10000) {

@@ -10,7 +10,7 @@
 
 #include "draw/paint.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 namespace {
 
 constexpr TextStyle tick_style{.size = 10.5, .colour = colour::faint_ink};
@@ -256,4 +256,4 @@ void paint_legend(cairo_t* cairo, const LegendContent& content, const Box& place
   }
 }
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing

@@ -6,7 +6,7 @@
 #include "draw/canvas.h"
 #include "draw/scene.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 
 /// Where everything stands on a page with one picture.
 struct Layout {
@@ -53,4 +53,4 @@ struct LegendContent {
 /// One row of samples and words, centred in `place`.
 void paint_legend(cairo_t* cairo, const LegendContent& content, const Box& place);
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing

@@ -13,7 +13,7 @@
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/vehicle.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 namespace {
 
 // Cairo's coordinates are 24-bit fixed-point: what lies far outside is drawn at the edge of that.
@@ -206,4 +206,4 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   if (scene.path) paint_path(cairo, scene, view);
 }
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing

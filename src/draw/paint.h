@@ -6,7 +6,7 @@
 #include "draw/canvas.h"
 #include "draw/scene.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 
 /// Fills the plot of `view` with the scene, from the ground upwards.
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view);
@@ -27,4 +27,4 @@ void paint_vehicle(cairo_t* cairo, const ParkedVehicle& vehicle, const View& vie
 /// A gear change.
 void paint_gear_change(cairo_t* cairo, const Point& place);
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing

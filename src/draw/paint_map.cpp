@@ -9,7 +9,7 @@
 
 #include "draw/paint.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 namespace {
 
 /// Which cells of a grid are seen: columns and rows from the first up to before the last.
@@ -98,15 +98,15 @@ void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view) {
   cairo_restore(cairo);
 }
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing
 
 namespace vandplan {
 
 MapImage map_image(const OccupancyGrid& map, int most) {
   const std::int32_t block = (std::max(map.columns, map.rows) + most - 1) / most;
-  const picture::SurfacePtr image = picture::image_of(map, {0, map.columns, 0, map.rows}, block);
+  const drawing::SurfacePtr image = drawing::image_of(map, {0, map.columns, 0, map.rows}, block);
   const double pixel = block * map.resolution;
-  return {picture::png_of(image.get()), cairo_image_surface_get_width(image.get()) * pixel,
+  return {drawing::png_of(image.get()), cairo_image_surface_get_width(image.get()) * pixel,
           cairo_image_surface_get_height(image.get()) * pixel};
 }
 

@@ -8,7 +8,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/vehicle.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 namespace {
 
 constexpr double most_around = 1.5;  // that is shown on each side, in extents of the path
@@ -169,4 +169,4 @@ View view_of(const Bounds& visible, const Box& plot) noexcept {
   return {{x - half_width, x + half_width, y - half_height, y + half_height}, plot, scale};
 }
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing

@@ -9,7 +9,7 @@
 #include "draw/canvas.h"
 #include "vandplan/draw.h"
 
-namespace vandplan::picture {
+namespace vandplan::drawing {
 
 /// A drawing moved near the origin, where every coordinate is exact enough for a pixel.
 struct Scene {
@@ -61,4 +61,4 @@ struct View {
 /// `visible` widened to the shape of `plot`, equal scales along x and y.
 [[nodiscard]] View view_of(const Bounds& visible, const Box& plot) noexcept;
 
-}  // namespace vandplan::picture
+}  // namespace vandplan::drawing

@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 constexpr std::size_t deepest = 64;  // levels of lists and maps
@@ -253,4 +253,4 @@ void NodeBuilder::add(Node node) {
   }
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::io {
 
 /// A value and the line it begins on.
 struct Node {
@@ -104,4 +104,4 @@ inline constexpr std::size_t largest_text = std::size_t{64} << 20;
 /// `first_line` is the number of the text's first line in its file.
 [[nodiscard]] Document parse_json(std::string_view text, const std::string& where, int first_line);
 
-}  // namespace vandplan
+}  // namespace vandplan::io

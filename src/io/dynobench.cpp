@@ -15,6 +15,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 std::vector<double> numbers_from(const Document& file, const Node& node, std::size_t count,
                                  const char* expected) {
   std::vector<double> numbers;

@@ -18,6 +18,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 /// A file descriptor that closes itself, unless it is a standard stream.
 class Descriptor {
  public:

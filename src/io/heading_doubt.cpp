@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vandplan {
+namespace vandplan::io {
 
 std::string heading_doubt(double heading) {
   constexpr double full_turn = 2 * std::numbers::pi;
@@ -17,4 +17,4 @@ std::string heading_doubt(double heading) {
                      heading, heading / 180 * std::numbers::pi);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

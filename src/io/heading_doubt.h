@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace vandplan {
+namespace vandplan::io {
 
 /// What is odd about a heading of a file that is beyond a full turn; empty if nothing is.
 [[nodiscard]] std::string heading_doubt(double heading);
 
-}  // namespace vandplan
+}  // namespace vandplan::io

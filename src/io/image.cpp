@@ -7,7 +7,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/occupancy_grid.h"
 
-namespace vandplan {
+namespace vandplan::io {
 
 void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where) {
   const auto most = static_cast<std::uint64_t>(most_map_cells);
@@ -16,4 +16,4 @@ void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::stri
                                       columns, rows, most));
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vandplan {
+namespace vandplan::io {
 
 /// What becomes of transparent pixels.
 enum class Alpha {
@@ -28,4 +28,4 @@ struct Image {
 /// Throws InputError, `where` standing for the file, for no pixels or more than `most_map_cells`.
 void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where);
 
-}  // namespace vandplan
+}  // namespace vandplan::io

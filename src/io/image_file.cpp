@@ -9,7 +9,7 @@
 #include "io/png_image.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 /// What a file is that we do not read, from how it begins.
@@ -42,4 +42,4 @@ Image image_from(const std::string& bytes, const std::string& where, Alpha alpha
   throw InputError(where, "is " + kind_of(bytes) + ", expected a PGM (P2 or P5) or PNG image");
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

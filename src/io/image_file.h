@@ -7,10 +7,10 @@
 
 #include "io/image.h"
 
-namespace vandplan {
+namespace vandplan::io {
 
 /// Reads the bytes of a PGM (P2, P5) or PNG file. Throws InputError, `where` standing for the file,
 /// if it is neither, broken, or has more than `most_map_cells` pixels.
 [[nodiscard]] Image image_from(const std::string& bytes, const std::string& where, Alpha alpha);
 
-}  // namespace vandplan
+}  // namespace vandplan::io

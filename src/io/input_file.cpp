@@ -11,7 +11,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 constexpr std::size_t chunk = std::size_t{1} << 16;  // read at a time [bytes]
@@ -73,4 +73,4 @@ void LineReader::rest(std::string& content, std::size_t largest) {
   }
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace vandplan {
+namespace vandplan::io {
 
 /// A file that is open for reading; "-" is standard input.
 class InputFile {
@@ -52,4 +52,4 @@ class LineReader {
   int number_ = 0;
 };
 
-}  // namespace vandplan
+}  // namespace vandplan::io

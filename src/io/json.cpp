@@ -8,7 +8,7 @@
 
 #include "io/document.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 /// Where the parser reads.
@@ -111,4 +111,4 @@ Document parse_json(std::string_view text, const std::string& where, int first_l
   return {where, builder.finish()};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

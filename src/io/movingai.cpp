@@ -21,6 +21,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 [[noreturn]] void fail(const std::string& file, std::size_t line, const std::string& problem) {
   throw InputError(fmt::format("{}:{}", file, line), problem);
 }

@@ -14,7 +14,7 @@
 // separated by blanks and comments; then one byte (two from 256 on, the higher one first) or one
 // decimal number for each pixel.
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -111,4 +111,4 @@ Image image_from_pgm(const std::string& bytes, const std::string& where) {
   return image;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

@@ -7,10 +7,10 @@
 
 #include "io/image.h"
 
-namespace vandplan {
+namespace vandplan::io {
 
 /// Reads the bytes of a PGM file that begin with P2 or P5. Throws InputError, `where` standing for
 /// the file, if it is broken or has more than `most_map_cells` pixels.
 [[nodiscard]] Image image_from_pgm(const std::string& bytes, const std::string& where);
 
-}  // namespace vandplan
+}  // namespace vandplan::io

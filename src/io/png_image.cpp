@@ -10,7 +10,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 /// Bytes that libpng reads from, and what it says when it gives up. libpng jumps out of its own
@@ -123,4 +123,4 @@ Image image_from_png(const std::string& bytes, const std::string& where, Alpha a
   return image;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

@@ -19,6 +19,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 constexpr std::array<std::string_view, 6> columns = {"start_x", "start_y", "start_heading",
                                                      "goal_x",  "goal_y",  "goal_heading"};
 constexpr const char* all_columns = "start_x,start_y,start_heading,goal_x,goal_y,goal_heading";

@@ -18,6 +18,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 PlanStatus status_from(const Document& file, const Node& node) {
   for (const PlanStatus status : plan_statuses()) {
     if (file.text(node) == name_of(status)) return status;

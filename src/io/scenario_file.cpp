@@ -17,6 +17,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 /// A list of exactly two numbers.
 Point pair_from(const Document& file, const Node& node, const std::string& expected) {
   const std::vector<Node>& items = file.list(node, expected);

@@ -21,6 +21,8 @@
 namespace vandplan {
 namespace {
 
+using namespace io;
+
 constexpr double margin = 20.0;  // between what is in the file and the bounds [m]
 
 /// The values of a file, one by one.

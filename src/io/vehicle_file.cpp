@@ -13,7 +13,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 /// Full steering of the bicycle's front wheel makes the turning radius of the rear axle.
@@ -78,15 +78,19 @@ Vehicle vehicle_from(const Document& file, const Node& node) {
   return read(*found);
 }
 
+}  // namespace vandplan::io
+
+namespace vandplan {
+
 Vehicle vehicle_named(std::string_view name) {
-  const EmbeddedVehicle* const found = find_vehicle(name);
-  if (found == nullptr) throw InputError("vehicle", no_such_vehicle(name));
-  return read(*found);
+  const io::EmbeddedVehicle* const found = io::find_vehicle(name);
+  if (found == nullptr) throw InputError("vehicle", io::no_such_vehicle(name));
+  return io::read(*found);
 }
 
 std::vector<std::string> vehicle_names() {
   std::vector<std::string> names;
-  for (const EmbeddedVehicle& v : embedded_vehicles) names.emplace_back(v.name);
+  for (const io::EmbeddedVehicle& v : io::embedded_vehicles) names.emplace_back(v.name);
   return names;
 }
 

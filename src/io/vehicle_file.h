@@ -6,9 +6,9 @@
 #include "io/document.h"
 #include "vandplan/vehicle.h"
 
-namespace vandplan {
+namespace vandplan::io {
 
 /// A map of lengths, or the name of a vehicle of the catalogue.
 [[nodiscard]] Vehicle vehicle_from(const Document& file, const Node& node);
 
-}  // namespace vandplan
+}  // namespace vandplan::io

@@ -15,7 +15,7 @@
 #include "io/document.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::io {
 namespace {
 
 /// Length of the UTF-8 character that a text begins with, 0 if it is none.
@@ -109,4 +109,4 @@ Document parse_yaml(const std::string& text, const std::string& where) {
   return {where, builder.finish()};
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::io

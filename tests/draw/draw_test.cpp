@@ -23,7 +23,7 @@
 namespace vandplan {
 namespace {
 
-using picture::Colour;
+using drawing::Colour;
 
 constexpr double pi = std::numbers::pi;
 constexpr double radius = 7.0;
@@ -112,10 +112,10 @@ constexpr int page_width = 900;  // one pixel is one page unit
 struct Page {
   explicit Page(const Drawing& drawing)
       : image(draw(drawing, PictureFormat::png, page_width)),
-        view(picture::layout_of(picture::scene_of(drawing), !drawing.caption.empty()).view) {}
+        view(drawing::layout_of(drawing::scene_of(drawing), !drawing.caption.empty()).view) {}
   std::array<int, 3> at(const Point& local) const { return image.at(view.on_page(local)); }
   Image image;
-  picture::View view;
+  drawing::View view;
 };
 
 // Every element that is opened is closed, in order.
@@ -157,7 +157,7 @@ TEST(Draw, BytesBeginAsTheFormatDoes) {
 TEST(Draw, PngHasTheWidthAskedForAndTheShapeOfThePage) {
   const Scenario scenario = yard();
   const Drawing drawing{.scenario = &scenario, .caption = "yard"};
-  const picture::Size page = picture::layout_of(picture::scene_of(drawing), true).page;
+  const drawing::Size page = drawing::layout_of(drawing::scene_of(drawing), true).page;
   const Image image(draw(drawing, PictureFormat::png, 450));
   EXPECT_EQ(image.width(), 450);
   EXPECT_EQ(image.height(), std::lround(page.height / 2));
@@ -175,24 +175,24 @@ TEST(Draw, EverythingHasItsColourAtItsPlace) {
   const Scenario scenario = yard();
   const Path path = yard_path();
   const Page page({.scenario = &scenario, .path = &path});
-  EXPECT_TRUE(looks(page.at({10.3, 10.4}), picture::colour::obstacle));
-  EXPECT_TRUE(looks(page.at({-0.75, 1.275}), picture::colour::start)) << "the outline";
-  EXPECT_TRUE(looks(page.at({13 + 1.275, -7.75}), picture::colour::goal)) << "the outline";
-  EXPECT_TRUE(looks(page.at({9, 0}), picture::colour::forward));
+  EXPECT_TRUE(looks(page.at({10.3, 10.4}), drawing::colour::obstacle));
+  EXPECT_TRUE(looks(page.at({-0.75, 1.275}), drawing::colour::start)) << "the outline";
+  EXPECT_TRUE(looks(page.at({13 + 1.275, -7.75}), drawing::colour::goal)) << "the outline";
+  EXPECT_TRUE(looks(page.at({9, 0}), drawing::colour::forward));
   const Pose backing = pose_at(path, 20 + radius * pi / 4);
-  EXPECT_TRUE(looks(page.at({backing.x, backing.y}), picture::colour::reverse));
-  EXPECT_TRUE(looks(page.at({20, 0}), picture::colour::paper)) << "inside the gear change's ring";
+  EXPECT_TRUE(looks(page.at({backing.x, backing.y}), drawing::colour::reverse));
+  EXPECT_TRUE(looks(page.at({20, 0}), drawing::colour::paper)) << "inside the gear change's ring";
   const auto swept = page.at({11, 0.7});
   EXPECT_LT(swept[0], swept[2]) << "a bluish veil";
-  EXPECT_TRUE(looks(page.at({3.3, 10.4}), picture::colour::paper));
+  EXPECT_TRUE(looks(page.at({3.3, 10.4}), drawing::colour::paper));
 }
 
 TEST(Draw, GroundOutOfBoundsIsShaded) {
   Scenario scenario = yard();
   scenario.bounds.x_max = 15;
   const Page page({.scenario = &scenario});
-  EXPECT_TRUE(looks(page.at({14.2, 2.3}), picture::colour::paper));
-  EXPECT_TRUE(looks(page.at({15.5, 2.3}), picture::colour::outside));
+  EXPECT_TRUE(looks(page.at({14.2, 2.3}), drawing::colour::paper));
+  EXPECT_TRUE(looks(page.at({15.5, 2.3}), drawing::colour::outside));
 }
 
 TEST(Draw, TreeIsDrawnWhenThereIsOne) {
@@ -227,7 +227,7 @@ TEST(Draw, FarFromTheOriginOnlyTheLabelsDiffer) {
   far_path.start = {x, y, 0};
   const Page a({.scenario = &near, .path = &near_path});
   const Page b({.scenario = &far, .path = &far_path});
-  const picture::Box& plot = a.view.plot;
+  const drawing::Box& plot = a.view.plot;
   int different = 0;
   for (int row = 0; row < static_cast<int>(plot.y + plot.height); ++row) {
     for (int column = static_cast<int>(plot.x); column < page_width; ++column) {
@@ -237,13 +237,13 @@ TEST(Draw, FarFromTheOriginOnlyTheLabelsDiffer) {
   EXPECT_EQ(different, 0);
 }
 
-picture::Framing framing_of(const Scenario& scenario) {
-  return picture::framed(picture::scene_of({.scenario = &scenario}));
+drawing::Framing framing_of(const Scenario& scenario) {
+  return drawing::framed(drawing::scene_of({.scenario = &scenario}));
 }
 
 TEST(Draw, FarObstaclesDoNotShrinkTheScene) {
   Scenario scenario = yard();
-  const picture::Framing before = framing_of(scenario);
+  const drawing::Framing before = framing_of(scenario);
   EXPECT_FALSE(before.is_cropped);
   scenario.obstacles.push_back({{1e6, 1e6}, {1e6 + 5, 1e6}, {1e6, 1e6 + 5}});
   EXPECT_EQ(framing_of(scenario).seen, before.seen);
@@ -254,7 +254,7 @@ TEST(Draw, AllThatStandsAroundThePathIsShown) {
   Scenario scenario = yard();
   scenario.obstacles.push_back({{-18, -24}, {-16, -24}, {-16, -22}, {-18, -22}});
   scenario.kerbs.push_back({{25, 8}, {27, 8}, {27, 16}, {25, 16}});
-  const picture::Framing framing = framing_of(scenario);
+  const drawing::Framing framing = framing_of(scenario);
   EXPECT_FALSE(framing.is_cropped);
   EXPECT_TRUE(contains(framing.seen, {-18, -24}));
   EXPECT_TRUE(contains(framing.seen, {27, 16}));
@@ -272,7 +272,7 @@ TEST(Draw, ACroppedPictureSaysSo) {
   Scenario scenario = yard();
   const auto ink_below = [&] {  // dark pixels left of the middle, where the axis has its title
     const Page page({.scenario = &scenario});
-    const picture::Box& plot = page.view.plot;
+    const drawing::Box& plot = page.view.plot;
     int found = 0;
     for (int row = static_cast<int>(plot.y + plot.height) + 22; row < page.image.height(); ++row) {
       if (row > plot.y + plot.height + 36) break;
@@ -291,8 +291,8 @@ TEST(Draw, AnObstacleThatReachesFarOutCoversTheViewWhereItShould) {
   Scenario scenario = yard();
   scenario.obstacles = {{{-1e8, 4}, {1e8, 4}, {1e8, 1e8}, {-1e8, 1e8}}};
   const Page page({.scenario = &scenario});
-  EXPECT_TRUE(looks(page.at({3.3, 4.5}), picture::colour::obstacle));
-  EXPECT_TRUE(looks(page.at({3.3, 3.5}), picture::colour::paper));
+  EXPECT_TRUE(looks(page.at({3.3, 4.5}), drawing::colour::obstacle));
+  EXPECT_TRUE(looks(page.at({3.3, 3.5}), drawing::colour::paper));
 }
 
 TEST(Draw, EveryCellOfASheetShowsItsDrawing) {
@@ -308,7 +308,7 @@ TEST(Draw, EveryCellOfASheetShowsItsDrawing) {
     for (int row = 0; row < cell_height; ++row) {
       for (int column = 0; column < 240; ++column) {
         const auto pixel = image.at(240 * (cell % 2) + column, 40 + cell_height * (cell / 2) + row);
-        found += matches(pixel, picture::colour::obstacle);
+        found += matches(pixel, drawing::colour::obstacle);
       }
     }
     EXPECT_EQ(found > 200, cell < 5) << "cell " << cell;
@@ -322,8 +322,8 @@ TEST(MapImage, HasItsFirstRowFirstAndLeavesWhatIsFreeOpen) {
   EXPECT_EQ(pixels.height(), 2);
   EXPECT_EQ(image.width, 1.5);
   EXPECT_EQ(image.height, 1.0);
-  EXPECT_TRUE(matches(pixels.at(2, 0), picture::colour::unknown));
-  EXPECT_TRUE(matches(pixels.at(0, 1), picture::colour::obstacle));
+  EXPECT_TRUE(matches(pixels.at(2, 0), drawing::colour::unknown));
+  EXPECT_TRUE(matches(pixels.at(0, 1), drawing::colour::obstacle));
   EXPECT_EQ(pixels.at(0, 0), (std::array{0, 0, 0}));  // transparent: nothing of any colour
 }
 
@@ -334,8 +334,8 @@ TEST(MapImage, ShowsTheWorstCellOfABlock) {
   EXPECT_EQ(pixels.height(), 2);
   EXPECT_EQ(image.width, 3.0);
   EXPECT_EQ(image.height, 2.0);
-  EXPECT_TRUE(matches(pixels.at(0, 0), picture::colour::obstacle));
-  EXPECT_TRUE(matches(pixels.at(2, 1), picture::colour::unknown));
+  EXPECT_TRUE(matches(pixels.at(0, 0), drawing::colour::obstacle));
+  EXPECT_TRUE(matches(pixels.at(2, 1), drawing::colour::unknown));
 }
 
 TEST(Draw, TheSameDrawingGivesTheSameBytes) {
@@ -367,10 +367,10 @@ TEST(Draw, BadInputIsNamed) {
 }
 
 TEST(TickStep, IsOneTwoOrFiveTimesAPowerOfTen) {
-  EXPECT_DOUBLE_EQ(picture::tick_step(10.0, 85.0), 5.0);  // 8.5 m
-  EXPECT_DOUBLE_EQ(picture::tick_step(10.0, 45.0), 2.0);
-  EXPECT_DOUBLE_EQ(picture::tick_step(1.0, 100.0), 100.0);
-  EXPECT_DOUBLE_EQ(picture::tick_step(400.0, 85.0), 0.2);
+  EXPECT_DOUBLE_EQ(drawing::tick_step(10.0, 85.0), 5.0);  // 8.5 m
+  EXPECT_DOUBLE_EQ(drawing::tick_step(10.0, 45.0), 2.0);
+  EXPECT_DOUBLE_EQ(drawing::tick_step(1.0, 100.0), 100.0);
+  EXPECT_DOUBLE_EQ(drawing::tick_step(400.0, 85.0), 0.2);
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ TEST(BadFile, ResultsOfManyPairsAreReadOrRefused) {
   const std::string valid =
       result_to_json_line(1, problem, record) + result_to_json_line(2, problem, record);
   const TemporaryFolder folder;
-  for_each_case(4, 3000, [&](base::Rng& rng) {
+  for_each_case(4, 3000, [&](Rng& rng) {
     const std::string text = hurt_often(valid, rng);
     const std::string file = folder.put("r.jsonl", text);
     const auto read = [&] {
