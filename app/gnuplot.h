@@ -9,6 +9,8 @@
 
 namespace vandplan::app {
 
+using namespace studies;
+
 /// Throws InputError unless every file of a study can be written to the folder, which is made if
 /// it is not there.
 void expect_writable_folder(const std::string& folder, const StudyFiles& files);

@@ -14,6 +14,8 @@
 
 namespace vandplan::app {
 
+using namespace studies;
+
 [[nodiscard]] std::string summary_of(const RangeStudy& study);
 [[nodiscard]] std::string summary_of(const AccuracyStudy& study);
 [[nodiscard]] std::string summary_of(const GrowthStudy& study);

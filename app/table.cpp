@@ -11,11 +11,15 @@
 #include "commands.h"
 #include "studies/table_check.h"
 #include "table_source.h"
+#include "tables/table_export.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/table_file.h"
 
 namespace vandplan::app {
+
+using namespace studies;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -188,10 +192,10 @@ std::string exported(const TableSource& source, bool is_csv, const std::string& 
     if (source.bytes != bound_table_to_bytes()) {
       throw InputError(source.name, "is not this library's table of bounds, expected that one");
     }
-    return is_csv ? bound_table_to_csv() : bound_table_to_header(name);
+    return is_csv ? tables::bound_table_to_csv() : tables::bound_table_to_header(name);
   }
   const HeuristicTable table = table_from_bytes(source.bytes, source.name);
-  return is_csv ? table_to_csv(table) : table_to_header(table, name);
+  return is_csv ? tables::table_to_csv(table) : tables::table_to_header(table, name);
 }
 
 void export_table(const ExportArguments& arguments) {

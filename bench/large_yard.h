@@ -7,10 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "support/collision_oracle.h"
 #include "vandplan/occupancy_grid.h"
+#include "vandplan/random.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
@@ -20,12 +19,12 @@ inline constexpr std::int32_t cells = 4000;
 inline constexpr Bounds yard{0, side, 0, side};
 
 inline std::vector<Polygon> ten_obstacles() {
-  base::Rng rng(7);
+  Rng rng(7);
   std::vector<Polygon> obstacles;
   for (int i = 0; i < 10; ++i) {
-    const Pose middle = geometry::uniform_pose({20, side - 20, 20, side - 20}, rng);
-    const double length = base::uniform(5, 40, rng);
-    const double width = base::uniform(3, 15, rng);
+    const Pose middle = uniform_pose({20, side - 20, 20, side - 20}, rng);
+    const double length = uniform(5, 40, rng);
+    const double width = uniform(3, 15, rng);
     const Footprint box{length / 2, length / 2, width / 2};
     const auto outline = corners(box, middle);
     obstacles.emplace_back(outline.begin(), outline.end());

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/random.h"
-#include "evaluation/hash.h"
+#include "base/hash.h"
 #include "evaluation/methods.h"
 #include "vandplan/input_error.h"
+#include "vandplan/random.h"
 
 namespace vandplan::evaluation {
 namespace {
@@ -221,9 +221,9 @@ std::string explain_runs(const Campaign& campaign) {
 
 std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario, std::size_t goal,
                        int repeat) {
-  std::uint64_t seed = base::stream_seed(campaign_seed, hash_of(scenario));
-  seed = base::stream_seed(seed, goal);
-  seed = base::stream_seed(seed, static_cast<std::uint64_t>(repeat));
+  std::uint64_t seed = stream_seed(campaign_seed, base::hash_of(scenario));
+  seed = stream_seed(seed, goal);
+  seed = stream_seed(seed, static_cast<std::uint64_t>(repeat));
   return seed >> 32;  // short enough to type
 }
 

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <thread>
 
-#include "evaluation/hash.h"
+#include "base/hash.h"
 #include "evaluation/run_record.h"
 #include "vandplan/version.h"
 
@@ -30,7 +30,7 @@ std::string value_of(const char* file, const std::string& key) {
 std::string fingerprint(const char* file) {
   std::ifstream input(file, std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(input), {});
-  return fmt::format("{:016x}", hash_of(bytes));
+  return fmt::format("{:016x}", base::hash_of(bytes));
 }
 
 }  // namespace

@@ -62,10 +62,13 @@ std::optional<Compared> extreme(const std::vector<Compared>& comparisons, Verdic
 std::string describe(const std::optional<Compared>& comparison,
                      const std::vector<ScenarioFile>& scenarios) {
   if (!comparison) return "nothing beyond chance";
-  const PairedComparison& result = comparison->result;
-  return fmt::format("{} ({} to {}) by {} in {}", change_text(result.ratio),
-                     change_text(result.interval.low), change_text(result.interval.high),
-                     comparison->twins->planner, scenarios[comparison->scenario].scenario.name);
+  const auto& [low, high] = comparison->result.interval;
+  const std::string change = change_text(comparison->result.ratio);
+  const bool is_sure = change_text(low) == change && change_text(high) == change;
+  const std::string between =
+      is_sure ? "" : fmt::format(" ({} to {})", change_text(low), change_text(high));
+  return fmt::format("{}{} by {} in {}", change, between, comparison->twins->planner,
+                     scenarios[comparison->scenario].scenario.name);
 }
 
 Finding better_in_six_of_nine(const Summary& summary, const Circumstances& where, int scenarios) {
@@ -77,8 +80,10 @@ Finding better_in_six_of_nine(const Summary& summary, const Circumstances& where
       best = found;
   }
   std::string found =
-      fmt::format("At most in {} of {}, by {}; worse in {}, no difference in {}", best.better,
-                  scenarios, best.planner, best.worse, best.no_difference);
+      best.better == 0
+          ? fmt::format("In none of {} scenarios, by any table", scenarios)
+          : fmt::format("At most in {} of {}, by {}; worse in {}, no difference in {}", best.better,
+                        scenarios, best.planner, best.worse, best.no_difference);
   for (const Verdict kind : {Verdict::smaller, Verdict::larger}) {
     std::string list;
     for (const Pooled& planner : pooled_tables(summary, where))
@@ -163,6 +168,26 @@ std::string tables_sentence(const Summary& summary, const Circumstances& where) 
       count(Verdict::larger));
 }
 
+// Claims that hold, or that do not, each with its regions: "up to 20 % less time" (bounds, scene).
+std::string claims_text(const std::vector<Finding>& findings, GoalSetting setting, bool hold) {
+  std::vector<std::pair<std::string, std::string>> claims;
+  for (const Finding& finding : findings) {
+    if (finding.where.setting != setting || finding.holds != hold) continue;
+    const std::string region = name_of(finding.where.region);
+    const auto known =
+        std::ranges::find(claims, finding.claim, [](const auto& claim) { return claim.first; });
+    if (known == claims.end()) {
+      claims.emplace_back(finding.claim, region);
+    } else {
+      known->second += ", " + region;
+    }
+  }
+  std::string text;
+  for (const auto& [claim, regions] : claims)
+    text += fmt::format("{}\"{}\" ({})", text.empty() ? "" : ", ", claim, regions);
+  return text;
+}
+
 // "BSC" and the like; nothing of planners that have no strategy.
 bool is_random_tree(const MethodSummary& method) { return !method.properties.strategy.empty(); }
 
@@ -235,13 +260,8 @@ std::vector<Finding> findings(const Summary& summary, const std::vector<Scenario
 std::vector<std::string> verdicts(const std::vector<Finding>& findings) {
   std::vector<std::string> sentences;
   for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried}) {
-    std::string holds, fails;
-    for (const Finding& finding : findings) {
-      if (finding.where.setting != setting) continue;
-      std::string& list = finding.holds ? holds : fails;
-      list += fmt::format("{}\"{}\" ({})", list.empty() ? "" : ", ", finding.claim,
-                          name_of(finding.where.region));
-    }
+    const std::string holds = claims_text(findings, setting, true);
+    const std::string fails = claims_text(findings, setting, false);
     if (holds.empty() && fails.empty()) continue;
     sentences.push_back(fmt::format("The thesis' claims, {}: confirmed {}; not confirmed {}.",
                                     name_of(setting), holds.empty() ? "nothing" : holds,

@@ -9,8 +9,20 @@ namespace vandplan::page {
 
 extern const std::string_view html;
 extern const std::string_view css;
-extern const std::string_view js;
 extern const std::string_view d3;
 extern const std::string_view d3_licence;
+
+// The parts of the program, in order.
+extern const std::string_view js_data;
+extern const std::string_view js_methods;
+extern const std::string_view js_tables;
+extern const std::string_view js_overview;
+extern const std::string_view js_scenario;
+extern const std::string_view js_charts;
+extern const std::string_view js_motion;
+extern const std::string_view js_pictures;
+extern const std::string_view js_runs;
+extern const std::string_view js_frame;
+extern const std::string_view js_page;
 
 }  // namespace vandplan::page

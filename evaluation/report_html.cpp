@@ -223,6 +223,17 @@ Json data_of(const Report& report) {
           {"runs", runs_json(report)}};
 }
 
+// The parts of the program share one scope, which nothing else on the page can see.
+std::string program() {
+  std::string text = "(function () {\n'use strict';\n";
+  for (const std::string_view part :
+       {page::js_data, page::js_methods, page::js_tables, page::js_overview, page::js_scenario,
+        page::js_charts, page::js_motion, page::js_pictures, page::js_runs, page::js_frame,
+        page::js_page})
+    text += part;
+  return text + "})();\n";
+}
+
 // Puts `value` in the place of a mark.
 void fill(std::string& page, std::string_view mark, std::string_view value) {
   page.replace(page.find(mark), mark.size(), value);
@@ -241,7 +252,7 @@ std::string report_html(const Report& report, std::string_view gallery) {
   fill(page, "/*STYLE*/", page::css);
   fill(page, "<!--LICENCE-->", page::d3_licence);
   fill(page, "/*D3*/", page::d3);
-  fill(page, "/*PROGRAM*/", page::js);
+  fill(page, "/*PROGRAM*/", program());
   fill(page, "<!--SHEET-->", image);
   fill(page, "/*DATA*/", data);  // last: it may hold any text
   return page;

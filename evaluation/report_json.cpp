@@ -126,12 +126,15 @@ OrderedJson verdicts_json(const std::vector<Finding>& findings) {
 }
 
 OrderedJson rejected_json(const std::vector<RunRecord>& runs) {
-  std::map<std::pair<std::string, std::string>, int> count;
-  for (const RunRecord& run : runs)
-    if (run.result.status == PlanStatus::rejected) ++count[{run.planner, run.result.reason}];
+  std::map<std::string, std::pair<int, std::string>> found;  // how many, and the first reason
+  for (const RunRecord& run : runs) {
+    if (run.result.status != PlanStatus::rejected) continue;
+    auto& [count, reason] = found[run.planner];
+    if (count++ == 0) reason = run.result.reason;
+  }
   OrderedJson rejected = OrderedJson::array();
-  for (const auto& [what, number] : count)
-    rejected.push_back({{"planner", what.first}, {"reason", what.second}, {"runs", number}});
+  for (const auto& [planner, what] : found)
+    rejected.push_back({{"planner", planner}, {"runs", what.first}, {"reason", what.second}});
   return rejected;
 }
 
@@ -183,8 +186,8 @@ std::string headline_json(const Report& report) {
                          {"planners", methods},
                          {"against_euclid", twins}});
   }
-  const OrderedJson all = {{"headline", headlines_json(report.summary)},
-                           {"verdicts", verdicts_json(report.findings)},
+  const OrderedJson all = {{"verdicts", verdicts_json(report.findings)},
+                           {"headline", headlines_json(report.summary)},
                            {"runs", report.runs.size()},
                            {"left_out", report.left_out},
                            {"environment", environment_json(report.environment)},

@@ -39,7 +39,7 @@ using OrderedJson = nlohmann::ordered_json;
 /// Sentences that say which claims hold where.
 [[nodiscard]] OrderedJson verdicts_json(const std::vector<Finding>& findings);
 
-/// What the judge rejected, by planner and reason.
+/// What the judge rejected: for each planner how many paths, and why the first of them.
 [[nodiscard]] OrderedJson rejected_json(const std::vector<RunRecord>& runs);
 
 /// What is the same for all planners, by name.

@@ -58,10 +58,10 @@ std::string first_time_cell(const MethodSummary& method, bool) {
   return time_text(method.first_time.median);
 }
 
-using Cell = std::string (*)(const MethodSummary&, bool);
+using CellText = std::string (*)(const MethodSummary&, bool);
 
 // Planners down and scenarios across, or the other way round: the longer list goes down.
-std::string matrix(const Report& report, Region region, Cell cell) {
+std::string matrix(const Report& report, Region region, CellText cell) {
   std::vector<std::string> planners, scenarios;
   std::vector<std::vector<std::string>> cells;  // of each scenario, in the order of the planners
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
@@ -197,7 +197,7 @@ std::string options_text(const ReportOptions& options) {
 std::string rejected_text(const Report& report) {
   std::string text;
   for (const OrderedJson& rejected : rejected_json(report.runs))
-    text += fmt::format("{} paths of {} were rejected by the judge: {}.\n",
+    text += fmt::format("{} paths of {} were rejected by the judge, the first because {}.\n",
                         rejected.at("runs").get<int>(), rejected.at("planner").get<std::string>(),
                         rejected.at("reason").get<std::string>());
   return text;
@@ -275,11 +275,11 @@ bool has_region(const Report& report, Region region) {
 
 std::string headline_markdown(const Report& report) {
   std::string text = "# Comparison of planners\n\n";
+  for (const std::string& verdict : verdicts(report.findings)) text += "- " + verdict + "\n";
   for (const Region region : {Region::bounds, Region::scene})
     if (has_region(report, region))
       text += fmt::format("- Samples from the {}: {}\n", name_of(region),
                           headline(report.summary, region));
-  for (const std::string& verdict : verdicts(report.findings)) text += "- " + verdict + "\n";
   text += "\n" + circumstances(report);
   for (const Region region : {Region::bounds, Region::scene}) {
     if (!has_region(report, region)) continue;

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-#include "evaluation/hash.h"
+#include "base/hash.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::evaluation {
@@ -25,7 +25,7 @@ std::string fingerprint(const std::optional<OccupancyGrid>& map) {
       fmt::format("{} {} {} {} {} {}", map->columns, map->rows, map->resolution, map->origin.x,
                   map->origin.y, map->origin.heading);
   const auto* const cells = reinterpret_cast<const char*>(map->cells->data());
-  return hex(hash_of(head)) + hex(hash_of(std::string_view(cells, map->cells->size())));
+  return hex(base::hash_of(head)) + hex(base::hash_of(std::string_view(cells, map->cells->size())));
 }
 
 void keep(Database& database, const OccupancyGrid& map, const std::string& fingerprint) {
@@ -75,7 +75,7 @@ std::size_t index_of(Database& database, const StoredScenario& scenario) {
   const std::string map = fingerprint(scenario.map);
   if (scenario.map) keep(database, *scenario.map, map);
   Statement(database, "INSERT OR IGNORE INTO scenarios VALUES (NULL, ?, ?, ?, ?, nullif(?, ''))")
-      .run(scenario.name, scenario.file, hex(hash_of(scenario.yaml)), scenario.yaml, map);
+      .run(scenario.name, scenario.file, hex(base::hash_of(scenario.yaml)), scenario.yaml, map);
   Statement find(database, "SELECT id FROM scenarios WHERE yaml = ? AND ifnull(map, '') = ?");
   find.bind(scenario.yaml, map).step();
   return static_cast<std::size_t>(find.integer(0)) - 1;

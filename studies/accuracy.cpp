@@ -9,12 +9,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "studies/percentile.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -27,12 +26,12 @@ struct Case {
 
 std::vector<Case> random_cases(const AccuracyOptions& options) {
   const double reach = options.reach;
-  base::Rng rng(options.seed);
+  Rng rng(options.seed);
   std::vector<Case> cases;
   cases.reserve(static_cast<std::size_t>(options.pairs));
   while (cases.size() < static_cast<std::size_t>(options.pairs)) {
-    const Pose sample{0.0, 0.0, base::uniform(-pi, pi, rng)};
-    const Pose node = geometry::uniform_pose({-reach, reach, -reach, reach}, rng);
+    const Pose sample{0.0, 0.0, uniform(-pi, pi, rng)};
+    const Pose node = uniform_pose({-reach, reach, -reach, reach}, rng);
     const double length = reeds_shepp_length(node, sample, options.turning_radius);
     if (length > 0.0) cases.push_back({node, sample, length});
   }
@@ -153,4 +152,4 @@ StudyFiles files_of(const AccuracyStudy& study) {
   return study_files({"accuracy", 1200, 650}, {{"accuracy.csv", histogram_csv(study)}}, body);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

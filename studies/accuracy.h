@@ -11,7 +11,7 @@
 
 #include "studies/study_files.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 
 struct AccuracyOptions {
   std::int64_t pairs = 1'000'000;
@@ -61,4 +61,4 @@ struct AccuracyStudy {
 
 [[nodiscard]] StudyFiles files_of(const AccuracyStudy& study);
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -10,10 +10,9 @@
 #include <set>
 #include <utility>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
+#include "vandplan/random.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 double distance(const Pose& a, const Pose& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -133,15 +132,15 @@ std::string tree_csv(const TreeSnapshot& tree) {
 //   [5]   add where it ends, with near as its parent
 TreeSnapshot grow_tree(const GrowthOptions& options, std::size_t nodes) {
   const double reach = options.reach;
-  base::Rng rng(options.seed);
+  Rng rng(options.seed);
   TreeSnapshot tree{{Pose{}}, {-1}};  // [1]
   NodeGrid grid(reach, std::max(options.step, reach / 100));
   grid.add(tree.poses, 0);
   while (tree.poses.size() < nodes) {
-    const Pose sample = geometry::uniform_pose({-reach, reach, -reach, reach}, rng);  // [2]
-    const std::size_t near = grid.nearest(tree.poses, sample);                        // [3]
-    tree.poses.push_back(driven_towards(tree.poses[near], sample, options));          // [4]
-    tree.parents.push_back(static_cast<std::int32_t>(near));                          // [5]
+    const Pose sample = uniform_pose({-reach, reach, -reach, reach}, rng);    // [2]
+    const std::size_t near = grid.nearest(tree.poses, sample);                // [3]
+    tree.poses.push_back(driven_towards(tree.poses[near], sample, options));  // [4]
+    tree.parents.push_back(static_cast<std::int32_t>(near));                  // [5]
     grid.add(tree.poses, tree.poses.size() - 1);
   }
   return tree;
@@ -182,4 +181,4 @@ StudyFiles files_of(const GrowthStudy& study) {
   return study_files({"growth", 1350, 980}, {{"growth.csv", tree_csv(study.tree)}}, body);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

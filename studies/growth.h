@@ -10,7 +10,7 @@
 #include "studies/study_files.h"
 #include "vandplan/planner.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 
 struct GrowthOptions {
   double reach = 200.0;         ///< samples have |x| and |y| below it [m]
@@ -42,4 +42,4 @@ struct GrowthStudy {
 
 [[nodiscard]] StudyFiles files_of(const GrowthStudy& study);
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-namespace vandplan {
+namespace vandplan::studies {
 
 /// The value of rank round(percent / 100 * (n - 1)). Reorders the values; at least one.
 inline double percentile(std::span<double> values, double percent) {
@@ -19,4 +19,4 @@ inline double percentile(std::span<double> values, double percent) {
   return *at;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -7,22 +7,22 @@
 #include <algorithm>
 #include <numbers>
 
-#include "base/random.h"
 #include "base/trigonometry.h"
 #include "vandplan/dubins.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int last_ring = 50;
 
 // Algorithm 3 for one random pair at this distance.
-RangePair random_pair(double distance, double radius, base::Rng& rng) {
-  const base::SinCos bearing = base::sin_cos(base::uniform(-pi, pi, rng));
-  const Pose from{0.0, 0.0, base::uniform(-pi, pi, rng)};
-  const Pose to{distance * bearing.cos, distance * bearing.sin, base::uniform(-pi, pi, rng)};
+RangePair random_pair(double distance, double radius, Rng& rng) {
+  const base::SinCos bearing = base::sin_cos(uniform(-pi, pi, rng));
+  const Pose from{0.0, 0.0, uniform(-pi, pi, rng)};
+  const Pose to{distance * bearing.cos, distance * bearing.sin, uniform(-pi, pi, rng)};
   return {distance, dubins_length(from, to, radius), reeds_shepp_length(from, to, radius)};
 }
 
@@ -31,7 +31,7 @@ void add(Detour& detour, double beyond) {
   detour.largest = std::max(detour.largest, beyond);
 }
 
-RangeRing random_ring(double distance, double radius, base::Rng& rng) {
+RangeRing random_ring(double distance, double radius, Rng& rng) {
   RangeRing ring{.distance = distance, .dubins = {}, .reeds_shepp = {}};
   for (std::int64_t i = 0; i < pairs_of_a_ring; ++i) {
     const RangePair pair = random_pair(distance, radius, rng);
@@ -45,12 +45,12 @@ RangeRing random_ring(double distance, double radius, base::Rng& rng) {
 
 RangeStudy study_range(const RangeOptions& options) {
   RangeStudy study{options, {}, {}};
-  base::Rng rng(options.seed);
+  Rng rng(options.seed);
   for (std::int64_t i = 0; i < options.pairs; ++i) {
-    const double distance = base::uniform(0.0, options.reach, rng);
+    const double distance = uniform(0.0, options.reach, rng);
     study.pairs.push_back(random_pair(distance, options.turning_radius, rng));
   }
-  rng.seed(base::stream_seed(options.seed, 1));  // whatever the number of pairs above
+  rng.seed(stream_seed(options.seed, 1));  // whatever the number of pairs above
   for (int i = 0; i <= last_ring; ++i) {
     study.rings.push_back(random_ring(options.reach * i / last_ring, options.turning_radius, rng));
   }
@@ -102,4 +102,4 @@ StudyFiles files_of(const RangeStudy& study) {
                      body);
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

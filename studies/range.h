@@ -9,7 +9,7 @@
 
 #include "studies/study_files.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 
 struct RangeOptions {
   std::int64_t pairs = 10'000;  ///< drawn as dots
@@ -47,4 +47,4 @@ inline constexpr std::int64_t pairs_of_a_ring = 20'000;
 
 [[nodiscard]] StudyFiles files_of(const RangeStudy& study);
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

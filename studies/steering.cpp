@@ -11,7 +11,7 @@
 #include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -99,4 +99,4 @@ StudyFiles files_of(const SteeringStudy& study) {
                      body + "unset multiplot\n");
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -8,7 +8,7 @@
 
 #include "studies/study_files.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 
 struct SteeringOptions {
   double turning_radius = 7.0;  ///< [m]
@@ -32,4 +32,4 @@ struct SteeringStudy {
 
 [[nodiscard]] StudyFiles files_of(const SteeringStudy& study);
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

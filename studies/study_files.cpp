@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 std::string gnuplot_script(const Canvas& canvas, const std::string& body) {
@@ -83,4 +83,4 @@ std::string word_of(std::span<const Segment> segments) {
   return word;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

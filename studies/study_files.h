@@ -9,7 +9,7 @@
 
 #include "vandplan/path.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 
 struct TextFile {
   std::string name;
@@ -57,4 +57,4 @@ void append_path(std::string& csv, const std::string& labels, const Path& path);
 /// "L+ S+ R-": sides and gears of a path.
 [[nodiscard]] std::string word_of(std::span<const Segment> segments);
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

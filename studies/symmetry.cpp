@@ -8,11 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -115,11 +114,10 @@ SymmetryStudy study_symmetry(const SymmetryOptions& options) {
   SymmetryStudy study{options, {}, 0.0};
   study.examples.push_back(example_of({{8.0, 10.0, pi / 5}, 0.0}, radius));
   study.examples.push_back(example_of({{14.0, 6.0, 2 * pi / 3}, pi / 4}, radius));
-  base::Rng rng(options.seed);
+  Rng rng(options.seed);
   for (std::int64_t i = 0; i < options.pairs; ++i) {
     const double reach = options.reach;
-    const SeenPair pair{geometry::uniform_pose({-reach, reach, -reach, reach}, rng),
-                        base::uniform(-pi, pi, rng)};
+    const SeenPair pair{uniform_pose({-reach, reach, -reach, reach}, rng), uniform(-pi, pi, rng)};
     const double difference = std::abs(length_of(pair, radius) - length_of(folded(pair), radius));
     study.worst_difference = std::max(study.worst_difference, difference);
   }
@@ -144,4 +142,4 @@ StudyFiles files_of(const SymmetryStudy& study) {
                      body + "unset multiplot\n");
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -9,7 +9,7 @@
 
 #include "studies/study_files.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 
 struct SymmetryOptions {
   std::int64_t pairs = 100'000;  ///< random pairs whose folding is measured
@@ -43,4 +43,4 @@ struct SymmetryStudy {
 
 [[nodiscard]] StudyFiles files_of(const SymmetryStudy& study);
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -6,19 +6,20 @@
 #include <numbers>
 #include <vector>
 
-#include "base/random.h"
 #include "base/trigonometry.h"
 #include "studies/percentile.h"
 #include "vandplan/bound_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 // Float rounds to 6e-8 of the value; the rest is for other compilers' libraries.
 constexpr double tolerance = 1e-6;
 
-void compare(const HeuristicTable& table, const HeuristicTable::Cell& cell, EntryCheck& check) {
+void compare(const HeuristicTable& table, const HeuristicTable::GridPoint& cell,
+             EntryCheck& check) {
   const double exact = reeds_shepp_length(table.node_of(cell), table.sample_of(cell),
                                           table.options().turning_radius);
   const double entry = static_cast<double>(table.entries()[table.index_of(cell)]);
@@ -30,8 +31,8 @@ void compare(const HeuristicTable& table, const HeuristicTable::Cell& cell, Entr
   check.worst = cell;
 }
 
-int index_below(int count, base::Rng& rng) {
-  return static_cast<int>(base::uniform01(rng) * static_cast<double>(count));
+int index_below(int count, Rng& rng) {
+  return static_cast<int>(uniform01(rng) * static_cast<double>(count));
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ EntryCheck check_entries(const HeuristicTable& table, const EntryCheckOptions& o
   const int headings = table.headings();
   EntryCheck check;
   if (options.sample) {
-    base::Rng rng(options.seed);
+    Rng rng(options.seed);
     while (check.compared < *options.sample) {
       const int x = index_below(positions, rng);
       const int y = index_below(positions, rng);
@@ -62,15 +63,15 @@ EntryCheck check_entries(const HeuristicTable& table, const EntryCheckOptions& o
 
 BoundCheck check_bounds(std::int64_t pairs, std::uint64_t seed) {
   constexpr double pi = std::numbers::pi;
-  base::Rng rng(seed);
+  Rng rng(seed);
   BoundCheck check{.pairs = pairs};
   std::vector<double> gaps;
   gaps.reserve(static_cast<std::size_t>(pairs));
   for (std::int64_t i = 0; i < pairs; ++i) {
-    const double distance = std::pow(10.0, base::uniform(-3.0, 3.0, rng));
-    const base::SinCos bearing = base::sin_cos(base::uniform(-pi, pi, rng));
-    const Pose from{0.0, 0.0, base::uniform(-pi, pi, rng)};
-    const Pose to{distance * bearing.cos, distance * bearing.sin, base::uniform(-pi, pi, rng)};
+    const double distance = std::pow(10.0, uniform(-3.0, 3.0, rng));
+    const base::SinCos bearing = base::sin_cos(uniform(-pi, pi, rng));
+    const Pose from{0.0, 0.0, uniform(-pi, pi, rng)};
+    const Pose to{distance * bearing.cos, distance * bearing.sin, uniform(-pi, pi, rng)};
     const double length = reeds_shepp_length(from, to, 1.0);
     const LengthBounds bounds = length_bounds(from, to, 1.0);
     if (length < bounds.low || length > bounds.high) ++check.outside;
@@ -81,4 +82,4 @@ BoundCheck check_bounds(std::int64_t pairs, std::uint64_t seed) {
   return check;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -8,7 +8,7 @@
 
 #include "vandplan/heuristic_table.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 
 /// Which entries are recomputed.
 struct EntryCheckOptions {
@@ -19,9 +19,9 @@ struct EntryCheckOptions {
 /// Entries of a table against exact lengths.
 struct EntryCheck {
   std::int64_t compared = 0;
-  std::int64_t wrong = 0;         ///< further off than float rounds, or no number
-  double worst_difference = 0.0;  ///< of entry and exact length [m]; NaN once an entry is none
-  HeuristicTable::Cell worst{};   ///< where
+  std::int64_t wrong = 0;             ///< further off than float rounds, or no number
+  double worst_difference = 0.0;      ///< of entry and exact length [m]; NaN once an entry is none
+  HeuristicTable::GridPoint worst{};  ///< where
 };
 
 [[nodiscard]] EntryCheck check_entries(const HeuristicTable& table,
@@ -38,4 +38,4 @@ struct BoundCheck {
 
 [[nodiscard]] BoundCheck check_bounds(std::int64_t pairs, std::uint64_t seed);
 
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -9,8 +9,8 @@
 #include <iostream>
 #include <string>
 
+#include "tables/table_export.h"
 #include "vandplan/heuristic_table.h"
-#include "vandplan/table_file.h"
 
 int main(int argc, char** argv) {
   if (argc != 3) {
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   const std::string number = argv[1];
   const vandplan::HeuristicTable table(vandplan::thesis_table_options(std::atoi(argv[1])));
   std::ofstream file(argv[2], std::ios::binary);
-  file << vandplan::table_to_header(table, "hlut_" + number);
+  file << vandplan::tables::table_to_header(table, "hlut_" + number);
   file.close();
   return file ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,11 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "simd/length_kernels.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 #ifdef VANDPLAN_BENCH_TARGETS
 #include <hwy/targets.h>
@@ -30,15 +29,15 @@ struct Inputs {
   std::vector<float> out, high;
 
   explicit Inputs(double reach) : out(node_count), high(node_count) {
-    base::Rng rng(1);
+    Rng rng(1);
     const Bounds box{-reach, reach, -reach, reach};
     for (std::size_t i = 0; i < node_count; ++i) {
-      nodes.push_back(geometry::uniform_pose(box, rng));
+      nodes.push_back(uniform_pose(box, rng));
       x.push_back(static_cast<float>(nodes.back().x));
       y.push_back(static_cast<float>(nodes.back().y));
       heading.push_back(static_cast<float>(nodes.back().heading));
     }
-    for (int i = 0; i < 64; ++i) samples.push_back(geometry::uniform_pose(box, rng));
+    for (int i = 0; i < 64; ++i) samples.push_back(uniform_pose(box, rng));
   }
   [[nodiscard]] PoseColumns columns() const { return {x, y, heading}; }
 };

@@ -11,13 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "support/collision_oracle.h"
 #include "support/shared_files.h"
-#include "vandplan/io.h"
 #include "vandplan/problem.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -33,20 +32,19 @@ struct Edges {
   std::vector<Edge> edges;
 
   [[nodiscard]] bool is_free(const Edge& edge) const {
-    return problem.world->checker().is_free(edge.from, edge.piece.view());
+    return problem.task().checker->is_free(edge.from, edge.piece.view());
   }
 };
 
 Edges random_edges(const std::string& file, Region region, double longest) {
   constexpr std::size_t count = 4096;
-  const Scenario scenario = read_scenario(file);
-  Edges result{make_problem(scenario, scenario.goals.size() - 1), {}};
-  const Bounds box = sampling_region(result.problem, region);
-  const World& world = *result.problem.world;
-  base::Rng rng(1);
+  Edges result{read_problems(file).problems.back(), {}};
+  const Task& task = result.problem.task();
+  const Bounds box = sampling_region(task, region);
+  Rng rng(1);
   const auto free_pose = [&](const Bounds& within) {
-    Pose pose = geometry::uniform_pose(within, rng);
-    while (!world.checker().is_free(pose)) pose = geometry::uniform_pose(within, rng);
+    Pose pose = uniform_pose(within, rng);
+    while (!task.checker->is_free(pose)) pose = uniform_pose(within, rng);
     return pose;
   };
   while (result.edges.size() < count) {
@@ -54,7 +52,7 @@ Edges random_edges(const std::string& file, Region region, double longest) {
     const Pose to =
         free_pose({std::max(box.x_min, from.x - longest), std::min(box.x_max, from.x + longest),
                    std::max(box.y_min, from.y - longest), std::min(box.y_max, from.y + longest)});
-    result.edges.push_back({from, reeds_shepp(from, to, world.vehicle().min_turning_radius)});
+    result.edges.push_back({from, reeds_shepp(from, to, task.vehicle.min_turning_radius)});
   }
   return result;
 }
@@ -94,7 +92,7 @@ void edge_check(benchmark::State& state, const Edges& edges) {
 void pose_check(benchmark::State& state, const Edges& edges) {
   std::size_t next = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(edges.problem.world->checker().is_free(edges.edges[next].from));
+    benchmark::DoNotOptimize(edges.problem.task().checker->is_free(edges.edges[next].from));
     next = (next + 1) % edges.edges.size();
   }
 }

@@ -10,9 +10,9 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/random_pose.h"
 #include "large_yard.h"
 #include "vandplan/problem.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -24,11 +24,11 @@ struct Edge {
 };
 
 /// From free poses to free poses at most that far away.
-std::vector<Edge> random_edges(const World& world, double longest) {
-  base::Rng rng(1);
+std::vector<Edge> random_edges(const CollisionChecker& checker, double longest) {
+  Rng rng(1);
   const auto free_pose = [&](const Bounds& within) {
-    Pose pose = geometry::uniform_pose(within, rng);
-    while (!world.checker().is_free(pose)) pose = geometry::uniform_pose(within, rng);
+    Pose pose = uniform_pose(within, rng);
+    while (!checker.is_free(pose)) pose = uniform_pose(within, rng);
     return pose;
   };
   std::vector<Edge> edges;
@@ -36,7 +36,7 @@ std::vector<Edge> random_edges(const World& world, double longest) {
     const Pose from = free_pose(yard);
     const Pose to = free_pose({std::max(0.0, from.x - longest), std::min(side, from.x + longest),
                                std::max(0.0, from.y - longest), std::min(side, from.y + longest)});
-    edges.push_back({from, reeds_shepp(from, to, world.vehicle().min_turning_radius)});
+    edges.push_back({from, reeds_shepp(from, to, Vehicle{}.min_turning_radius)});
   }
   return edges;
 }
@@ -44,8 +44,8 @@ std::vector<Edge> random_edges(const World& world, double longest) {
 struct Yards {
   std::vector<Polygon> obstacles = ten_obstacles();
   OccupancyGrid map = drawn(obstacles);
-  World polygons{{}, yard, obstacles, {}};
-  World mapped{{}, Surroundings{.bounds = yard, .map = map}, {}};
+  World polygons{{.bounds = yard, .obstacles = obstacles}, {}};
+  World mapped{{.bounds = yard, .map = map}, {}};
 };
 
 const Yards& yards() {
@@ -54,13 +54,15 @@ const Yards& yards() {
 }
 
 void edge_check(benchmark::State& state, const World& world) {
-  const std::vector<Edge> edges = random_edges(yards().mapped, static_cast<double>(state.range(0)));
+  const std::vector<Edge> edges =
+      random_edges(*yards().mapped.checker({}), static_cast<double>(state.range(0)));
+  const auto checker = world.checker({});
   std::size_t next = 0;
   std::size_t free = 0;
   for (auto _ : state) {
     const Edge& edge = edges[next];
     next = (next + 1) % edges.size();
-    free += world.checker().is_free(edge.from, edge.piece.view()) ? 1U : 0U;
+    free += checker->is_free(edge.from, edge.piece.view()) ? 1U : 0U;
   }
   state.counters["free"] = static_cast<double>(free) / static_cast<double>(state.iterations());
 }
@@ -71,8 +73,8 @@ void among_cells(benchmark::State& state) { edge_check(state, yards().mapped); }
 /// The map made ready: what planning needs of it.
 void make_world(benchmark::State& state) {
   for (auto _ : state) {
-    const World world{{}, Surroundings{.bounds = yard, .map = yards().map}, {}};
-    benchmark::DoNotOptimize(&world);
+    const World world({.bounds = yard, .map = yards().map}, {});
+    benchmark::DoNotOptimize(world.checker({}));
   }
 }
 

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -19,10 +18,10 @@ namespace {
 constexpr double radius = 7;
 
 std::vector<Pose> poses(std::int64_t count, std::int64_t reach, std::uint64_t seed) {
-  base::Rng rng(seed);
+  Rng rng(seed);
   const auto r = static_cast<double>(reach);
   std::vector<Pose> list(static_cast<std::size_t>(count));
-  for (Pose& pose : list) pose = geometry::uniform_pose({-r, r, -r, r}, rng);
+  for (Pose& pose : list) pose = uniform_pose({-r, r, -r, r}, rng);
   return list;
 }
 

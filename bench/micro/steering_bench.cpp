@@ -16,19 +16,19 @@ namespace {
 
 constexpr double radius = 7;
 
-std::vector<PosePair> pairs_within(double reach) {
-  base::Rng rng(1);
-  std::vector<PosePair> pairs(4096);
-  for (PosePair& pair : pairs) pair = near_pair(reach, rng);
+std::vector<DrawnPair> pairs_within(double reach) {
+  Rng rng(1);
+  std::vector<DrawnPair> pairs(4096);
+  for (DrawnPair& pair : pairs) pair = near_pair(reach, rng);
   return pairs;
 }
 
 template <auto steer>
 void BM_steering(benchmark::State& state) {
-  const std::vector<PosePair> pairs = pairs_within(static_cast<double>(state.range(0)));
+  const std::vector<DrawnPair> pairs = pairs_within(static_cast<double>(state.range(0)));
   std::size_t i = 0;
   for (auto _ : state) {
-    const PosePair& pair = pairs[i++ % pairs.size()];
+    const DrawnPair& pair = pairs[i++ % pairs.size()];
     benchmark::DoNotOptimize(steer(pair.from, pair.to, radius));
   }
 }
@@ -38,7 +38,7 @@ BENCHMARK(BM_steering<reeds_shepp_words>)->Name("reeds_shepp_words")->Arg(10)->A
 BENCHMARK(BM_steering<dubins_length>)->Name("dubins_length")->Arg(10)->Arg(200);
 
 void BM_sin_cos(benchmark::State& state) {
-  const std::vector<PosePair> pairs = pairs_within(1);
+  const std::vector<DrawnPair> pairs = pairs_within(1);
   std::size_t i = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(base::sin_cos(pairs[i++ % pairs.size()].from.heading));
@@ -47,7 +47,7 @@ void BM_sin_cos(benchmark::State& state) {
 BENCHMARK(BM_sin_cos)->Name("sin_cos");
 
 void BM_atan_2(benchmark::State& state) {
-  const std::vector<PosePair> pairs = pairs_within(1);
+  const std::vector<DrawnPair> pairs = pairs_within(1);
   std::size_t i = 0;
   for (auto _ : state) {
     const Pose& pose = pairs[i++ % pairs.size()].from;

@@ -11,11 +11,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "support/ompl_poses.h"
 #include "support/rounds.h"
 #include "vandplan/nearest.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -29,16 +28,16 @@ struct Poses {
   std::vector<Pose> ours;
   OmplPoses<ompl::base::ReedsSheppStateSpace> theirs{radius};
 
-  Poses(std::size_t count, double reach, base::Rng& rng) {
+  Poses(std::size_t count, double reach, Rng& rng) {
     for (std::size_t i = 0; i < count; ++i) {
-      ours.push_back(geometry::uniform_pose({-reach, reach, -reach, reach}, rng));
+      ours.push_back(uniform_pose({-reach, reach, -reach, reach}, rng));
       theirs.add(ours.back());
     }
   }
 };
 
 void compare_lengths(double reach) {
-  base::Rng rng(1);
+  Rng rng(1);
   const Poses nodes(5000, reach, rng);
   const Poses samples(64, reach, rng);
   std::vector<float> x, y, heading, out(nodes.ours.size());
@@ -72,7 +71,7 @@ void compare_lengths(double reach) {
 }
 
 void compare_nearest(std::size_t count, double reach) {
-  base::Rng rng(2);
+  Rng rng(2);
   const Poses nodes(count, reach, rng);
   const Poses samples(256, reach, rng);
   // The lengths are equal; ours build the tree of 100 000 nodes in seconds instead of minutes.

@@ -32,10 +32,10 @@
 #include <string>
 #include <vector>
 
-#include "vandplan/io.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -87,9 +87,9 @@ bool overlap(const std::array<Point, 4>& body, const Polygon& polygon) {
 
 class SampledChecker : public ob::StateValidityChecker {
  public:
-  SampledChecker(const ob::SpaceInformationPtr& si, const World& world)
-      : StateValidityChecker(si), body_(footprint(world.vehicle())) {
-    for (const Polygon& polygon : world.obstacles()) {
+  SampledChecker(const ob::SpaceInformationPtr& si, const Task& task)
+      : StateValidityChecker(si), body_(footprint(task.vehicle)) {
+    for (const Polygon& polygon : task.world->local().obstacles) {
       obstacles_.push_back({polygon, bounding_box(polygon)});
     }
   }
@@ -117,23 +117,23 @@ class SampledChecker : public ob::StateValidityChecker {
 
 class OurPoses : public ob::StateValidityChecker {
  public:
-  OurPoses(const ob::SpaceInformationPtr& si, const World& world)
-      : StateValidityChecker(si), world_(world) {}
+  OurPoses(const ob::SpaceInformationPtr& si, const Task& task)
+      : StateValidityChecker(si), task_(task) {}
   bool isValid(const ob::State* state) const override {
-    return world_.checker().is_free(pose_of(state));
+    return task_.checker->is_free(pose_of(state));
   }
 
  private:
-  const World& world_;
+  const Task& task_;
 };
 
 class OurEdges : public ob::MotionValidator {
  public:
-  OurEdges(const ob::SpaceInformationPtr& si, const World& world)
-      : MotionValidator(si), world_(world) {}
+  OurEdges(const ob::SpaceInformationPtr& si, const Task& task)
+      : MotionValidator(si), task_(task) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    const Piece piece = reeds_shepp(pose_of(a), pose_of(b), world_.vehicle().min_turning_radius);
-    return world_.checker().is_free(pose_of(a), piece.view());
+    const Piece piece = reeds_shepp(pose_of(a), pose_of(b), task_.vehicle.min_turning_radius);
+    return task_.checker->is_free(pose_of(a), piece.view());
   }
   // The last valid state is looked for by halving.
   bool checkMotion(const ob::State* a, const ob::State* b,
@@ -145,7 +145,7 @@ class OurEdges : public ob::MotionValidator {
   }
 
  private:
-  const World& world_;
+  const Task& task_;
 };
 
 // ---- one run ----
@@ -195,10 +195,10 @@ void set_pose(ob::ScopedState<Space>& state, const Pose& pose) {
 }
 
 Path path_of(const og::PathGeometric& found, const Problem& problem) {
-  Path path{problem.start, {}};
+  Path path{problem.start(), {}};
   for (unsigned i = 1; i < found.getStateCount(); ++i) {
     const Piece piece = reeds_shepp(pose_of(found.getState(i - 1)), pose_of(found.getState(i)),
-                                    problem.world->vehicle().min_turning_radius);
+                                    problem.vehicle().min_turning_radius);
     path.segments.insert(path.segments.end(), piece.view().begin(), piece.view().end());
   }
   return path;
@@ -206,9 +206,9 @@ Path path_of(const og::PathGeometric& found, const Problem& problem) {
 
 Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool ours,
                  const Settings& settings) {
-  const World& world = *problem.world;
-  const auto space = std::make_shared<Space>(world.vehicle().min_turning_radius);
-  const Bounds region = sampling_region(problem, settings.region);
+  const Task& task = problem.task();
+  const auto space = std::make_shared<Space>(task.vehicle.min_turning_radius);
+  const Bounds region = sampling_region(task, settings.region);
   ob::RealVectorBounds bounds(2);
   bounds.setLow(0, region.x_min);
   bounds.setHigh(0, region.x_max);
@@ -218,15 +218,15 @@ Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool o
   og::SimpleSetup setup(space);
   const ob::SpaceInformationPtr si = setup.getSpaceInformation();
   if (ours) {
-    setup.setStateValidityChecker(std::make_shared<OurPoses>(si, world));
-    si->setMotionValidator(std::make_shared<OurEdges>(si, world));
+    setup.setStateValidityChecker(std::make_shared<OurPoses>(si, task));
+    si->setMotionValidator(std::make_shared<OurEdges>(si, task));
   } else {
-    setup.setStateValidityChecker(std::make_shared<SampledChecker>(si, world));
+    setup.setStateValidityChecker(std::make_shared<SampledChecker>(si, task));
   }
   si->setStateValidityCheckingResolution(check_distance / space->getMaximumExtent());
   ob::ScopedState<Space> start(space), goal(space);
-  set_pose(start, problem.start);
-  set_pose(goal, problem.goal);
+  set_pose(start, task.start);
+  set_pose(goal, task.goal);
   setup.setStartAndGoalStates(start, goal, 1e-9);
   setup.setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(si));
   setup.setPlanner(make_planner(si));
@@ -252,9 +252,9 @@ Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool o
 
 Outcome run_ours(const Problem& problem, std::uint64_t seed, double seconds, Region region) {
   PlanOptions options;
-  options.seed = seed;
-  options.time_limit = seconds;
-  options.region = region;
+  options.budget.seed = seed;
+  options.budget.time_limit = seconds;
+  options.planner.set("region", region == Region::scene ? "scene" : "bounds");
   const PlanResult result = plan(problem, planner_named("anytime"), options);
   if (!result.path) return {};
   return {1e3 * result.anytime.front().time, result.cost, true};
@@ -280,8 +280,7 @@ void print(const char* planner, const std::vector<Outcome>& outcomes) {
               quantile(cost, 0.5), quantile(cost, 0.95), quantile(cost, 1.0), judged);
 }
 
-void compare(const Scenario& scenario, std::size_t goal, const Settings& settings) {
-  const Problem problem = make_problem(scenario, goal);
+void compare(const std::string& scenario, const Problem& problem, const Settings& settings) {
   std::map<std::string, std::vector<Outcome>> outcomes;
   std::vector<std::string> order;
   const auto add = [&](const std::string& name, const Outcome& outcome) {
@@ -299,7 +298,7 @@ void compare(const Scenario& scenario, std::size_t goal, const Settings& setting
       add(std::string(name) + ", our checker", run_ompl(problem, make_planner, true, settings));
     }
   }
-  std::printf("%s\n", scenario.name.c_str());
+  std::printf("%s\n", scenario.c_str());
   for (const std::string& name : order) print(name.c_str(), outcomes[name]);
   std::fflush(stdout);
 }
@@ -323,11 +322,10 @@ int main(int argc, char** argv) {
   std::printf("median, 95 %%, worst of %d; region %s; processor time, without OMPL's setup\n",
               settings.seeds, argv[3]);
   for (int i = 5; i < argc; ++i) {
-    const Scenario scenario = read_scenario(argv[i]);
-    std::size_t goal = 0;
-    for (std::size_t k = 0; k < scenario.goals.size(); ++k) {
-      if (scenario.goals[k].distance == 200.0) goal = k;
-    }
-    compare(scenario, goal, settings);
+    const auto [file, problems] = read_problems(argv[i]);
+    // Of a row the goal that counts 200 m; otherwise the only one.
+    const auto goal = std::ranges::find(file.row, 200.0, &RowGoal::distance);
+    const auto number = goal == file.row.end() ? 0 : goal - file.row.begin();
+    compare(file.scenario.name, problems[static_cast<std::size_t>(number)], settings);
   }
 }

@@ -24,7 +24,7 @@ constexpr int rounds = 15;
 
 template <typename Space, typename Length>
 void compare(const char* name, double reach, Length length) {
-  base::Rng rng(1);
+  Rng rng(1);
   std::vector<PosePair> pairs(4096);
   for (PosePair& pair : pairs) pair = near_pair(reach, rng);
   OmplPoses<Space> peer(radius);

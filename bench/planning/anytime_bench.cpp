@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 #include "vandplan/planner.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -79,8 +79,8 @@ void add(Runs& runs, const PlanResult& result) {
   if (result.path) runs.best = std::min(runs.best, result.cost);
   runs.bound = std::max(runs.bound, result.lower_bound);
   runs.rates.iterations += static_cast<double>(result.iterations);
-  runs.rates.solves += static_cast<double>(result.exact_solves);
-  runs.rates.checks += static_cast<double>(result.edge_checks);
+  runs.rates.solves += static_cast<double>(counter(result, "exact_solves"));
+  runs.rates.checks += static_cast<double>(counter(result, "edge_checks"));
   runs.rates.time += result.time_total;
 }
 
@@ -114,18 +114,23 @@ void print(const std::string& name, const Runs& runs, double seconds) {
   std::fflush(stdout);
 }
 
-void report(const Scenario& scenario, std::size_t goal, int seeds, double seconds) {
-  const Problem problem = make_problem(scenario, goal);
+void report(const std::string& name, const Problem& problem, int seeds, double seconds) {
   Runs runs;
-  runs.best = best_of_others(scenario.name);
+  runs.best = best_of_others(name);
   for (int seed = 1; seed <= seeds; ++seed) {
     PlanOptions options;
-    options.seed = static_cast<std::uint64_t>(seed);
-    options.time_limit = seconds;
-    options.region = Region::scene;
+    options.budget.seed = static_cast<std::uint64_t>(seed);
+    options.budget.time_limit = seconds;
+    options.planner.set("region", "scene");
     add(runs, plan(problem, planner_named("anytime"), options));
   }
-  print(scenario.name, runs, seconds);
+  print(name, runs, seconds);
+}
+
+/// Of a row the goal that counts 200 m; otherwise the only one.
+std::size_t goal_at_200_m(const ScenarioFile& file) {
+  const auto goal = std::ranges::find(file.row, 200.0, &RowGoal::distance);
+  return goal == file.row.end() ? 0 : static_cast<std::size_t>(goal - file.row.begin());
 }
 
 int run(int argc, char** argv) {
@@ -137,12 +142,8 @@ int run(int argc, char** argv) {
   const double seconds = std::atof(argv[2]);
   print_heading(seconds);
   for (int i = 3; i < argc; ++i) {
-    const Scenario scenario = read_scenario(argv[i]);
-    std::size_t goal = 0;
-    for (std::size_t k = 0; k < scenario.goals.size(); ++k) {
-      if (scenario.goals[k].distance == 200.0) goal = k;
-    }
-    report(scenario, goal, seeds, seconds);
+    const auto [file, problems] = read_problems(argv[i]);
+    report(file.scenario.name, problems[goal_at_200_m(file)], seeds, seconds);
   }
   return 0;
 }

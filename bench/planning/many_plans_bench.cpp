@@ -11,22 +11,21 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "geometry/random_pose.h"
 #include "large_yard.h"
-#include "vandplan/io.h"
+#include "vandplan/files.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/problem.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -37,17 +36,18 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 std::vector<Problem> random_problems(int count) {
   const auto world = std::make_shared<const World>(
-      Vehicle{}, Surroundings{.bounds = yard, .map = drawn(ten_obstacles())}, Point{});
-  base::Rng rng(1);
+      Surroundings{.bounds = yard, .map = drawn(ten_obstacles())}, Point{});
+  const auto checker = world->checker({});
+  Rng rng(1);
   const auto free_pose = [&] {
-    Pose pose = geometry::uniform_pose(yard, rng);
-    while (!world->checker().is_free(pose)) pose = geometry::uniform_pose(yard, rng);
+    Pose pose = uniform_pose(yard, rng);
+    while (!checker->is_free(pose)) pose = uniform_pose(yard, rng);
     return pose;
   };
   std::vector<Problem> problems;
   for (int i = 0; i < count; ++i) {
     const Pose start = free_pose();
-    problems.push_back(make_problem(world, start, free_pose()));
+    problems.push_back(make_problem(world, {}, start, free_pose()));
   }
   return problems;
 }
@@ -62,20 +62,11 @@ Outcome plan_all(const std::vector<Problem>& problems, const PlanOptions& option
   Outcome outcome;
   outcome.paths.resize(problems.size());
   outcome.costs.resize(problems.size(), std::numeric_limits<double>::infinity());
-  std::atomic<std::size_t> next = 0;
   const auto begin = std::chrono::steady_clock::now();
-  {
-    std::vector<std::jthread> workers;
-    for (int i = 0; i < threads; ++i) {
-      workers.emplace_back([&] {
-        for (std::size_t k = next++; k < problems.size(); k = next++) {
-          PlanResult result = plan(problems[k], default_planner(), options);
-          if (result.path) outcome.costs[k] = result.cost;
-          outcome.paths[k] = std::move(result.path);
-        }
-      });
-    }
-  }
+  plan_many(problems, default_planner(), options, threads, [&](std::size_t i, PlanResult result) {
+    if (result.path) outcome.costs[i] = result.cost;
+    outcome.paths[i] = std::move(result.path);
+  });
   outcome.time = seconds_since(begin);
   return outcome;
 }
@@ -87,8 +78,8 @@ std::vector<double> excess_of(const std::vector<Problem>& problems, const Outcom
   std::vector<double> excess;
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const Problem& problem = problems[i];
-    const double radius = problem.world->vehicle().min_turning_radius;
-    const double open = reeds_shepp_length(problem.start, problem.goal, radius);
+    const double radius = problem.vehicle().min_turning_radius;
+    const double open = reeds_shepp_length(problem.start(), problem.goal(), radius);
     if (best.costs[i] > open + 1e-6) excess.push_back(outcome.costs[i] / best.costs[i] - 1);
   }
   std::sort(excess.begin(), excess.end());
@@ -131,9 +122,9 @@ void write_files(const std::vector<Problem>& problems, const std::string& folder
   constexpr auto map = "{x: %.17g, y: %.17g, heading: %.17g}\n";
   std::string poses;
   for (const Problem& problem : problems) {
-    poses += text_of(problem.start, row) + "," + text_of(problem.goal, row) + "\n";
+    poses += text_of(problem.start(), row) + "," + text_of(problem.goal(), row) + "\n";
   }
-  const OccupancyGrid& grid = *problems.front().world->map();
+  const OccupancyGrid& grid = *problems.front().world()->local().map;
   write_file(folder + "/poses.csv", poses);
   write_file(folder + "/map.pgm", map_to_pgm(grid));
   write_file(folder + "/map.yaml", map_to_yaml(grid, "map.pgm"));
@@ -143,8 +134,8 @@ void write_files(const std::vector<Problem>& problems, const std::string& folder
              "min_turning_radius: 7.0}\n"
              "map: map.yaml\n"
              "start: " +
-                 text_of(problems.front().start, map) +
-                 "goal: " + text_of(problems.front().goal, map));
+                 text_of(problems.front().start(), map) +
+                 "goal: " + text_of(problems.front().goal(), map));
 }
 
 int run(int argc, char** argv) {
@@ -159,7 +150,7 @@ int run(int argc, char** argv) {
   }
   const int threads = std::atoi(argv[2]);
   PlanOptions options;
-  options.time_limit = std::atof(argv[3]);
+  options.budget.time_limit = std::atof(argv[3]);
   const Outcome best = plan_all(problems, options, threads);
   std::printf(
       "%zu pairs, %zu of them need more than the shortest path on open ground: above the "
@@ -170,9 +161,9 @@ int run(int argc, char** argv) {
   print_row(argv[3], problems, best, best);
   for (int i = 4; i < argc; ++i) {
     const double limit = std::atof(argv[i]);
-    options.time_limit = limit < 1 ? std::optional(limit) : std::nullopt;
-    options.max_iterations.reset();
-    if (limit >= 1) options.max_iterations = std::atoll(argv[i]);
+    options.budget.time_limit = limit < 1 ? std::optional(limit) : std::nullopt;
+    options.budget.max_iterations.reset();
+    if (limit >= 1) options.budget.max_iterations = std::atoll(argv[i]);
     print_row(argv[i], problems, plan_all(problems, options, threads), best);
   }
   return 0;

@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -28,11 +27,11 @@ struct Pair {
 };
 
 std::vector<Pair> pairs_within(double reach) {
-  base::Rng rng(1);
+  Rng rng(1);
   std::vector<Pair> pairs(1'000'000);
   for (Pair& pair : pairs) {
-    pair.node = geometry::uniform_pose({-reach, reach, -reach, reach}, rng);
-    pair.sample = {0.0, 0.0, base::uniform(-pi, pi, rng)};
+    pair.node = uniform_pose({-reach, reach, -reach, reach}, rng);
+    pair.sample = {0.0, 0.0, uniform(-pi, pi, rng)};
     pair.length = reeds_shepp_length(pair.node, pair.sample, radius);
   }
   return pairs;

@@ -13,26 +13,28 @@
 
 namespace vandplan {
 
-/// low <= length <= high [m].
+/// Two numbers between which a length lies: low <= length <= high [m].
 struct LengthBounds {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// Bounds of `reeds_shepp_length(from, to, radius)`. `radius` > 0 [m].
+/// Bounds of the length of the shortest path between two poses, `reeds_shepp_length(from, to,
+/// radius)` [m]. `radius` > 0 [m].
 [[nodiscard]] LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) noexcept;
 
-/// Bounds of the length from every node to one sample, in float: low[i] and high[i] belong to node
-/// i; equal sizes. They hold for the sample as rounded to float.
+/// Bounds of the lengths from every node to one sample, in float [m]: low[i] and high[i] belong to
+/// node i; sizes are equal. They hold for the sample as rounded to float. `radius` > 0 [m].
 void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
                    std::span<float> low, std::span<float> high) noexcept;
 
-/// How the table is made.
+/// The shape of the table of bounds: cells along its three coordinates, and its size.
 struct BoundTableInfo {
   int radial_cells, side_cells, turn_cells;
   std::size_t bytes;
 };
 
+/// The shape of the library's table of bounds.
 [[nodiscard]] BoundTableInfo bound_table_info() noexcept;
 
 }  // namespace vandplan

@@ -16,10 +16,11 @@ namespace vandplan {
 /// `radius` > 0 [m]. Ties go to the first word of `dubins_words`.
 [[nodiscard]] Piece dubins(const Pose& from, const Pose& to, double radius) noexcept;
 
-/// Length of `dubins(from, to, radius)` [m].
+/// The length of the shortest forward-only path, `dubins(from, to, radius)` [m]. `radius` > 0 [m].
 [[nodiscard]] double dubins_length(const Pose& from, const Pose& to, double radius) noexcept;
 
-/// Every word (LSL, RSR, LSR, RSL, RLR, LRL, in this order) that joins the poses; at most 6.
+/// The path of every word that joins the poses, in the order LSL, RSR, LSR, RSL, RLR, LRL; at
+/// most 6. `radius` > 0 [m].
 [[nodiscard]] std::vector<Piece> dubins_words(const Pose& from, const Pose& to, double radius);
 
 }  // namespace vandplan

@@ -26,8 +26,8 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// Many poses as structure of arrays, in float: what batch queries read. Equal sizes; headings in
-/// [-pi, pi].
+/// Many poses as structure of arrays in float [m, rad], which batch queries read. The three columns
+/// have equal sizes; headings are in [-pi, pi].
 struct PoseColumns {
   std::span<const float> x;
   std::span<const float> y;
@@ -47,18 +47,21 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 };
 
-/// The same angle in [-pi, pi).
+/// The angle in [-pi, pi) that differs from `angle` by whole turns [rad].
 [[nodiscard]] double wrap_angle(double angle) noexcept;
 
-/// The pose that `local`, given in the frame of `frame`, has outside of it.
+/// Where `local`, a pose in the frame that the pose `frame` spans, lies in the frame that `frame`
+/// itself is given in.
 [[nodiscard]] Pose compose(const Pose& frame, const Pose& local) noexcept;
 
-/// `pose` as seen from `frame`: the inverse of `compose`. The heading is in [-pi, pi).
+/// The pose `pose` in the frame that the pose `frame` spans: the inverse of `compose`. The heading
+/// is in [-pi, pi).
 [[nodiscard]] Pose relative(const Pose& frame, const Pose& pose) noexcept;
 
+/// Whether the point lies in the box or on its border.
 [[nodiscard]] bool contains(const Bounds& bounds, const Point& point) noexcept;
 
-/// The smallest box around the points; all zero for none.
+/// The smallest box around the points; all its numbers are zero if there are no points.
 [[nodiscard]] Bounds bounding_box(std::span<const Point> points) noexcept;
 
 }  // namespace vandplan

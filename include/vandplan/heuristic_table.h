@@ -14,7 +14,7 @@
 
 namespace vandplan {
 
-/// What a table covers. Both ends of every range are grid points.
+/// What a table of lengths covers. Both ends of every range are grid points.
 struct HeuristicTableOptions {
   double extent = 10.0;         ///< of |dx| and |dy| [m]; a multiple of `step`
   double step = 1.0;            ///< of the positions [m]; > 0
@@ -23,51 +23,56 @@ struct HeuristicTableOptions {
   bool operator==(const HeuristicTableOptions&) const = default;
 };
 
-/// The four tables of the thesis. `number` in 1..4.
+/// What one of the four tables of the thesis covers. `number` is in 1..4.
 [[nodiscard]] HeuristicTableOptions thesis_table_options(int number);
 
 /// Reeds-Shepp lengths between relative poses on a four-dimensional grid. Immutable; copies share
 /// the entries.
 class HeuristicTable {
  public:
-  /// Fills the table (Algorithm 6). Throws InputError if an option is out of range.
+  /// Computes all entries of a table (Algorithm 6). Throws InputError if an option is out of range.
   explicit HeuristicTable(const HeuristicTableOptions& options);
 
-  /// Takes entries that were computed before; `entries.size()` must be what the options ask for,
-  /// else InputError.
+  /// Makes a table of entries that were computed before. Throws InputError if an option is out of
+  /// range or their number is not what the options ask for.
   HeuristicTable(const HeuristicTableOptions& options, std::vector<float> entries);
 
-  /// Looks at entries that outlive the table and all its copies: constant data.
+  /// Makes a table that looks at entries which outlive it and all its copies: constant data. Throws
+  /// InputError if an option is out of range or their number is not what the options ask for.
   HeuristicTable(const HeuristicTableOptions& options, std::span<const float> entries);
 
-  /// Position of an entry.
-  struct Cell {
+  /// Position of an entry in the grid of the table.
+  struct GridPoint {
     int x, y, heading_node, heading_sample;
-    bool operator==(const Cell&) const = default;
+    bool operator==(const GridPoint&) const = default;
   };
 
-  /// Row-major [ix][iy][i_heading_node][i_heading_sample]; used by fill and look-up alike.
-  [[nodiscard]] std::size_t index_of(const Cell& cell) const noexcept;
+  /// Place of a grid point in `entries()`: row-major [x][y][heading_node][heading_sample].
+  [[nodiscard]] std::size_t index_of(const GridPoint& point) const noexcept;
 
-  /// Where the node of an entry stands [m, rad]; its sample stands at the origin.
-  [[nodiscard]] Pose node_of(const Cell& cell) const noexcept;
-  [[nodiscard]] Pose sample_of(const Cell& cell) const noexcept;
+  /// The pose of the node of a grid point [m, rad], in a frame with the sample at the origin.
+  [[nodiscard]] Pose node_of(const GridPoint& point) const noexcept;
+  /// The pose of the sample of a grid point: at the origin, its heading in [-pi, pi] [rad].
+  [[nodiscard]] Pose sample_of(const GridPoint& point) const noexcept;
 
   /// Estimated length between a node and a sample [m] for a vehicle of turning radius `radius`
   /// (Algorithm 7): an entry inside the table, Euclid outside. The table scales with the radius:
   /// extent and step hold for the table's own.
   [[nodiscard]] double distance(const Pose& node, const Pose& sample, double radius) const noexcept;
 
-  /// `distance` from every node to one sample, in float: out[i] belongs to node i. Sizes are equal.
+  /// Estimated lengths between every node and one sample, in float [m]: out[i] belongs to node i.
+  /// Sizes are equal. Otherwise like `distance`.
   void distances(const PoseColumns& nodes, const Pose& sample, double radius,
                  std::span<float> out) const noexcept;
 
+  /// What the table covers.
   [[nodiscard]] const HeuristicTableOptions& options() const noexcept { return options_; }
+  /// All lengths [m], in the order of `index_of`.
   [[nodiscard]] std::span<const float> entries() const noexcept { return entries_; }
 
-  /// Grid points along x and along y.
+  /// The number of grid points along x, and likewise along y.
   [[nodiscard]] int positions() const noexcept { return positions_; }
-  /// Grid points of a heading, both ends of the turn counted.
+  /// The number of grid points of a heading, both ends of the turn counted.
   [[nodiscard]] int headings() const noexcept { return options_.heading_cells + 1; }
 
  private:
@@ -78,7 +83,7 @@ class HeuristicTable {
 };
 
 /// One of the four tables of the thesis, turning radius 7 m, computed when the library was built.
-/// `number` in 1..4. Costs nothing to call.
+/// `number` is in 1..4. Costs nothing to call.
 [[nodiscard]] HeuristicTable thesis_table(int number);
 
 }  // namespace vandplan

@@ -12,10 +12,13 @@ namespace vandplan {
 /// `what()` is one line, "where: what is wrong, what was expected".
 class InputError : public std::runtime_error {
  public:
-  /// `where` is a key path ("obstacles[2]", "vehicle.width") in the core, "file:line" from files.
+  /// An error in a place and the problem there, in words. `where` is a key path ("obstacles[2]",
+  /// "vehicle.width") in the core, "file:line" from files.
   InputError(const std::string& where, const std::string& problem);
 
+  /// The place that is wrong: a key path, or "file:line".
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
+  /// What is wrong there, and what was expected.
   [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
 
  private:

@@ -24,16 +24,17 @@ struct OccupancyGrid {
   double resolution = 1.0;   ///< side of a cell [m]; > 0
   std::int32_t columns = 0;  ///< >= 1
   std::int32_t rows = 0;     ///< >= 1
-  /// Row by row, columns * rows of them.
+  /// All cells, row by row: columns * rows of them.
   std::shared_ptr<const std::vector<Cell>> cells = {};
-  /// Else unknown cells are obstacles, and so is all that lies outside of the grid.
+  /// Whether unknown cells, and all that lies outside of the grid, are free; by default they are
+  /// obstacles.
   bool unknown_is_free = false;
 };
 
 /// The most cells that a grid may have.
 inline constexpr std::int64_t most_map_cells = 100'000'000;
 
-/// Whether a cell is an obstacle, of the grid or outside of it.
+/// Whether a cell is an obstacle; the cell may lie outside of the grid.
 [[nodiscard]] inline bool is_blocked(const OccupancyGrid& grid, std::int32_t column,
                                      std::int32_t row) noexcept {
   if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) {
@@ -45,7 +46,8 @@ inline constexpr std::int64_t most_map_cells = 100'000'000;
   return cell == Cell::occupied || (cell == Cell::unknown && !grid.unknown_is_free);
 }
 
-/// The four corners of the whole grid, counter-clockwise from the origin.
+/// The four corners of the whole grid, in the frame that its `origin` is given in [m],
+/// counter-clockwise from there.
 [[nodiscard]] Polygon outline(const OccupancyGrid& grid);
 
 }  // namespace vandplan

@@ -47,15 +47,15 @@ struct PathClaims {
 /// The judge's verdict.
 struct PathCheck {
   bool valid = false;
-  std::string reason;           ///< the first thing found wrong, one line; empty when valid
-  std::optional<PathPoint> at;  ///< where it is wrong, if at a place; in the scenario's frame
-  double length = 0.0;          ///< [m]
-  double reverse_length = 0.0;  ///< of it in reverse [m]
+  std::string reason = {};           ///< the first thing found wrong, one line; empty when valid
+  std::optional<PathPoint> at = {};  ///< where it is wrong, if at a place; in the scenario's frame
+  double length = 0.0;               ///< [m]
+  double reverse_length = 0.0;       ///< of it in reverse [m]
   int gear_changes = 0;
   /// Least distance between footprint and obstacles, at most 1 mm too large [m]: 0 if they touch,
   /// infinity without obstacles. None if the path was found wrong before collisions were looked
   /// for.
-  std::optional<double> clearance;
+  std::optional<double> clearance = {};
 };
 
 /// Judges a path in the scenario's frame, in this order: every number is finite, it

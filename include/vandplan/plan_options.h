@@ -103,10 +103,13 @@ struct CommonOption {
 /// An option's value as JSON: a number, string or bool.
 [[nodiscard]] std::string json_of(const OptionValue& value);
 
-/// A value for an option from text, or from a value of a type that fits (a whole number is a
-/// number, too). Throws InputError naming the option when it is of another type or out of range.
-[[nodiscard]] OptionValue option_value(const OptionInfo& info, std::string_view text);
-[[nodiscard]] OptionValue option_value(const OptionInfo& info, const OptionValue& given);
+/// The value of an option that a text states. Throws InputError naming the option when it is of
+/// another type or out of range.
+[[nodiscard]] OptionValue parsed_value(const OptionInfo& info, std::string_view text);
+
+/// A value in the type of its option: a whole number is a number, too. Throws InputError naming the
+/// option when it is of another type or out of range.
+[[nodiscard]] OptionValue fitting_value(const OptionInfo& info, const OptionValue& given);
 
 /// Throws InputError naming the first option of budget or cost out of range.
 void validate(const PlanOptions& options);

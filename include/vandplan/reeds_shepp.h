@@ -18,16 +18,17 @@ namespace vandplan {
 /// `radius` > 0 [m]. The path from b to a is the path from a to b driven backwards, ties included.
 [[nodiscard]] Piece reeds_shepp(const Pose& from, const Pose& to, double radius) noexcept;
 
-/// Length of `reeds_shepp(from, to, radius)` [m], bit for bit.
+/// The length of the shortest path, `reeds_shepp(from, to, radius)`, bit for bit [m]. `radius` > 0
+/// [m].
 [[nodiscard]] double reeds_shepp_length(const Pose& from, const Pose& to, double radius) noexcept;
 
-/// `reeds_shepp_length` from every node to one sample, in float, for ranking: out[i] belongs to
-/// node i; equal sizes. The same bits on every processor. They are within 4e-6 * (length + radius)
-/// of the exact lengths between the poses as rounded to float.
+/// Lengths of the shortest paths from every node to one sample, in float, for ranking [m]: out[i]
+/// belongs to node i; sizes are equal. They are the same bits on every processor, and within
+/// 4e-6 * (length + radius) of the exact lengths between the poses as rounded to float.
 void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
                          std::span<float> out) noexcept;
 
-/// Every one of the 48 words that joins the poses, shortest or not.
+/// The path of every one of the 48 words that joins the poses, shortest or not. `radius` > 0 [m].
 [[nodiscard]] std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double radius);
 
 }  // namespace vandplan

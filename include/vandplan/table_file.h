@@ -3,7 +3,7 @@
 #pragma once
 // How does a table become a file, and how does a file become a table?
 //
-// Bytes only; vandplan/io.h moves them. Layout: docs/formats.md.
+// Bytes only; vandplan/files.h moves them. Layout: docs/formats.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,49 +15,37 @@
 
 namespace vandplan {
 
-/// The table as a binary file: the same bytes on every machine.
+/// The table as the bytes of a file, equal on every machine. Layout: docs/formats.md.
 [[nodiscard]] std::string table_to_bytes(const HeuristicTable& table);
 
-/// Reads what `table_to_bytes` wrote. Throws InputError naming `file` when it is foreign,
+/// The table that `table_to_bytes` wrote. Throws InputError naming `file` if the bytes are foreign,
 /// truncated, altered, or of another version.
 [[nodiscard]] HeuristicTable table_from_bytes(std::string_view bytes, const std::string& file);
 
-/// The library's table of bounds (bound_table.h) as a binary file.
+/// The library's table of bounds (bound_table.h) as the bytes of a file.
 [[nodiscard]] std::string bound_table_to_bytes();
 
 /// What a table file says about itself before its entries.
 struct TableFileHead {
-  enum class Content { lengths, bounds };  ///< of `table_to_bytes`, of `bound_table_to_bytes`
+  /// What a file holds: written by `table_to_bytes`, or by `bound_table_to_bytes`.
+  enum class Content { lengths, bounds };
   Content content = Content::lengths;
-  HeuristicTableOptions options{};  ///< of lengths
-  BoundTableInfo bounds{};          ///< of bounds
+  HeuristicTableOptions options{};  ///< of a table of lengths
+  BoundTableInfo bounds{};          ///< of a table of bounds
   std::uint64_t entries = 0;
   std::uint64_t bytes = 0;  ///< of the whole file
   std::uint64_t checksum = 0;
 };
 
-/// So many bytes of a file tell its head.
+/// The number of bytes at the start of a table file that hold its head.
 inline constexpr std::size_t table_file_head_size = 96;
 
-/// Reads the head alone. Throws InputError naming `file` when it is not one of ours or promises
-/// more than 2^28 entries.
+/// The head of a table file, of whose bytes only the first need to be there. Throws InputError
+/// naming `file` when it is not one of ours or promises more than 2^28 entries.
 [[nodiscard]] TableFileHead table_file_head(std::string_view start, const std::string& file);
 
-/// Throws InputError naming `file` unless all of it is there and the checksum fits.
+/// Checks a table file: throws InputError naming `file` unless all of its bytes are there and the
+/// checksum fits.
 void check_table_file(std::string_view bytes, const std::string& file);
-
-/// The table as a C++17 header that defines a namespace `name` with the options and the entries,
-/// every float written so that it reads back exactly. Throws InputError if `name` is no identifier
-/// or the table has more than 2^24 entries.
-[[nodiscard]] std::string table_to_header(const HeuristicTable& table, std::string_view name);
-
-/// The table as CSV, a line for each entry: x, y, heading_node, heading_sample, length [m, rad].
-/// Throws InputError if the table has more than 2^24 entries.
-[[nodiscard]] std::string table_to_csv(const HeuristicTable& table);
-
-/// The library's table of bounds as a C++17 header and as CSV, a line for each cell with its planes
-/// as numbers. What they mean: docs/formats.md. Throws InputError if `name` is no identifier.
-[[nodiscard]] std::string bound_table_to_header(std::string_view name);
-[[nodiscard]] std::string bound_table_to_csv();
 
 }  // namespace vandplan

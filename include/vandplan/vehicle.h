@@ -10,14 +10,15 @@
 
 namespace vandplan {
 
-/// A rigid vehicle steered at the front; the field names are keys of a scenario file. [m]
+/// The lengths of a rigid vehicle that steers at the front [m]; the field names are keys of
+/// scenario files.
 struct Vehicle {
   double wheelbase = 4.5;           ///< rear axle to front axle; > 0
   double front_overhang = 1.4;      ///< front axle to front bumper; >= 0
   double rear_overhang = 1.6;       ///< rear axle to rear bumper; >= 0
-  double width = 2.55;              ///< > 0
+  double width = 2.55;              ///< of the body; > 0
   double min_turning_radius = 7.0;  ///< of the rear-axle midpoint at full steering; > 0
-  /// Over the wheels of an axle; none: the width; > 0, at most the width.
+  /// Width over the wheels of an axle; > 0, at most `width`, which holds where there is none.
   std::optional<double> track_width = {};
   bool operator==(const Vehicle&) const = default;
 };
@@ -31,17 +32,19 @@ struct Footprint {
   bool operator==(const Footprint&) const = default;
 };
 
-/// The outline of the whole body.
+/// The outline of the whole body in the vehicle frame [m].
 [[nodiscard]] Footprint footprint(const Vehicle& vehicle) noexcept;
 
-/// The outline of the wheels: between the axles, as wide as the track. What a kerb must not enter.
+/// The outline of the wheels in the vehicle frame [m]: between the axles, as wide as the track.
+/// Kerbs must stay out of it.
 [[nodiscard]] Footprint wheel_footprint(const Vehicle& vehicle) noexcept;
 
-/// Least distance from the rear axle's midpoint to the outline [m]: it stays that far from whatever
-/// the footprint does not touch.
+/// The least distance from the midpoint of the rear axle to the outline [m]: the midpoint stays
+/// that far from whatever the footprint does not touch.
 [[nodiscard]] double inner_radius(const Footprint& footprint) noexcept;
 
-/// The four corners at a pose, counter-clockwise from the rear right one.
+/// The four corners of the footprint of a vehicle at `pose`, in the frame of the pose [m],
+/// counter-clockwise from the rear right one.
 [[nodiscard]] std::array<Point, 4> corners(const Footprint& footprint, const Pose& pose) noexcept;
 
 }  // namespace vandplan

@@ -8,12 +8,14 @@
 
 namespace vandplan {
 
+/// Which version of the library runs, and how it was compiled.
 struct BuildInfo {
-  std::string_view version;     ///< "0.1.0"
-  std::string_view compiler;    ///< "GNU 12.2.0"
-  std::string_view build_type;  ///< "Release"
+  std::string_view version;     ///< such as "0.1.0"
+  std::string_view compiler;    ///< such as "GNU 12.2.0"
+  std::string_view build_type;  ///< of CMake, such as "Release"
 };
 
+/// Version and build of the library that is linked.
 [[nodiscard]] BuildInfo build_info() noexcept;
 
 }  // namespace vandplan

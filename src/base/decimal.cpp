@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 namespace vandplan::base {
 namespace {
@@ -63,12 +64,6 @@ double moved(double value, double whole) noexcept {
   if (std::abs(whole) * static_cast<double>(scale) > largest) return value + whole;
   decimal.digits += static_cast<std::int64_t>(whole) * scale;
   return nearest_double(decimal);
-}
-
-std::string shortest_text(double value) {
-  Text text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
 }
 
 }  // namespace vandplan::base

@@ -7,15 +7,10 @@
 // The shortest decimal that reads back as the double is the text of the file whenever that text
 // has at most 15 digits: the sum is done on that text, exactly, and rounded once.
 
-#include <string>
-
 namespace vandplan::base {
 
 /// `value` + `whole`, with `whole` a whole number below 2^63. A scenario that was moved by whole
 /// metres as a text has bit for bit the same coordinates after moving it back.
 [[nodiscard]] double moved(double value, double whole) noexcept;
-
-/// The shortest decimal that reads back as `value`, whatever the locale.
-[[nodiscard]] std::string shortest_text(double value);
 
 }  // namespace vandplan::base

@@ -2,14 +2,15 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "base/parallel.h"
 
+#include <mutex>
+#include <vector>
+
 #ifdef VANDPLAN_THREADS
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <mutex>
 #include <thread>
-#include <vector>
 
 namespace vandplan {
 namespace {
@@ -68,3 +69,23 @@ void parallel_for(std::size_t count, int /*threads*/,
 }  // namespace vandplan
 
 #endif
+
+namespace vandplan {
+
+void parallel_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
+                       const std::function<void(std::size_t)>& then) {
+  std::mutex mutex;
+  std::vector<bool> waits(count);  // for those before it
+  std::size_t next = 0;
+  parallel_for(count, threads, [&](std::size_t i) {
+    work(i);
+    const std::lock_guard lock(mutex);
+    waits[i] = true;
+    for (; next < count && waits[next]; ++next) {
+      waits[next] = false;  // if the call throws, all others wait for ever
+      then(next);
+    }
+  });
+}
+
+}  // namespace vandplan

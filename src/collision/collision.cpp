@@ -29,7 +29,7 @@ bool is_crossed(const Obstacles& obstacles, const Footprint& footprint,
                 const PlacedSegment& placed) noexcept {
   if (obstacles.is_empty()) return false;
   const Sweep sweep(footprint, placed);
-  return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });
+  return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });  // [2]
 }
 
 /// The furthest point of a footprint from its rear axle [m].

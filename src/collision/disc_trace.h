@@ -35,7 +35,7 @@ struct DiscRows {
   DiscRow slim;  // of so many that they are hardly wider than the footprint
 };
 
-/// Of a segment, from its start [m].
+/// A part of a segment: where it begins and ends, from the start of the segment [m].
 struct Part {
   double begin, end;
 };
@@ -48,13 +48,14 @@ struct DiscTrace {
   std::size_t doubtful_count = 0;
   std::array<Part, most_looks + 1> doubtful;  ///< a tree of looks has one leaf more than forks
 
-  /// If it is no hit, all but these is clear; in order.
+  /// The parts of the segment, in order, outside of which all is clear if it is no hit.
   [[nodiscard]] std::span<const Part> in_doubt() const noexcept {
     return {doubtful.data(), doubtful_count};
   }
 };
 
-/// Follows a segment that lies in the frame of the cells, whose side is that long [m].
+/// What the field tells of a segment that lies in the frame of the cells, whose side is that long
+/// [m].
 [[nodiscard]] DiscTrace trace_discs(const geometry::DistanceField& field, double side,
                                     const DiscRows& discs, const PlacedSegment& placed) noexcept;
 

@@ -170,6 +170,7 @@ CellBox GridObstacles::cells_in(const Bounds& box) const noexcept {
           index(box.y_min, cells_.rows()), index(box.y_max, cells_.rows())};
 }
 
+/// [0] of a segment, at its begin.
 bool GridObstacles::contain(const Point& point) const noexcept {
   const Point p = in_frame(point);
   if (field_.at_least({p.x / side_, p.y / side_}) > 0) return false;
@@ -182,7 +183,7 @@ bool GridObstacles::contain(const Point& point) const noexcept {
 bool GridObstacles::is_clear(const Footprint& body, const DiscRows& discs,
                              const PlacedSegment& segment) const noexcept {
   const PlacedSegment placed = in_frame(segment);
-  const DiscTrace trace = trace_discs(field_, side_, discs, placed);
+  const DiscTrace trace = trace_discs(field_, side_, discs, placed);  // [1]
   if (trace.is_hit) return false;
   if (trace.in_doubt().empty()) return true;
   const Search search(*this, body, placed);

@@ -82,6 +82,7 @@ Placement PlacedSegment::placed(double sin_of_turn, double cos_of_turn,
            gear * (cos_of_turn * forward.y + sin_of_turn * left.y)}};
 }
 
+// [1] of docs/algorithms/collision.md.
 Bounds PlacedSegment::axle_box() const noexcept {
   const Point& a = from.position;
   const Point& b = to.position;
@@ -186,9 +187,9 @@ bool Sweep::touches(const Sides& sides) const noexcept {
     x[i] = dx * s.forward.x + dy * s.forward.y;
     y[i] = dx * s.left.x + dy * s.left.y;
   }
-  if (turns_) return touches_turning(x, y);
+  if (turns_) return touches_turning(x, y);  // [3] [5]
   bool touched = false;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {  // [4]
     touched |= first_.meets({x[i], y[i]}, {x[i + 1], y[i + 1]});
   }
   return touched;

@@ -18,6 +18,7 @@ struct Placement {
   Point heading;
 };
 
+/// A pose with its heading as a unit vector.
 [[nodiscard]] Placement placement_of(const Pose& pose) noexcept;
 
 /// Four sides of one polygon, each from a corner to the next; where it has less, the last corner
@@ -64,7 +65,7 @@ class Sweep {
  public:
   Sweep(const Footprint& footprint, const PlacedSegment& placed) noexcept;
 
-  /// A box around the area.
+  /// A box around the swept area.
   [[nodiscard]] Bounds box() const noexcept;
 
   /// Whether a side may touch the area: true wherever the footprint itself touches one, false

@@ -20,7 +20,7 @@ struct CellBox {
 class BitGrid {
  public:
   BitGrid() = default;
-  /// All of them zero.
+  /// A rectangle of zeros.
   BitGrid(std::int32_t columns, std::int32_t rows)
       : columns_(columns),
         rows_(rows),

@@ -17,17 +17,18 @@ class BlockedCells {
  public:
   explicit BlockedCells(const OccupancyGrid& grid);
 
-  /// Of the cells with the frame.
+  /// The number of columns, and of rows, with those of the frame.
   [[nodiscard]] std::int32_t columns() const noexcept { return blocked_.columns(); }
   [[nodiscard]] std::int32_t rows() const noexcept { return blocked_.rows(); }
 
+  /// The cells that are blocked.
   [[nodiscard]] const BitGrid& blocked() const noexcept { return blocked_; }
 
   /// Edge cells are blocked and have a neighbour that is not: whatever comes from free ground hits
   /// such a one first.
   [[nodiscard]] const BitGrid& edges() const noexcept { return edges_; }
 
-  /// False outside of the frame.
+  /// Whether a cell is blocked; false outside of the frame.
   [[nodiscard]] bool is_blocked(std::int32_t x, std::int32_t y) const noexcept {
     return x >= 0 && y >= 0 && x < columns() && y < rows() && blocked_.is_set(x, y);
   }

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "base/decimal.h"
+#include "base/text.h"
 
 namespace vandplan::geometry {
 namespace {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/text.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {
@@ -91,12 +92,6 @@ std::string in_file(const std::string& where, int line) {
   return where + ":" + std::to_string(line);
 }
 
-std::string joined(std::initializer_list<std::string_view> words) {
-  std::string text;
-  for (const std::string_view word : words) text.append(text.empty() ? "" : ", ").append(word);
-  return text;
-}
-
 }  // namespace
 
 std::string Document::prefix_for(const Node& node) const {
@@ -144,9 +139,9 @@ void Document::allow_only(const Node& node, std::initializer_list<std::string_vi
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
     const std::string& key = node.keys[i].text;
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    throw InputError(
-        in_file(where_, node.keys[i].line),
-        prefix_for(node) + "unknown key " + quoted(key) + ", expected one of " + joined(keys));
+    throw InputError(in_file(where_, node.keys[i].line), prefix_for(node) + "unknown key " +
+                                                             quoted(key) + ", expected one of " +
+                                                             base::joined(keys));
   }
 }
 

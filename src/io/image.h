@@ -9,13 +9,13 @@
 
 namespace vandplan::io {
 
-/// What becomes of transparency.
+/// What becomes of transparent pixels.
 enum class Alpha {
   marked,  ///< a pixel that is not opaque has no brightness
   ignored,
 };
 
-/// Brightness: the sum of the channels, red, green and blue alike for grey.
+/// The brightness of pixels: the sum of their channels, with red, green and blue alike for grey.
 struct Image {
   static constexpr std::uint32_t transparent = UINT32_MAX;
 
@@ -25,15 +25,7 @@ struct Image {
   std::vector<std::uint32_t> pixels;  ///< row by row from the top; at most `white`
 };
 
-/// Reads PGM (P2, P5) or PNG. Throws InputError, `where` standing for the file, if it is neither,
-/// broken, or has more than `most_map_cells` pixels.
-[[nodiscard]] Image image_from(const std::string& bytes, const std::string& where, Alpha alpha);
-
-/// The parts of it.
-[[nodiscard]] Image image_from_pgm(const std::string& bytes, const std::string& where);
-[[nodiscard]] Image image_from_png(const std::string& bytes, const std::string& where, Alpha alpha);
-
-/// Throws InputError for a size that no map has.
+/// Throws InputError, `where` standing for the file, for no pixels or more than `most_map_cells`.
 void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where);
 
 }  // namespace vandplan::io

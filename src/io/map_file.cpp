@@ -13,7 +13,7 @@
 #include <filesystem>
 
 #include "io/document.h"
-#include "io/image.h"
+#include "io/image_file.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
@@ -97,19 +97,19 @@ Cell cell_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
   return cell_between(rule, static_cast<double>(part) / white);
 }
 
-Image image_of(const Document& file, const std::string& map, Mode mode) {
+io::Image image_of(const Document& file, const std::string& map, Mode mode) {
   const Node& node = file.at(file.root(), "image");
   if (file.text(node).empty()) file.fail(node, "is empty, expected the name of a PGM or PNG image");
   const std::filesystem::path path = std::filesystem::path(map).parent_path() / file.text(node);
-  const Alpha alpha = mode == Mode::raw ? Alpha::ignored : Alpha::marked;
+  const io::Alpha alpha = mode == Mode::raw ? io::Alpha::ignored : io::Alpha::marked;
   try {
-    return image_from(read_file(path.string(), largest_image), path.string(), alpha);
+    return io::image_from(read_file(path.string(), largest_image), path.string(), alpha);
   } catch (const InputError& error) {
     file.fail(node, error.what());
   }
 }
 
-std::vector<Cell> cells_of(const Image& image, const Rule& rule) {
+std::vector<Cell> cells_of(const io::Image& image, const Rule& rule) {
   // Few brightnesses, many pixels.
   std::vector<Cell> cell_of_brightness;
   for (std::uint32_t i = 0; i <= image.white; ++i) {
@@ -121,7 +121,7 @@ std::vector<Cell> cells_of(const Image& image, const Rule& rule) {
   for (std::size_t row = static_cast<std::size_t>(image.rows); row-- > 0;) {  // the top one last
     for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
       const std::uint32_t pixel = image.pixels[i];
-      cells.push_back(pixel == Image::transparent ? Cell::unknown : cell_of_brightness[pixel]);
+      cells.push_back(pixel == io::Image::transparent ? Cell::unknown : cell_of_brightness[pixel]);
     }
   }
   return cells;
@@ -172,7 +172,7 @@ OccupancyGrid read_map(const std::string& name) {
   }
   grid.origin = {file.number(place[0]), file.number(place[1]), file.number(place[2])};
   const Rule rule = rule_from(file);
-  const Image image = image_of(file, name, rule.mode);
+  const io::Image image = image_of(file, name, rule.mode);
   grid.columns = image.columns;
   grid.rows = image.rows;
   grid.cells = std::make_shared<const std::vector<Cell>>(cells_of(image, rule));

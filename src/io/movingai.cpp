@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "base/trigonometry.h"
 #include "io/document.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
@@ -158,7 +159,7 @@ Scenario read_movingai(const MovingAiProblem& problem) {
   };
   const Point start = middle(places[0], places[1]);
   const Point goal = middle(places[2], places[3]);
-  const double heading = std::atan2(goal.y - start.y, goal.x - start.x);
+  const double heading = base::atan_2(goal.y - start.y, goal.x - start.x);
   scenario.name =
       fmt::format("{}-{}", std::filesystem::path(problem.problems).stem().string(), problem.number);
   scenario.description = "MovingAI; the headings at both ends are those from start to goal";

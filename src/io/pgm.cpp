@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How is a portable grey map read?
-//
-// https://netpbm.sourceforge.net/doc/pgm.html: magic number, width, height, greatest value, all
-// separated by blanks and comments; then one byte (two from 256 on, the higher one first) or one
-// decimal number for each pixel.
+#include "io/pgm.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +8,11 @@
 #include <charconv>
 #include <string_view>
 
-#include "io/image.h"
 #include "vandplan/input_error.h"
-#include "vandplan/occupancy_grid.h"
+
+// https://netpbm.sourceforge.net/doc/pgm.html: magic number, width, height, greatest value, all
+// separated by blanks and comments; then one byte (two from 256 on, the higher one first) or one
+// decimal number for each pixel.
 
 namespace vandplan::io {
 namespace {
@@ -68,28 +66,6 @@ class Reader {
   std::size_t at_ = 2;  // behind the magic number
 };
 
-/// What a file is that we do not read, from how it begins.
-std::string kind_of(const std::string& bytes) {
-  struct Kind {
-    std::string_view begin, name;
-  };
-  constexpr std::array<Kind, 11> kinds = {{{"BM", "a BMP image"},
-                                           {"\xFF\xD8\xFF", "a JPEG image"},
-                                           {"GIF8", "a GIF image"},
-                                           {"II*", "a TIFF image"},
-                                           {"MM", "a TIFF image"},
-                                           {"RIFF", "a WebP image"},
-                                           {"P1", "a PBM image"},
-                                           {"P4", "a PBM image"},
-                                           {"P3", "a PPM image"},
-                                           {"P6", "a PPM image"},
-                                           {"P7", "a PAM image"}}};
-  for (const Kind& kind : kinds) {
-    if (bytes.starts_with(kind.begin)) return std::string(kind.name);
-  }
-  return bytes.empty() ? "empty" : "no image that can be read";
-}
-
 void read_binary(Reader& reader, std::uint64_t greatest, Image& image) {
   const std::string_view raster = reader.raster();
   const std::size_t width = greatest < 256 ? 1 : 2;
@@ -109,13 +85,6 @@ void read_binary(Reader& reader, std::uint64_t greatest, Image& image) {
 }
 
 }  // namespace
-
-void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where) {
-  const auto most = static_cast<std::uint64_t>(most_map_cells);
-  if (columns >= 1 && rows >= 1 && columns <= most && rows <= most / columns) return;
-  throw InputError(where, fmt::format("is {} x {} pixels, expected at least one and at most {}",
-                                      columns, rows, most));
-}
 
 Image image_from_pgm(const std::string& bytes, const std::string& where) {
   Reader reader(bytes, where);
@@ -140,12 +109,6 @@ Image image_from_pgm(const std::string& bytes, const std::string& where) {
     }
   }
   return image;
-}
-
-Image image_from(const std::string& bytes, const std::string& where, Alpha alpha) {
-  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return image_from_pgm(bytes, where);
-  if (bytes.starts_with("\x89PNG")) return image_from_png(bytes, where, alpha);
-  throw InputError(where, "is " + kind_of(bytes) + ", expected a PGM (P2 or P5) or PNG image");
 }
 
 }  // namespace vandplan::io

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/text.h"
 #include "io/document.h"
 #include "io/input_file.h"
 #include "vandplan/input_error.h"
@@ -20,12 +21,11 @@ namespace {
 using namespace io;
 
 PlanStatus status_from(const Document& file, const Node& node) {
-  std::string names;
   for (const PlanStatus status : plan_statuses()) {
     if (file.text(node) == name_of(status)) return status;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(status));
   }
-  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node), names));
+  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node),
+                              base::joined(plan_statuses(), name_of)));
 }
 
 Pose pose_from(const Document& file, const Node& node) {

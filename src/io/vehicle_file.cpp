@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
+#include "base/text.h"
+#include "base/trigonometry.h"
 #include "embedded_vehicles.h"
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
@@ -21,7 +22,8 @@ double radius_from(const Document& file, const Node& node, double wheelbase) {
   if (!(angle > 0 && angle < std::numbers::pi / 2)) {
     file.fail(node, fmt::format("is {}, expected more than 0 and less than 1.5707 rad", angle));
   }
-  return wheelbase / std::tan(angle);
+  const auto [sin, cos] = base::sin_cos(angle);
+  return wheelbase * cos / sin;
 }
 
 double turning_radius_from(const Document& file, const Node& node, double wheelbase) {
@@ -63,11 +65,8 @@ Vehicle read(const EmbeddedVehicle& vehicle) {
 }
 
 std::string no_such_vehicle(std::string_view name) {
-  std::string names;
-  for (const EmbeddedVehicle& v : embedded_vehicles) {
-    names.append(names.empty() ? "" : ", ").append(v.name);
-  }
-  return fmt::format("is \"{}\", expected one of {}", name.substr(0, 40), names);
+  return fmt::format("is \"{}\", expected one of {}", name.substr(0, 40),
+                     base::joined(embedded_vehicles, &EmbeddedVehicle::name));
 }
 
 }  // namespace

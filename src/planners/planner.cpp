@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "planners/registered.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
@@ -12,12 +13,6 @@
 
 namespace vandplan {
 namespace {
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
   const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
@@ -37,14 +32,14 @@ const CommonOption* common_option(std::string_view name) {
   if (!others.empty()) {
     throw InputError(std::string(option),
                      "is no option of " + planner.name +
-                         ", expected one of the planners that honour it: " + joined(others));
+                         ", expected one of the planners that honour it: " + base::joined(others));
   }
   std::vector<std::string> names;
   for (const CommonOption& common : common_options()) {
     if (honours(planner, common.name)) names.emplace_back(common.name);
   }
   for (const OptionInfo& info : planner.options) names.push_back(info.name);
-  throw InputError(std::string(option), "unknown option, expected one of " + joined(names));
+  throw InputError(std::string(option), "unknown option, expected one of " + base::joined(names));
 }
 
 /// What is no default though the planner takes no notice of it.
@@ -98,6 +93,9 @@ PathClaims claims_of(const PlanResult& result, const CostOptions& options) {
 void judge(const Problem& problem, const PlanOptions& options, PlanResult& result) {
   result.check = check_path(problem, *result.path, claims_of(result, options.cost));
   if (result.check->valid) {
+    if (result.anytime.empty()) {  // a planner that keeps no trace
+      result.anytime.push_back({result.time_total, result.iterations, result.cost});
+    }
     result.lower_bound = std::min(result.lower_bound, result.cost);  // rounding apart
     return;
   }
@@ -121,12 +119,14 @@ PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time
   if (result.tree) {
     for (Pose& pose : result.tree->poses) pose = to_scenario(*problem.world(), pose);
   }
-  if (answer.segments) {
-    result.status = PlanStatus::solved;
-    result.path = Path{problem.start(), *std::move(answer.segments)};
-  } else if (answer.status == PlanStatus::solved) {
+  const bool is_solved = answer.status == PlanStatus::solved;
+  if (is_solved != answer.segments.has_value()) {
     result.status = PlanStatus::rejected;
-    result.reason = "the planner says that it is solved, and gives no path";
+    result.reason = is_solved ? "the planner says solved, and gives no path"
+                              : "the planner gives a path, and says " +
+                                    std::string(name_of(answer.status));
+  } else if (is_solved) {
+    result.path = Path{problem.start(), *std::move(answer.segments)};
   }
   return result;
 }
@@ -139,20 +139,17 @@ std::int64_t counter(const PlanResult& result, std::string_view name) noexcept {
 }
 
 std::span<const Planner> planners() {
-  static const std::vector<Planner> all = registered_planners();
+  static const std::vector<Planner> all = planning::registered_planners();
   return all;
 }
 
 const Planner& default_planner() { return planners().front(); }
 
 const Planner& planner_named(std::string_view name) {
-  std::vector<std::string> names;
-  for (const Planner& planner : planners()) {
-    if (planner.name == name) return planner;
-    names.push_back(planner.name);
-  }
-  throw InputError("planner",
-                   "\"" + std::string(name) + "\" is unknown, expected one of " + joined(names));
+  const auto found = std::ranges::find(planners(), name, &Planner::name);
+  if (found != planners().end()) return *found;
+  throw InputError("planner", "\"" + std::string(name) + "\" is unknown, expected one of " +
+                                  base::joined(planners(), &Planner::name));
 }
 
 bool honours(const Planner& planner, std::string_view option) {
@@ -168,7 +165,7 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
                 std::string_view text) {
   if (!honours(planner, name)) refuse(planner, name);
   if (const OptionInfo* const own = own_option(planner, name)) {
-    options.planner.set(name, option_value(*own, text));
+    options.planner.set(name, parsed_value(*own, text));
     return;
   }
   const CommonOption& common = *common_option(name);
@@ -187,7 +184,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
   PlanOptions all = options;
   for (const OptionInfo& info : planner.options) {
     const OptionValue* const given = options.planner.find(info.name);
-    all.planner.set(info.name, given == nullptr ? info.standard : option_value(info, *given));
+    all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
   }
   if (!all.budget.time_limit && !all.budget.max_iterations) {
     all.budget.time_limit = default_time_limit;

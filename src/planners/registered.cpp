@@ -8,7 +8,7 @@
 #include "planners/rrt.h"
 #include "planners/shared_options.h"
 
-namespace vandplan {
+namespace vandplan::planning {
 namespace {
 
 using rrt::Strategy;
@@ -89,4 +89,4 @@ std::vector<Planner> registered_planners() {
   return planners;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::planning

@@ -7,9 +7,9 @@
 
 #include "vandplan/planner.h"
 
-namespace vandplan {
+namespace vandplan::planning {
 
 /// All of them, the default one first, in the order of the documentation.
 [[nodiscard]] std::vector<Planner> registered_planners();
 
-}  // namespace vandplan
+}  // namespace vandplan::planning

@@ -6,10 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "planners/shared_options.h"
 #include "vandplan/nearest.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
 
@@ -164,7 +163,7 @@ class Run {
 
 std::vector<OptionInfo> options(bool tries_goal) {
   return {
-      region_option(),
+      planning::region_option(),
       {.name = "goal_bias",
        .summary = "share of samples that are the goal",
        .standard = 0.05,
@@ -199,8 +198,8 @@ std::vector<OptionInfo> options(bool tries_goal) {
 PlannerAnswer plan(const Task& task, const PlanOptions& options, Variant variant) {
   PlannerAnswer answer;
   Budget budget(options.budget);
-  base::Rng rng(options.budget.seed);
-  const Bounds region = sampling_region(task, region_of(options));
+  Rng rng(options.budget.seed);
+  const Bounds region = sampling_region(task, planning::region_of(options));
   const double goal_bias = options.planner.number("goal_bias");
   const bool try_goal = options.planner.flag("try_goal");
   Run run(task, options, variant);  // [1]
@@ -211,9 +210,9 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, Variant variant
       answer.status = budget.reason();
       break;
     }
-    const bool is_goal = base::uniform01(rng) < goal_bias;
-    const Pose sample = is_goal ? task.goal : geometry::uniform_pose(region, rng);  // [2]
-    const std::optional<Adoption> adoption = run.adopt(sample);                     // [3] [4]
+    const bool is_goal = uniform01(rng) < goal_bias;
+    const Pose sample = is_goal ? task.goal : uniform_pose(region, rng);  // [2]
+    const std::optional<Adoption> adoption = run.adopt(sample);           // [3] [4]
     if (!adoption) continue;
     std::optional<Adoption> to_goal;
     if (is_goal) {

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/shared_options.h"
 
-namespace vandplan {
+namespace vandplan::planning {
 
 OptionInfo region_option() {
   return {.name = "region",
@@ -15,4 +15,4 @@ Region region_of(const PlanOptions& options) {
   return options.planner.word("region") == "scene" ? Region::scene : Region::bounds;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::planning

@@ -6,7 +6,7 @@
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
-namespace vandplan {
+namespace vandplan::planning {
 
 /// "region": where samples are drawn.
 [[nodiscard]] OptionInfo region_option();
@@ -14,4 +14,4 @@ namespace vandplan {
 /// The region that complete options name.
 [[nodiscard]] Region region_of(const PlanOptions& options);
 
-}  // namespace vandplan
+}  // namespace vandplan::planning

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/decimal.h"
+#include "base/text.h"
 #include "geometry/polygon.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"

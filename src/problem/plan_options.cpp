@@ -8,6 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/text.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
@@ -15,12 +16,9 @@ namespace {
 
 constexpr std::array<std::string_view, 3> gear_names = {"any", "forward", "reverse"};
 
-// Shortest text that reads back to the same value, whatever the locale.
 template <typename Number>
 std::string text_of(Number value) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
+  return base::shortest_text(value);
 }
 
 std::string text_of(bool value) { return value ? "true" : "false"; }
@@ -165,7 +163,7 @@ std::string json_of(const OptionValue& value) {
   return std::visit([](const auto& held) { return text_of(held); }, value);
 }
 
-OptionValue option_value(const OptionInfo& info, std::string_view text) {
+OptionValue parsed_value(const OptionInfo& info, std::string_view text) {
   OptionValue value = info.standard;
   try {
     std::visit([&](auto& held) { parse(text, held); }, value);
@@ -177,7 +175,7 @@ OptionValue option_value(const OptionInfo& info, std::string_view text) {
   return value;
 }
 
-OptionValue option_value(const OptionInfo& info, const OptionValue& given) {
+OptionValue fitting_value(const OptionInfo& info, const OptionValue& given) {
   OptionValue value = given;
   const auto* const integer = std::get_if<std::int64_t>(&given);
   if (integer != nullptr && std::holds_alternative<double>(info.standard)) {

@@ -49,18 +49,18 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
   mark(task.world->local().obstacles, near_);
   mark(task.world->local().kerbs, side_ / 2);  // the rear axle reaches as far
   root_ = cell_of({root.x, root.y});
-  const Cell to = cell_of(target_);
+  const RasterCell to = cell_of(target_);
   costs_[index_of(root_)] = unreached;
   costs_[index_of(to)] = unreached;
   front_ = to_root(to);
   reach(to, 0);
 }
 
-std::size_t GridDistance::index_of(const Cell& cell) const noexcept {
+std::size_t GridDistance::index_of(const RasterCell& cell) const noexcept {
   return static_cast<std::size_t>(cell.y * columns_ + cell.x);
 }
 
-GridDistance::Cell GridDistance::cell_of(const Point& point) const noexcept {
+GridDistance::RasterCell GridDistance::cell_of(const Point& point) const noexcept {
   return {static_cast<std::int32_t>((point.x - box_.x_min) / side_) + 1,
           static_cast<std::int32_t>((point.y - box_.y_min) / side_) + 1};
 }
@@ -101,23 +101,23 @@ void GridDistance::mark(const std::vector<Polygon>& polygons, double near) {
 }
 
 // When it is first reached: most cells of a large map never are.
-bool GridDistance::is_blocked_by_map(const Cell& cell) const {
+bool GridDistance::is_blocked_by_map(const RasterCell& cell) const {
   if (cell == root_ || cell == cell_of(target_)) return false;
   return map_->map_is_within(centre_of(cell), near_);
 }
 
-Point GridDistance::centre_of(const Cell& cell) const noexcept {
+Point GridDistance::centre_of(const RasterCell& cell) const noexcept {
   return {box_.x_min + (cell.x - 0.5) * side_, box_.y_min + (cell.y - 0.5) * side_};
 }
 
 // Never above the cost of the way from a cell to the root.
-std::int32_t GridDistance::to_root(const Cell& cell) const noexcept {
+std::int32_t GridDistance::to_root(const RasterCell& cell) const noexcept {
   const std::int32_t dx = std::abs(cell.x - root_.x);
   const std::int32_t dy = std::abs(cell.y - root_.y);
   return straight_cost * std::max(dx, dy) + (diagonal_cost - straight_cost) * std::min(dx, dy);
 }
 
-void GridDistance::reach(const Cell& cell, std::int32_t cost) {
+void GridDistance::reach(const RasterCell& cell, std::int32_t cost) {
   std::int32_t& known = costs_[index_of(cell)];
   if (known <= cost) return;  // blocked ones, too
   if (map_ != nullptr && known == unreached && is_blocked_by_map(cell)) {
@@ -132,14 +132,14 @@ void GridDistance::reach(const Cell& cell, std::int32_t cost) {
 bool GridDistance::step() {
   int empty = 0;
   for (int settled = 0; settled < 64 && front_ <= last_;) {
-    std::vector<Cell>& bucket = buckets_[static_cast<std::size_t>(front_ & 15)];
+    std::vector<RasterCell>& bucket = buckets_[static_cast<std::size_t>(front_ & 15)];
     if (bucket.empty()) {
       if (++empty == 16) return false;
       ++front_;
       continue;
     }
     empty = 0;
-    const Cell cell = bucket.back();
+    const RasterCell cell = bucket.back();
     bucket.pop_back();
     const std::int32_t cost = costs_[index_of(cell)];
     if (cost + to_root(cell) != front_) continue;
@@ -161,7 +161,7 @@ bool GridDistance::step() {
 double GridDistance::at(double x, double y) const noexcept {
   const double euclid = std::hypot(x - target_.x, y - target_.y);
   if (!contains(box_, {x, y})) return euclid;
-  const Cell cell = cell_of({x, y});
+  const RasterCell cell = cell_of({x, y});
   const std::int32_t cost = costs_[index_of(cell)];
   if (cost == blocked || (cost == unreached && !reached_)) return euclid;
   const std::int32_t least = cost == unreached ? front_ - to_root(cell) : cost;

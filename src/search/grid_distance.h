@@ -30,21 +30,21 @@ class GridDistance {
   [[nodiscard]] double at(double x, double y) const noexcept;
 
  private:
-  struct Cell {
+  struct RasterCell {
     std::int32_t x, y;
-    bool operator==(const Cell&) const = default;
+    bool operator==(const RasterCell&) const = default;
   };
 
-  /// Of a point in the box.
-  [[nodiscard]] Cell cell_of(const Point& point) const noexcept;
+  /// The cell that holds a point of the box.
+  [[nodiscard]] RasterCell cell_of(const Point& point) const noexcept;
   void mark_border();
-  [[nodiscard]] Point centre_of(const Cell& cell) const noexcept;
-  [[nodiscard]] bool is_blocked_by_map(const Cell& cell) const;
+  [[nodiscard]] Point centre_of(const RasterCell& cell) const noexcept;
+  [[nodiscard]] bool is_blocked_by_map(const RasterCell& cell) const;
   /// Blocks the cells that are near to a side of a polygon.
   void mark(const std::vector<Polygon>& polygons, double near);
-  void reach(const Cell& cell, std::int32_t cost);
-  [[nodiscard]] std::size_t index_of(const Cell& cell) const noexcept;
-  [[nodiscard]] std::int32_t to_root(const Cell& cell) const noexcept;
+  void reach(const RasterCell& cell, std::int32_t cost);
+  [[nodiscard]] std::size_t index_of(const RasterCell& cell) const noexcept;
+  [[nodiscard]] std::int32_t to_root(const RasterCell& cell) const noexcept;
 
   const CollisionChecker* map_;  // null without a map
   Bounds box_;
@@ -54,10 +54,10 @@ class GridDistance {
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
   std::vector<std::int32_t> costs_;  // in fifths of a cell; -1 blocked
-  std::array<std::vector<Cell>, 16> buckets_;
+  std::array<std::vector<RasterCell>, 16> buckets_;
   std::int32_t front_ = 0;  // cost and distance to the root of what is settled next
   std::int32_t last_;       // of `front_`
-  Cell root_{};
+  RasterCell root_{};
   bool reached_ = false;  // the root
 };
 

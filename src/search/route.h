@@ -35,7 +35,7 @@ struct Route {
 /// From the first leg to the last.
 [[nodiscard]] double cost_of(const CostRule& rule, const Route& route);
 
-/// The same way driven backwards.
+/// A route driven backwards: from its end to its start.
 [[nodiscard]] Route reversed(const Route& route);
 
 [[nodiscard]] Path path_of(const Route& route);

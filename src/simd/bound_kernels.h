@@ -29,7 +29,8 @@ struct LowHigh {
                                     float heading_node, float heading_sample,
                                     float radius) noexcept;
 
-/// The same from every node, given as structure of arrays, to one sample. Equal sizes.
+/// Bounds of the lengths from every node, given as structure of arrays, to one sample [m]. Equal
+/// sizes.
 void length_bounds(const BoundEntry* entries, std::span<const float> x, std::span<const float> y,
                    std::span<const float> heading, const BoundSample& sample, float radius,
                    std::span<float> low, std::span<float> high) noexcept;

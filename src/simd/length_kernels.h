@@ -20,7 +20,7 @@ struct LengthSample {
 [[nodiscard]] float reeds_shepp_length(float dx, float dy, float heading_node, float heading_sample,
                                        float radius) noexcept;
 
-/// The same from every node, given as structure of arrays, to one sample. Equal sizes.
+/// Lengths from every node, given as structure of arrays, to one sample [m]. Equal sizes.
 void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
                          std::span<const float> heading, const LengthSample& sample, float radius,
                          std::span<float> out) noexcept;

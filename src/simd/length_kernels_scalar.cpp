@@ -51,19 +51,19 @@ float angle_of_turned(float x, float y, float p, float q) noexcept {
 }
 
 // The pair in the mean frame, all signs positive; lengths in turning radii (mean_frame.h).
-struct Circles {
+struct FloatCircles {
   float x, y;
   float a, s, c;  // half turn, its sine and cosine
   float lr, rl;   // squared distances of left and right circles, less 4
 };
 
-Circles circles(float dx, float dy, float heading_node, float heading_sample,
-                float radius) noexcept {
+FloatCircles circles(float dx, float dy, float heading_node, float heading_sample,
+                     float radius) noexcept {
   const float mean = 0.5F * (heading_node + heading_sample);
   const float turns = std::nearbyint(mean * (1 / pi));
   const auto [sin, cos] = direction((mean - turns * pi) - turns * rest_of_pi);
   const float scale = 1.0F / radius;
-  Circles p;
+  FloatCircles p;
   p.x = std::abs(dx * cos + dy * sin) * scale;
   p.y = std::abs(dy * cos - dx * sin) * scale;
   const float difference = std::abs(heading_node - heading_sample);
@@ -79,7 +79,7 @@ Circles circles(float dx, float dy, float heading_node, float heading_sample,
 }
 
 // Words of four arcs and of three where the first left and the last right circle overlap.
-float shortest_of_arcs(const Circles& p) noexcept {
+float shortest_of_arcs(const FloatCircles& p) noexcept {
   const float x = p.x + 2 * p.s;
   const float across = 2 * p.c - p.y;
   const float between = root(p.x * p.x + across * across);
@@ -105,7 +105,7 @@ float shortest_of_arcs(const Circles& p) noexcept {
 }
 
 // The choice of reeds_shepp_formulas.h; docs/algorithms/steering.md derives it.
-float shortest(const Circles& p) noexcept {
+float shortest(const FloatCircles& p) noexcept {
   if (p.rl <= 0) return 2 * p.a;  // 8.3
 
   const float less = p.x - 2 * p.s;

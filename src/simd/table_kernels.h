@@ -23,7 +23,7 @@ struct TableView {
 };
 
 /// A cell, and the shape of the table it is in.
-struct TableCell {
+struct TableGridPoint {
   int x, y, heading_node, heading_sample;
 };
 struct TableShape {
@@ -31,7 +31,7 @@ struct TableShape {
 };
 
 /// Position of a cell's entry; used by fill and look-up alike.
-constexpr int table_index(const TableShape& shape, const TableCell& cell) {
+constexpr int table_index(const TableShape& shape, const TableGridPoint& cell) {
   return ((cell.x * shape.positions + cell.y) * shape.headings + cell.heading_node) *
              shape.headings +
          cell.heading_sample;

@@ -24,29 +24,31 @@ int nearest_heading(const TableView& table, float heading) noexcept {
 
 // Algorithm 7 of Guo 2020.
 //
-//   [1] outside the window: Euclid
-//   [2] fold y < 0 onto y > 0, then x < 0 onto x > 0 (Algorithm 5)
-//   [3] floor x and y, round both headings
-//   [4] read one entry
+//   [1] dx, dy and the headings are the arguments
+//   [2] outside the window: Euclid
+//   [3] fold y < 0 onto y > 0 (Algorithm 5)
+//   [4] then x < 0 onto x > 0
+//   [5] floor x and y, round both headings
+//   [6] read one entry
 float table_distance(const TableView& table, float dx, float dy, float heading_node,
                      float heading_sample) noexcept {
   const float x = std::abs(dx) * table.to_table;
   const float y = std::abs(dy) * table.to_table;
-  if (x >= table.extent || y >= table.extent) return std::sqrt(dx * dx + dy * dy);  // [1]
-  if (dy < 0.0F) {                                                                  // [2]
+  if (x >= table.extent || y >= table.extent) return std::sqrt(dx * dx + dy * dy);  // [2]
+  if (dy < 0.0F) {                                                                  // [3]
     heading_node = -heading_node;
     heading_sample = -heading_sample;
   }
-  if (dx < 0.0F) {
+  if (dx < 0.0F) {  // [4]
     heading_node = mirrored_in_y(heading_node);
     heading_sample = mirrored_in_y(heading_sample);
   }
-  const int ix = static_cast<int>(x * table.cells_per_metre);  // [3]
+  const int ix = static_cast<int>(x * table.cells_per_metre);  // [5]
   const int iy = static_cast<int>(y * table.cells_per_metre);
-  const TableCell cell{ix, iy, nearest_heading(table, heading_node),
-                       nearest_heading(table, heading_sample)};
+  const TableGridPoint cell{ix, iy, nearest_heading(table, heading_node),
+                            nearest_heading(table, heading_sample)};
   const int index = table_index({table.positions, table.headings}, cell);
-  return table.entries[index] * table.from_table;  // [4]
+  return table.entries[index] * table.from_table;  // [6]
 }
 
 void scalar::table_distances(const TableView& table, std::span<const float> x,

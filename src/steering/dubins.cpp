@@ -20,7 +20,7 @@ using steering::Circles, steering::MeanFrame, steering::mean_frame;
 constexpr double pi = std::numbers::pi;
 
 /// Arcs and line of a word at unit radius, first to last.
-struct Word {
+struct DubinsWord {
   std::array<int, 3> turns;  ///< 1 left, 0 straight, -1 right
   std::array<double, 3> lengths;
 };
@@ -37,26 +37,26 @@ constexpr double position_noise = 1e-14;
 // Angles and lengths as in docs/algorithms/steering.md; the first turn is to the left. Words that
 // begin to the right are those of the mirrored frame.
 
-std::optional<Word> same_sides(const Circles& p) {  // LSL
+std::optional<DubinsWord> same_sides(const Circles& p) {  // LSL
   const double x = p.x - 2 * p.s;
   const double d = std::sqrt(x * x + p.y * p.y);
   const double noise = position_noise / d;
   const double turn = full_angle(2 * p.a, position_noise);
   double t = full_angle(atan_2(p.y, x) + p.a, noise);
   if (t > turn && t - turn <= noise) t = turn;
-  return Word{{1, 0, 1}, {t, d, t <= turn ? turn - t : turn - t + 2 * pi}};
+  return DubinsWord{{1, 0, 1}, {t, d, t <= turn ? turn - t : turn - t + 2 * pi}};
 }
 
-std::optional<Word> other_sides(const Circles& p) {  // LSR
+std::optional<DubinsWord> other_sides(const Circles& p) {  // LSR
   if (p.lr < -position_noise) return {};
   const double y = p.y - 2 * p.c;
   const double d = std::sqrt(std::max(p.lr, 0.0));
   const double h = atan_2(y * d + 2 * p.x, p.x * d - 2 * y);
   const double noise = position_noise / std::max(d, 1e-4);
-  return Word{{1, 0, -1}, {full_angle(h + p.a, noise), d, full_angle(h - p.a, noise)}};
+  return DubinsWord{{1, 0, -1}, {full_angle(h + p.a, noise), d, full_angle(h - p.a, noise)}};
 }
 
-std::optional<Word> three_arcs(const Circles& p) {  // LRL
+std::optional<DubinsWord> three_arcs(const Circles& p) {  // LRL
   const double x = p.x - 2 * p.s;
   const double squared = x * x + p.y * p.y;
   if (squared > 16) return {};
@@ -64,8 +64,8 @@ std::optional<Word> three_arcs(const Circles& p) {  // LRL
   const double half = pi - atan_2(d, std::sqrt(16 - squared));
   const double h = atan_2(p.y, x);
   const double noise = position_noise / std::max(d, 1e-4);
-  return Word{{1, -1, 1},
-              {full_angle(h + p.a + half, noise), 2 * half, full_angle(p.a - h + half, noise)}};
+  return DubinsWord{
+      {1, -1, 1}, {full_angle(h + p.a + half, noise), 2 * half, full_angle(p.a - h + half, noise)}};
 }
 
 Circles mirrored(const Circles& p) {
@@ -77,12 +77,12 @@ Circles mirrored(const Circles& p) {
   return result;
 }
 
-Word mirrored(Word word) {
+DubinsWord mirrored(DubinsWord word) {
   for (int& turn : word.turns) turn = -turn;
   return word;
 }
 
-Piece piece_of(const Word& word, double radius) {
+Piece piece_of(const DubinsWord& word, double radius) {
   Piece piece;
   for (std::size_t i = 0; i < 3; ++i) {
     const double length = word.lengths[i] * radius;
@@ -98,10 +98,10 @@ template <typename Take>
 void for_each_word(const MeanFrame& frame, Take take) {
   const Circles circles(frame);
   const Circles mirror = mirrored(circles);
-  const auto take_if = [&](const std::optional<Word>& word) {
+  const auto take_if = [&](const std::optional<DubinsWord>& word) {
     if (word) take(*word);
   };
-  const auto take_mirrored_if = [&](const std::optional<Word>& word) {
+  const auto take_mirrored_if = [&](const std::optional<DubinsWord>& word) {
     if (word) take(mirrored(*word));
   };
   take_if(same_sides(circles));           // LSL
@@ -116,9 +116,9 @@ void for_each_word(const MeanFrame& frame, Take take) {
 
 Piece dubins(const Pose& from, const Pose& to, double radius) noexcept {
   const MeanFrame frame = mean_frame(from, to, radius);
-  std::optional<Word> best;
+  std::optional<DubinsWord> best;
   double least = 0.0;
-  for_each_word(frame, [&](const Word& word) {
+  for_each_word(frame, [&](const DubinsWord& word) {
     const double length = word.lengths[0] + word.lengths[1] + word.lengths[2];
     if (best && length >= least) return;
     best = word;
@@ -134,7 +134,7 @@ double dubins_length(const Pose& from, const Pose& to, double radius) noexcept {
 std::vector<Piece> dubins_words(const Pose& from, const Pose& to, double radius) {
   std::vector<Piece> words;
   for_each_word(mean_frame(from, to, radius),
-                [&](const Word& word) { words.push_back(piece_of(word, radius)); });
+                [&](const DubinsWord& word) { words.push_back(piece_of(word, radius)); });
   return words;
 }
 

@@ -11,17 +11,19 @@
 
 namespace vandplan::steering {
 
-/// The relative pose. Lengths are in turning radii. The first pose is (-x/2, -y/2, -half_turn), the
-/// second (x/2, y/2, half_turn). Swapping the poses changes the three signs and not a bit besides.
+/// The relative pose of two poses. Lengths are in turning radii. The first pose is (-x/2, -y/2,
+/// -half_turn), the second (x/2, y/2, half_turn). Swapping the poses changes the three signs and
+/// not a bit besides.
 struct MeanFrame {
   double x = 0.0;
   double y = 0.0;
   double half_turn = 0.0;  ///< in [-pi/2, pi/2]
 };
 
+/// The mean frame of two poses for a turning `radius` > 0 [m].
 [[nodiscard]] MeanFrame mean_frame(const Pose& from, const Pose& to, double radius) noexcept;
 
-/// The same with what formulas share about the circles of radius 1 that the poses can turn on.
+/// A mean frame with what formulas share about the circles of radius 1 that its poses can turn on.
 struct Circles {
   explicit Circles(const MeanFrame& frame) noexcept : x(frame.x), y(frame.y), a(frame.half_turn) {
     const auto [sin, cos] = base::sin_cos(a);

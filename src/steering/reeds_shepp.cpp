@@ -46,7 +46,7 @@ constexpr Steps steps_from(std::string_view text) {
   return steps;
 }
 
-const Steps& steps_of(Word word) {
+const Steps& steps_of(Formula formula) {
   static constexpr Steps steps[] = {
       steps_from("L+S+L+"),      // 8.1
       steps_from("L+S+R+"),      // 8.2
@@ -58,7 +58,7 @@ const Steps& steps_of(Word word) {
       steps_from("R-L+S+L+"),    // 8.10
       steps_from("R-L+S+R+L-"),  // 8.11
   };
-  return steps[static_cast<std::size_t>(word)];
+  return steps[static_cast<std::size_t>(formula)];
 }
 
 /// Which signs of the mean frame change; each change maps paths onto paths.
@@ -83,8 +83,8 @@ struct Symmetry {
 };
 
 /// A word at `radius` as `symmetry` makes it; parts of no length are left out.
-Piece piece_of(Word word, const Arcs& arcs, const Symmetry& symmetry, double radius) {
-  const Steps& steps = steps_of(word);
+Piece piece_of(Formula formula, const Arcs& arcs, const Symmetry& symmetry, double radius) {
+  const Steps& steps = steps_of(formula);
   const double parts[] = {arcs.first, arcs.inner, arcs.line, arcs.last};
   const double curvature = symmetry.swaps_sides() ? -1 / radius : 1 / radius;
   const double scale = symmetry.swaps_gears() ? -radius : radius;
@@ -101,11 +101,11 @@ Piece piece_of(Word word, const Arcs& arcs, const Symmetry& symmetry, double rad
 
 /// Takes back what rounding pushed below zero on the border between two words; the sum of all
 /// turns stays the same.
-Arcs without_noise(Word word, Arcs arcs) {
+Arcs without_noise(Formula formula, Arcs arcs) {
   double& lesser = arcs.first < arcs.last ? arcs.first : arcs.last;
   double& greater = arcs.first < arcs.last ? arcs.last : arcs.first;
   if (lesser < 0) {
-    greater += steps_of(word).same_sense ? lesser : -lesser;
+    greater += steps_of(formula).same_sense ? lesser : -lesser;
     lesser = 0;
   }
   return arcs;
@@ -132,8 +132,8 @@ double reeds_shepp_length(const Pose& from, const Pose& to, double radius) noexc
 
 Piece reeds_shepp(const Pose& from, const Pose& to, double radius) noexcept {
   const MeanFrame frame = mean_frame(from, to, radius);
-  const auto [word, arcs] = shortest(folded(frame));
-  return piece_of(word, without_noise(word, arcs), unfolding(frame), radius);
+  const auto [formula, arcs] = shortest(folded(frame));
+  return piece_of(formula, without_noise(formula, arcs), unfolding(frame), radius);
 }
 
 void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
@@ -149,7 +149,7 @@ namespace {
 
 /// What `reeds_shepp_words` needs to know of a formula.
 struct Kind {
-  Word word;
+  Formula formula;
   Arcs (*arcs)(const Circles&);
   bool (*exists)(const Circles&);
   Symmetry own;  ///< maps the word onto itself; none for a word that has eight images
@@ -166,15 +166,16 @@ constexpr Symmetry in_y{false, true, false};
 constexpr Symmetry in_half_turn{false, false, true};
 
 constexpr Kind kinds[] = {
-    {Word::lsl, lsl, [](const Circles&) { return true; }, in_y},
-    {Word::lsr, lsr, [](const Circles& p) { return p.lr >= 0; }, in_half_turn},
-    {Word::l_r_l, l_r_l, [](const Circles& p) { return from_left_to_left(p) <= 16; }, in_y},
-    {Word::r_lr, r_lr, [](const Circles& p) { return from_right_to_right(p) <= 16; }, none},
-    {Word::lr_lr, lr_lr, [](const Circles& p) { return p.lr <= 0; }, in_x},
-    {Word::r_lr_l, r_lr_l, [](const Circles& p) { return p.rl >= 0 && p.rl <= 32; }, in_half_turn},
-    {Word::r_lsr, r_lsr, [](const Circles& p) { return from_right_to_right(p) >= 8; }, none},
-    {Word::r_lsl, r_lsl, [](const Circles& p) { return p.rl >= 0; }, none},
-    {Word::r_lsr_l, r_lsr_l, [](const Circles& p) { return p.rl >= 16; }, in_half_turn},
+    {Formula::lsl, lsl, [](const Circles&) { return true; }, in_y},
+    {Formula::lsr, lsr, [](const Circles& p) { return p.lr >= 0; }, in_half_turn},
+    {Formula::l_r_l, l_r_l, [](const Circles& p) { return from_left_to_left(p) <= 16; }, in_y},
+    {Formula::r_lr, r_lr, [](const Circles& p) { return from_right_to_right(p) <= 16; }, none},
+    {Formula::lr_lr, lr_lr, [](const Circles& p) { return p.lr <= 0; }, in_x},
+    {Formula::r_lr_l, r_lr_l, [](const Circles& p) { return p.rl >= 0 && p.rl <= 32; },
+     in_half_turn},
+    {Formula::r_lsr, r_lsr, [](const Circles& p) { return from_right_to_right(p) >= 8; }, none},
+    {Formula::r_lsl, r_lsl, [](const Circles& p) { return p.rl >= 0; }, none},
+    {Formula::r_lsr_l, r_lsr_l, [](const Circles& p) { return p.rl >= 16; }, in_half_turn},
 };
 
 /// In [0, 2 pi), but what rounding pushed below zero stays there.
@@ -200,7 +201,8 @@ std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double ra
           Arcs arcs = kind.arcs(image);
           arcs.first = in_one_turn(arcs.first);
           arcs.last = in_one_turn(arcs.last);
-          words.push_back(piece_of(kind.word, without_noise(kind.word, arcs), symmetry, radius));
+          words.push_back(
+              piece_of(kind.formula, without_noise(kind.formula, arcs), symmetry, radius));
           words.back().length = length(words.back().view());
         }
       }

@@ -18,8 +18,9 @@ namespace vandplan::steering::reeds_shepp_formulas {
 
 using base::atan_2;
 
-/// One per formula: left, straight, right; `_` is a change of gear.
-enum class Word { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l };
+/// The nine formulas, by the words that they give: l and r are arcs, s is a line, `_` a change of
+/// gear.
+enum class Formula { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l };
 
 /// Lengths of the parts of a word. Where a word is not shortest, `first` and `last` may need whole
 /// turns to be added; `length` is right where they do not.
@@ -109,27 +110,28 @@ inline Arcs r_lsr_l(const Circles& p) {  // 8.11
   return {d - 4 + 2 * quarter + 2 * h, h + p.a, quarter, d - 4, h - p.a};
 }
 
+/// The shortest word and its arcs.
 struct Solution {
-  Word word;
+  Formula formula;
   Arcs arcs;
 };
 
 /// The shortest word for x, y, half_turn >= 0. Neighbouring words are equally long on the line or
 /// circle between them, so that rounding may take either there.
 inline Solution shortest(const Circles& p) {
-  if (p.rl <= 0) return {Word::l_r_l, l_r_l(p)};
+  if (p.rl <= 0) return {Formula::l_r_l, l_r_l(p)};
 
   const double ahead = (p.x - 2 * p.s) * p.c - p.y * p.s;
-  if (ahead <= 0 && p.x * p.s - p.y * p.c >= 2 * p.c * p.c) return {Word::r_lsl, r_lsl(p)};
-  if (ahead >= 0 && (p.x - 2 * p.s) * p.s - p.y * p.c >= 0) return {Word::lsl, lsl(p)};
+  if (ahead <= 0 && p.x * p.s - p.y * p.c >= 2 * p.c * p.c) return {Formula::r_lsl, r_lsl(p)};
+  if (ahead >= 0 && (p.x - 2 * p.s) * p.s - p.y * p.c >= 0) return {Formula::lsl, lsl(p)};
 
   const double x = p.x + 2 * p.s;
   const double beyond = x * p.c + p.y * p.s - 2;
-  if (p.rl >= 16 && beyond <= 0) return {Word::r_lsr_l, r_lsr_l(p)};
+  if (p.rl >= 16 && beyond <= 0) return {Formula::r_lsr_l, r_lsr_l(p)};
   if (x * x + p.y * p.y >= 8 && beyond >= 0 && ahead + 4 * p.s * p.c <= 2) {
-    return {Word::r_lsr, r_lsr(p)};
+    return {Formula::r_lsr, r_lsr(p)};
   }
-  if (p.lr >= 0) return {Word::lsr, lsr(p)};
+  if (p.lr >= 0) return {Formula::lsr, lsr(p)};
 
   const bool is_r_lr_l = p.lr + 8 * p.s * x <= 0;
   const double across = 2 * p.c - p.y;
@@ -139,11 +141,11 @@ inline Solution shortest(const Circles& p) {
   if (is_r_lr_l && is_lr_lr) {  // the only two that overlap
     const Arcs r = r_lr_l(p);
     const Arcs l = lr_lr(p);
-    return r.length <= l.length ? Solution{Word::r_lr_l, r} : Solution{Word::lr_lr, l};
+    return r.length <= l.length ? Solution{Formula::r_lr_l, r} : Solution{Formula::lr_lr, l};
   }
-  if (is_r_lr_l) return {Word::r_lr_l, r_lr_l(p)};
-  if (is_lr_lr) return {Word::lr_lr, lr_lr(p)};
-  return {Word::r_lr, r_lr(p)};
+  if (is_r_lr_l) return {Formula::r_lr_l, r_lr_l(p)};
+  if (is_lr_lr) return {Formula::lr_lr, lr_lr(p)};
+  return {Formula::r_lr, r_lr(p)};
 }
 
 }  // namespace vandplan::steering::reeds_shepp_formulas

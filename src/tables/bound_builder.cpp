@@ -40,9 +40,9 @@ Interval coarse_excess(const PairBox& box) {
 }
 
 /// The cell in question, with the slopes that its planes shall have.
-class Cell {
+class BoundCell {
  public:
-  Cell(int radial, int side, int turn)
+  BoundCell(int radial, int side, int turn)
       : size_{1.0 / simd::radial_cells, 1.0 / simd::side_cells, 1.0 / simd::turn_cells},
         corner_{radial * size_[0], side * size_[1], turn * size_[2]} {}
 
@@ -106,7 +106,7 @@ std::uint32_t bits(double value, int count) {
 simd::BoundEntry bound_entry(int radial, int side, int turn) {
   constexpr Numbers steps{simd::slope_step * unit, simd::slope_step * unit, unit};
   constexpr std::array<int, 3> slope_bits{11, 11, 10};
-  const Cell cell(radial, side, turn);
+  const BoundCell cell(radial, side, turn);
   Numbers slopes = cell.fitted_slopes();
   std::array<std::uint32_t, 3> packed;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -43,11 +43,11 @@ using Slopes = std::array<Interval, 3>;
 /// Slopes of length - distance for one word.
 Slopes slopes_of(const Polar& box, const Chart& chart, const Word& word, const View& view,
                  const Pieces& p) {
-  if (word.formula == lcrcl) {
+  if (word.left_word == l_r_l) {
     return {-chart.radial_to_distance, point(0.0), point(pi * word.turn)};
   }
-  const Circles& c = *view.circles;
-  const Shape& shape = shape_of(word.formula);
+  const CirclePair& c = *view.circles;
+  const Shape& shape = shape_of(word.left_word);
   const double handed = view.handed;
   const Interval size = shape.has_line ? point(1.0) : inverse(sine(p.middle));
   const Interval push = c.directed ? c.lean * handed + p.tilt : Interval{-pi, pi};
@@ -142,10 +142,10 @@ Excess excess_over(const PairBox& box, const WordSet& among) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!among[i]) continue;
     const View view = view_of(whole, words[i]);
-    const std::optional<Pieces> pieces = pieces_of(whole, words[i].formula, view);
+    const std::optional<Pieces> pieces = pieces_of(whole, words[i].left_word, view);
     if (!pieces || !pieces->can_be_shortest()) continue;
     Candidate candidate{i, *pieces, slopes_of(whole, chart, words[i], view, *pieces)};
-    const auto there = pieces_of(centre, words[i].formula, view_of(centre, words[i]));
+    const auto there = pieces_of(centre, words[i].left_word, view_of(centre, words[i]));
     candidate.lead = there ? there->length().low - shortest : -infinity;
     candidate.counts = there && there->can_be_shortest() && candidate.lead < margin;
     candidates.push_back(candidate);

@@ -24,10 +24,11 @@ struct Excess {
   bool bounded = true;               ///< else nothing is known of the slopes
 };
 
-/// `among`: no other word is shortest anywhere in the box.
+/// Length - distance over a box, given that no word but those of `among` is shortest anywhere in
+/// it.
 [[nodiscard]] Excess excess_over(const PairBox& box, const WordSet& among);
 
-/// The same for a single pair.
+/// Length - distance of a single pair, by its coordinates in [0, 1] [turning radii].
 [[nodiscard]] double excess_at(double radial, double side, double turn);
 
 }  // namespace vandplan::tables

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal.h"
+#include "base/text.h"
 #include "simd/table_kernels.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
@@ -85,9 +85,9 @@ HeuristicTable::HeuristicTable(const HeuristicTableOptions& options)
       for (int node = 0; node < headings(); ++node) {
         const Pose from = node_of({x, y, node, 0});
         for (int sample = 0; sample < headings(); ++sample) {
-          const Cell cell{x, y, node, sample};
-          entries[index_of(cell)] =
-              static_cast<float>(reeds_shepp_length(from, sample_of(cell), radius));
+          const GridPoint point{x, y, node, sample};
+          entries[index_of(point)] =
+              static_cast<float>(reeds_shepp_length(from, sample_of(point), radius));
         }
       }
     }
@@ -111,19 +111,19 @@ HeuristicTable::HeuristicTable(const HeuristicTableOptions& options, std::span<c
   }
 }
 
-std::size_t HeuristicTable::index_of(const Cell& cell) const noexcept {
+std::size_t HeuristicTable::index_of(const GridPoint& point) const noexcept {
   const int index = simd::table_index({positions(), headings()},
-                                      {cell.x, cell.y, cell.heading_node, cell.heading_sample});
+                                      {point.x, point.y, point.heading_node, point.heading_sample});
   return static_cast<std::size_t>(index);
 }
 
-Pose HeuristicTable::node_of(const Cell& cell) const noexcept {
-  return {cell.x * options_.step, cell.y * options_.step,
-          heading_at(cell.heading_node, options_.heading_cells)};
+Pose HeuristicTable::node_of(const GridPoint& point) const noexcept {
+  return {point.x * options_.step, point.y * options_.step,
+          heading_at(point.heading_node, options_.heading_cells)};
 }
 
-Pose HeuristicTable::sample_of(const Cell& cell) const noexcept {
-  return {0.0, 0.0, heading_at(cell.heading_sample, options_.heading_cells)};
+Pose HeuristicTable::sample_of(const GridPoint& point) const noexcept {
+  return {0.0, 0.0, heading_at(point.heading_sample, options_.heading_cells)};
 }
 
 double HeuristicTable::distance(const Pose& node, const Pose& sample,

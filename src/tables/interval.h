@@ -65,12 +65,12 @@ inline Interval square(Interval a) {
   return {a.low <= 0.0 && a.high >= 0.0 ? 0.0 : std::min(low, high), std::max(low, high)};
 }
 
-/// Of what is not negative in `a`.
+/// The square roots of what is not negative in `a`.
 inline Interval square_root(Interval a) {
   return {std::sqrt(std::max(a.low, 0.0)), std::sqrt(std::max(a.high, 0.0))};
 }
 
-/// Of an increasing function.
+/// The values of an increasing function.
 template <typename Function>
 Interval increasing(Interval a, Function f) {
   return {f(a.low), f(a.high)};

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "tables/table_bytes.h"
 
+#include "base/hash.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::tables::table_bytes {
@@ -17,12 +18,6 @@ constexpr std::size_t parameters_at = 48;
 constexpr std::size_t count_at = 80;
 constexpr std::size_t checksum_at = 88;
 constexpr std::size_t text_size = 16;
-
-// FNV-1a: every step is a bijection of the state, so a single altered byte never goes unseen.
-std::uint64_t hash(std::uint64_t state, std::string_view bytes) noexcept {
-  for (const char c : bytes) state = (state ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return state;
-}
 
 std::string quoted(std::string_view text) {
   std::string result = "'";
@@ -112,9 +107,8 @@ Head checked_head(std::string_view bytes, const std::string& file) {
 }
 
 std::uint64_t checksum(std::string_view bytes) noexcept {
-  constexpr std::uint64_t start = 0xcbf29ce484222325U;
-  const std::uint64_t head = hash(start, bytes.substr(0, checksum_at));
-  return bytes.size() <= head_size ? head : hash(head, bytes.substr(head_size));
+  const std::uint64_t head = base::hash_of(bytes.substr(0, checksum_at));
+  return bytes.size() <= head_size ? head : base::hash_of(bytes.substr(head_size), head);
 }
 
 }  // namespace vandplan::tables::table_bytes

@@ -47,9 +47,6 @@ void seal(std::string& bytes);
 
 [[nodiscard]] std::uint64_t checksum(std::string_view bytes) noexcept;
 
-/// Throws InputError if `name` cannot be the name of a C++ namespace.
-void check_identifier(std::string_view name);
-
 template <class Unsigned>
 void append(std::string& bytes, Unsigned value) {
   for (std::size_t i = 0; i < sizeof value; ++i) {

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include "tables/table_export.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <string>
 #include <vector>
 
-#include "base/decimal.h"
-#include "tables/table_bytes.h"
+#include "base/text.h"
 #include "vandplan/input_error.h"
-#include "vandplan/table_file.h"
 
-namespace vandplan {
+namespace vandplan::tables {
 namespace {
-
-namespace table_bytes = tables::table_bytes;
 
 constexpr std::size_t most_entries = std::size_t{1} << 24;  // more than a compiler could bear
 
@@ -32,15 +30,9 @@ void append_hex_float(std::string& text, float value) {
   text.append("0x").append(buffer.data(), end).append("F");
 }
 
-void append_shortest(std::string& text, float value) {
-  std::array<char, 32> buffer{};
-  text.append(buffer.data(),
-              std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
-}
-
 }  // namespace
 
-void table_bytes::check_identifier(std::string_view name) {
+void check_identifier(std::string_view name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
@@ -53,7 +45,7 @@ void table_bytes::check_identifier(std::string_view name) {
 }
 
 std::string table_to_header(const HeuristicTable& table, std::string_view name) {
-  table_bytes::check_identifier(name);
+  check_identifier(name);
   check_size(table);
   const HeuristicTableOptions& options = table.options();
   std::string text =
@@ -97,7 +89,7 @@ std::string table_to_csv(const HeuristicTable& table) {
       for (const std::string& node : headings) {
         for (const std::string& sample : headings) {
           text.append(x).append(y).append(node).append(sample);
-          append_shortest(text, *entry++);
+          text.append(base::shortest_text(*entry++));
           text.push_back('\n');
         }
       }
@@ -106,4 +98,4 @@ std::string table_to_csv(const HeuristicTable& table) {
   return text;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::tables

@@ -16,10 +16,10 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The centres differ by the poses' difference and (x, y).
-Circles circles_of(const Polar& box, Interval x, Interval y) {
+CirclePair circles_of(const Polar& box, Interval x, Interval y) {
   const Interval along = x * box.cos_bearing + y * box.sin_bearing;
   const Interval along_all = box.distance + along;
-  Circles c;
+  CirclePair c;
   c.across = y * box.cos_bearing - x * box.sin_bearing;
   const Interval dx = box.distance * box.cos_bearing + x;
   const Interval dy = box.distance * box.sin_bearing + y;
@@ -60,15 +60,15 @@ const std::array<Shape, 9> shapes{{
 
 /// Changing one sign gives most formulas a twin, and some the same word again.
 bool is_repeated(const Word& word) {
-  switch (word.formula) {
+  switch (word.left_word) {
     case lsl:
-    case lcrcl:
+    case l_r_l:
       return word.y < 0;
-    case lrclr:
+    case lr_lr:
       return word.x < 0;
     case lsr:
-    case lcrlcr:
-    case lcrslcr:
+    case l_rl_r:
+    case l_rsl_r:
       return word.turn < 0;
     default:
       return false;
@@ -84,12 +84,12 @@ bool cut(Interval& range, double low, double high, bool& untouched) {
 }
 
 /// The arc between the outer ones for centres at `d`.
-Interval middle_arc(Formula formula, Interval d) {
-  if (formula == lrclr) {  // cos u = (2 + d) / 4
+Interval middle_arc(LeftWord left_word, Interval d) {
+  if (left_word == lr_lr) {  // cos u = (2 + d) / 4
     const auto arc = [](double e) { return twice_arc_sine(std::sqrt((2 - e) / 8)); };
     return {arc(d.high), arc(d.low)};
   }
-  if (formula == lcrlcr) {  // cos u = (20 - d^2) / 16
+  if (left_word == l_rl_r) {  // cos u = (20 - d^2) / 16
     const auto arc = [](double e) {
       return twice_arc_sine(std::sqrt(std::clamp((e * e - 4) / 32, 0.0, 0.5)));
     };
@@ -126,13 +126,13 @@ Polar polar(const PairBox& box, const std::array<bool, 4>& wanted) {
   return p;
 }
 
-const Shape& shape_of(Formula formula) { return shapes[formula]; }
+const Shape& shape_of(LeftWord left_word) { return shapes[left_word]; }
 
 std::vector<Word> list_words() {
   std::vector<Word> words;
-  for (int formula = 0; formula < 9; ++formula) {
+  for (int left_word = 0; left_word < 9; ++left_word) {
     for (int signs = 0; signs < 8; ++signs) {
-      const Word word{static_cast<Formula>(formula), (signs & 1) != 0 ? -1 : 1,
+      const Word word{static_cast<LeftWord>(left_word), (signs & 1) != 0 ? -1 : 1,
                       (signs & 2) != 0 ? -1 : 1, (signs & 4) != 0 ? -1 : 1};
       if (!is_repeated(word)) words.push_back(word);
     }
@@ -141,7 +141,7 @@ std::vector<Word> list_words() {
 }
 
 std::size_t circles_of(const Word& word) {
-  if (shapes[word.formula].same_side) return word.x == word.turn ? 0 : 1;
+  if (shapes[word.left_word].same_side) return word.x == word.turn ? 0 : 1;
   return word.y > 0 ? 2 : 3;
 }
 
@@ -154,25 +154,25 @@ View view_of(const Polar& box, const Word& word) {
   return view;
 }
 
-std::optional<Pieces> pieces_of(const Polar& box, Formula formula, const View& view) {
-  const Circles& c = *view.circles;
-  const Shape& shape = shapes[formula];
+std::optional<Pieces> pieces_of(const Polar& box, LeftWord left_word, const View& view) {
+  const CirclePair& c = *view.circles;
+  const Shape& shape = shapes[left_word];
   Pieces p;
   p.everywhere = c.directed;
   Interval d = c.distance;
   if (!cut(d, shape.least, shape.most, p.everywhere)) return {};
   if (!shape.has_line) {
-    p.middle = middle_arc(formula, d);
+    p.middle = middle_arc(left_word, d);
     // Every other arc of a shortest path is at most as long, and there are at most four; the path
     // is no shorter than the distance or the turn.
-    const double least = formula == lcrcl ? 0.0 : std::max(box.distance.low, box.turn.low) / 4;
+    const double least = left_word == l_r_l ? 0.0 : std::max(box.distance.low, box.turn.low) / 4;
     if (!cut(p.middle, least, pi, p.everywhere)) return {};
-    p.longest = formula == lcrcl ? pi : p.middle.high;
+    p.longest = left_word == l_r_l ? pi : p.middle.high;
   }
   const Interval u = p.middle;
   const Interval t = c.tilt;
   Interval heading0, heading1;  // after the first arc and before the last, from the centres' line
-  switch (formula) {
+  switch (left_word) {
     case lsl:
       p.rest = d;
       break;
@@ -180,40 +180,40 @@ std::optional<Pieces> pieces_of(const Polar& box, Formula formula, const View& v
       p.tilt = heading0 = heading1 = t;
       p.rest = c.tangent;
       break;
-    case lcrsl:
+    case l_rsl:
       p.tilt = t;
       heading0 = t + pi / 2;
       heading1 = t + pi;
       p.rest = c.tangent + (pi / 2 - 2);
       break;
-    case lcrsr:
+    case l_rsr:
       heading0 = point(pi / 2);
       heading1 = point(pi);
       p.rest = d + (pi / 2 - 2);
       break;
-    case lcrslcr:
+    case l_rsl_r:
       p.tilt = t;
       heading0 = heading1 = t + pi / 2;
       p.rest = c.tangent + (pi - 4);
       break;
-    case lcrcl:
+    case l_r_l:
       heading0 = pi - u * 0.5;
       heading1 = u * 0.5 + pi;
       p.rest = u;
       break;
-    case lrcl:
+    case lr_l:
       p.tilt = (pi - u) * 0.5;
       heading0 = u * 0.5;
       heading1 = -heading0;
       p.rest = u;
       break;
-    case lrclr:
+    case lr_lr:
       p.tilt = point(pi);
       heading0 = u + pi / 2;
       heading1 = pi / 2 - u;
       p.rest = u * 2.0;
       break;
-    case lcrlcr:
+    case l_rl_r:
       p.tilt = tilt_of(u);
       heading0 = heading1 = p.tilt + pi / 2;
       p.rest = u * 2.0;

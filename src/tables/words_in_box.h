@@ -33,7 +33,7 @@ inline constexpr double margin = 1e-7;
 inline constexpr double far = 2.5;
 
 /// Two turning circles: centre of the last one as seen from that of the first.
-struct Circles {
+struct CirclePair {
   Interval distance;
   Interval direction;
   Interval lean;    ///< direction - bearing
@@ -54,20 +54,21 @@ struct Polar {
   Interval cos_bearing, sin_bearing;
   // By symmetry every word looks at one of these: left to left, right to right, left to right,
   // right to left.
-  std::array<Circles, 4> circles;
+  std::array<CirclePair, 4> circles;
 };
 
-/// With the circles that `wanted` asks for.
+/// The box in polar coordinates, with the circles that `wanted` asks for.
 [[nodiscard]] Polar polar(const PairBox& box, const std::array<bool, 4>& wanted);
 
-/// The nine formulas of docs/algorithms/steering.md, each beginning with a left turn forward: l and
-/// r are arcs, c a cusp, s a line.
-enum Formula { lsl, lsr, lrcl, lcrcl, lrclr, lcrlcr, lcrsl, lcrsr, lcrslcr };
+/// The nine words of docs/algorithms/steering.md, each beginning with a left turn forward: l and
+/// r are arcs, s is a line, `_` a change of gear. Formulas that steering/reeds_shepp_formulas.h
+/// begins with a right turn or in reverse are seen mirrored or from the other end here.
+enum LeftWord { lsl, lsr, lr_l, l_r_l, lr_lr, l_rl_r, l_rsl, l_rsr, l_rsl_r };
 
 /// How much of the costate points along the heading at an end of the path, seen from the outer arc.
 enum class End { cos_arc, sin_arc, sin_rest };
 
-/// What a formula is, apart from its angles.
+/// What a left word is, apart from its angles.
 struct Shape {
   bool same_side;      ///< begins and ends with a left turn
   double least, most;  ///< distances of the centres for which it can be shortest
@@ -76,19 +77,19 @@ struct Shape {
   int last_turn;  ///< which way the last arc turns the vehicle: 1 counter-clockwise
 };
 
-[[nodiscard]] const Shape& shape_of(Formula formula);
+[[nodiscard]] const Shape& shape_of(LeftWord left_word);
 
-/// One of the 48 words: a formula looked at with the signs of x, y and turn changed.
+/// One of the 48 words: a left word looked at with the signs of x, y and turn changed.
 struct Word {
-  Formula formula;
+  LeftWord left_word;
   int x, y, turn;
 };
 
 [[nodiscard]] std::vector<Word> list_words();
 
-/// What a formula looks at, after the signs were changed.
+/// What a left word looks at, after the signs were changed.
 struct View {
-  const Circles* circles;
+  const CirclePair* circles;
   Interval direction;
   Interval half_turn;
   int handed;  ///< -1 when left and right were exchanged in the plane
@@ -117,8 +118,10 @@ struct Pieces {
   }
 };
 
-/// None if no path of the word is shortest anywhere in the box for want of circles.
-[[nodiscard]] std::optional<Pieces> pieces_of(const Polar& box, Formula formula, const View& view);
+/// The left word over a box; none if no path of it is shortest anywhere in the box for want of
+/// circles.
+[[nodiscard]] std::optional<Pieces> pieces_of(const Polar& box, LeftWord left_word,
+                                              const View& view);
 
 }  // namespace words_in_box
 }  // namespace vandplan::tables

@@ -12,11 +12,13 @@
 #include "support/process.h"
 #include "support/shared_files.h"
 #include "support/yard.h"
-#include "vandplan/io.h"
 #include "vandplan/path_check.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
+
+using namespace evaluation;
 
 using Words = std::vector<std::string>;
 
@@ -58,7 +60,7 @@ class EvaluateCommand : public testing::Test {
 auto paths_of(const std::vector<RunRecord>& runs) {
   std::map<std::tuple<std::string, std::uint64_t, Region, bool>, std::vector<Segment>> paths;
   for (const RunRecord& run : runs)
-    paths[{run.planner, run.options.seed, run.options.region, run.options.profile}] =
+    paths[{run.planner, run.options.budget.seed, run.region, is_profiled(run)}] =
         run.result.path ? run.result.path->segments : std::vector<Segment>{};
   return paths;
 }
@@ -68,9 +70,31 @@ TEST_F(EvaluateCommand, EndsWithATableAndAReport) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("| rrt-opt-hlut-4 |"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.err.find("16 of 16 runs"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("16 runs\n"
+                             "     12 = 2 planners x 2 regions x 1 scenario x 3 repeats\n"
+                             "      4 = 2 planners x 2 regions x 1 scenario, once more to measure "
+                             "phases\n"),
+            0U)
+      << outcome.err;
   EXPECT_EQ(runs("out").size(), 16U);  // 2 planners, 2 regions, 3 repeats and a profiled run
   EXPECT_NE(content_of(folder_ / "out/index.html").find("</html>"), std::string::npos);
   EXPECT_NE(content_of(folder_ / "out/report.md").find("rrt-bsc-euc"), std::string::npos);
+}
+
+TEST_F(EvaluateCommand, TakesTheThesisAsPrintedFirst) {
+  const Outcome outcome = run_vandplan({"evaluate", "--scenarios", scenario_, "--max-iterations",
+                                        "30", "--output", folder_ / "out", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::map<std::string, int> count;
+  for (const RunRecord& run : runs("out")) ++count[run.planner];
+  EXPECT_EQ(count.size(), 21U);                // both settings of the goal, and the default planner
+  EXPECT_EQ(count.at("rrt-bsc-euc"), 2 * 26);  // 25 repeats and a profiled run
+  EXPECT_EQ(count.at("rrt-bsc-euc-goal"), 2 * 16);  // fewer
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json.at("claims").size(), 12U);
+  EXPECT_EQ(json.at("claims").at(0).at("setting"), "as printed");
+  EXPECT_EQ(json.at("claims").at(11).at("setting"), "goal tried");
+  EXPECT_EQ(json.at("verdicts").size(), 2U);
 }
 
 TEST_F(EvaluateCommand, PrintsOneJsonObjectInstead) {
@@ -100,16 +124,14 @@ TEST_F(EvaluateCommand, FindsTheSamePathsWithOneJobAndWithTwo) {
 TEST_F(EvaluateCommand, StoresOnlyWhatTheJudgeAccepts) {
   ASSERT_EQ(run_vandplan(words("out", {"--max-iterations", "400", "--repeats", "6"})).status, 0);
   Store store = Store::open(store_file("out"));
-  const Scenario scenario = scenario_from_yaml(store.scenarios().at(0).yaml, "store");
-  const Problem problem = make_problem(scenario, 0);
+  const Scenario scenario = scenario_of(store.scenarios().at(0)).scenario;
+  const Problem problem = make_problem(scenario);
   int judged = 0;
   for (const RunRecord& run : store.runs()) {
     if (!run.result.path) continue;
-    Path path = *run.result.path;
-    EXPECT_EQ(path.start, scenario.start);
-    path.start = to_local(*problem.world, path.start);
-    const PathCheck check = check_path(problem, path, {run.result.cost, {}});
-    EXPECT_TRUE(check.valid) << run.planner << ", seed " << run.options.seed << ": "
+    EXPECT_EQ(run.result.path->start, scenario.start);
+    const PathCheck check = check_path(problem, *run.result.path, {.length = run.result.cost});
+    EXPECT_TRUE(check.valid) << run.planner << ", seed " << run.options.budget.seed << ": "
                              << check.reason;
     ++judged;
   }
@@ -235,7 +257,9 @@ TEST_F(EvaluateCommandOnMaps, SkipsTheMapsOfAFolderAndSaysSo) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find(maps_ + "/yard.yaml: skipped, a map and no scenario\n"), 0U)
       << outcome.err;
-  EXPECT_NE(outcome.err.find("6 runs: 2 scenarios (2 goals)"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("4 runs\n      4 = 1 planner x 1 region x 2 scenarios x 2 repeats\n"),
+            std::string::npos)
+      << outcome.err;
   EXPECT_NE(outcome.out.find("there"), std::string::npos) << outcome.out;
   EXPECT_TRUE(content_of(folder_ / "out/gallery.png").starts_with("\x89PNG"));
   const std::string page = content_of(folder_ / "out/index.html");
@@ -253,15 +277,15 @@ TEST_F(EvaluateCommandOnMaps, ReportsWithoutTheFiles) {
 
 TEST_F(EvaluateCommandOnMaps, ResumesAnewOnAChangedImage) {
   ASSERT_EQ(evaluate().status, 0);
-  EXPECT_NE(evaluate({"--resume"}).out.find("\n6 runs"), std::string::npos);
-  EXPECT_EQ(runs("out").size(), 6U);  // 2 scenarios, 2 repeats and a profiled run
+  EXPECT_NE(evaluate({"--resume"}).out.find("\n4 runs"), std::string::npos);
+  EXPECT_EQ(runs("out").size(), 4U);  // 2 scenarios, 2 repeats
   draw_wall(15);
   const Outcome again = evaluate({"--resume"});
   EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_NE(again.out.find("6 runs in the store are of other"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("4 runs in the store are of other"), std::string::npos) << again.out;
   const std::vector<RunRecord> all = runs("out");
-  ASSERT_EQ(all.size(), 12U);
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_NE(all[i].scenario, all[i + 6].scenario);
+  ASSERT_EQ(all.size(), 8U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NE(all[i].scenario, all[i + 4].scenario);
 }
 
 TEST_F(EvaluateCommand, RefusesBadInputOnOneLine) {
@@ -271,7 +295,9 @@ TEST_F(EvaluateCommand, RefusesBadInputOnOneLine) {
       {{"--merge", folder_ / "absent.sqlite"}, "does not exist"},
       {{"--planners", "rrt"}, "\"rrt\" is unknown"},
       {{"--scenarios", folder_ / "absent.yaml"}, "absent.yaml"},
-      {{"--region", "moon"}, "\"moon\" is not bounds or scene"},
+      {{"--region", "moon"}, "\"moon\" is not bounds, scene or both"},
+      {{"--set", "region=scene"}, "is set by the comparison itself"},
+      {{"--set", "gaol_bias=1"}, "gaol_bias: unknown option"},
       {{"--repeats", "0"}, "repeats: must be at least 1"},
       {{"--time", "-1"}, "time_limit"},
       {{"--jobs", "1000"}, "jobs: 1000 runs at once"},

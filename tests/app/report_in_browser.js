@@ -34,6 +34,8 @@ window.addEventListener('load', () => {
     }
   }
 
+  const groups = new Set(data.planners.filter((p) => p.strategy).map((p) => `${p.strategy} ${p.tries_goal}`)).size;
+
   function checkPictures() {
     for (const image of all('img'))
       expect(image.complete && image.naturalWidth > 500 && size(image).width > 200, 'an image does not show');
@@ -45,7 +47,7 @@ window.addEventListener('load', () => {
     for (const line of all('.gallery polyline'))
       expect(size(line).width + size(line).height > 0, 'a path is not drawn');
     for (const id of ['cost-charts', 'success-charts', 'box-charts'])
-      expect(all(`#${id} svg`).length === 2, `${id} has not one chart for each strategy`);
+      expect(all(`#${id} svg`).length === groups, `${id} has not one chart for each strategy and setting of the goal`);
   }
 
   // Every method that has a path of the kind shows it.
@@ -104,7 +106,10 @@ window.addEventListener('load', () => {
   dialog.querySelector('form button').click();
   expect(!dialog.open, 'the enlarged path does not close');
 
-  for (const id of ['headlines', 'lead', 'claims', 'facts'])
+  // Both settings of the goal are judged, in both regions.
+  expect(all('#claims .card').length === 12 && all('#claims-table .badge').length === 12, 'a claim is not judged');
+  expect(all('#headlines .headline').length === 4, 'a headline is missing');
+  for (const id of ['headlines', 'lead', 'claims', 'claims-table', 'facts'])
     expect(document.getElementById(id).textContent.length > 60, `${id} says nothing`);
   expect(!/undefined|NaN|\[object/.test(document.body.innerText), 'the text holds what is no text');
   for (const {name} of performance.getEntriesByType('resource'))

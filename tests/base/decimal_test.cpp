@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "base/decimal.h"
+#include "base/text.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "base/random.h"
 #include "support/cases.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -35,9 +36,9 @@ TEST(Moved, LeavesWhatIsNotFiniteAlone) {
 }
 
 TEST(Moved, ComesBackExactlyFromTheOriginNextToIt) {
-  for_each_case(1, 200'000, [](base::Rng& rng) {
-    const double size = std::pow(10.0, base::uniform(-3, 12, rng));
-    const double value = base::uniform(-size, size, rng);
+  for_each_case(1, 200'000, [](Rng& rng) {
+    const double size = std::pow(10.0, uniform(-3, 12, rng));
+    const double value = uniform(-size, size, rng);
     const double origin = std::round(value);
     const double local = base::moved(value, -origin);
     ASSERT_LE(std::abs(local), 0.5 + std::abs(value) * 1e-15) << as_code(value);
@@ -46,9 +47,9 @@ TEST(Moved, ComesBackExactlyFromTheOriginNextToIt) {
 }
 
 TEST(Moved, IsTheSumToHalfASpacing) {
-  for_each_case(2, 100'000, [](base::Rng& rng) {
-    const double value = base::uniform(-1e3, 1e3, rng) * std::pow(10.0, base::uniform(-9, 8, rng));
-    const double whole = std::round(base::uniform(-1e10, 1e10, rng));
+  for_each_case(2, 100'000, [](Rng& rng) {
+    const double value = uniform(-1e3, 1e3, rng) * std::pow(10.0, uniform(-9, 8, rng));
+    const double whole = std::round(uniform(-1e10, 1e10, rng));
     const double sum = base::moved(value, whole);
     // The text of `value` is within half its spacing, the plain sum within half of its own.
     const double slack = (std::nextafter(std::abs(value), 1e300) - std::abs(value)) / 2 +

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
-#include "base/random.h"
 #include "support/cases.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -31,23 +31,23 @@ void expect_right_sin_cos(double angle) {
 }
 
 TEST(SinCos, IsRightWithinOneTurn) {
-  base::Rng rng(1);
-  for (int i = 0; i < cases(1'000'000); ++i) expect_right_sin_cos(base::uniform(-7, 7, rng));
+  Rng rng(1);
+  for (int i = 0; i < cases(1'000'000); ++i) expect_right_sin_cos(uniform(-7, 7, rng));
 }
 
 TEST(SinCos, IsRightForAnglesOfAnySize) {
-  base::Rng rng(2);
+  Rng rng(2);
   for (int i = 0; i < cases(1'000'000); ++i) {
-    const double size = std::ldexp(base::uniform(1, 2, rng), static_cast<int>(rng() % 1000) - 40);
+    const double size = std::ldexp(uniform(1, 2, rng), static_cast<int>(rng() % 1000) - 40);
     expect_right_sin_cos(rng() % 2 == 0 ? size : -size);
   }
 }
 
 TEST(SinCos, IsRightNextToMultiplesOfQuarterTurns) {
-  base::Rng rng(3);
+  Rng rng(3);
   for (int i = 0; i < cases(1'000'000); ++i) {
-    const double quarters = std::round(base::uniform(-1000, 1000, rng));
-    const double offset = base::uniform(-1, 1, rng) * std::pow(10, base::uniform(-18, -1, rng));
+    const double quarters = std::round(uniform(-1000, 1000, rng));
+    const double offset = uniform(-1, 1, rng) * std::pow(10, uniform(-18, -1, rng));
     expect_right_sin_cos(quarters * (std::numbers::pi / 2) + offset);
   }
 }
@@ -60,9 +60,9 @@ TEST(SinCos, IsRightForTheDoubleThatIsNearestToAMultipleOfQuarterTurns) {
 }
 
 TEST(SinCos, IsOddAndEvenBitForBit) {
-  base::Rng rng(4);
+  Rng rng(4);
   for (int i = 0; i < cases(100'000); ++i) {
-    const double angle = std::ldexp(base::uniform(1, 2, rng), static_cast<int>(rng() % 100) - 50);
+    const double angle = std::ldexp(uniform(1, 2, rng), static_cast<int>(rng() % 100) - 50);
     EXPECT_EQ(base::sin_cos(-angle).sin, -base::sin_cos(angle).sin) << as_code(angle);
     EXPECT_EQ(base::sin_cos(-angle).cos, base::sin_cos(angle).cos) << as_code(angle);
   }
@@ -84,21 +84,21 @@ void expect_right_atan_2(double y, double x) {
 }
 
 TEST(Atan2, IsRightInAllDirections) {
-  base::Rng rng(5);
+  Rng rng(5);
   for (int i = 0; i < cases(1'000'000); ++i) {
-    expect_right_atan_2(base::uniform(-1, 1, rng), base::uniform(-1, 1, rng));
+    expect_right_atan_2(uniform(-1, 1, rng), uniform(-1, 1, rng));
   }
 }
 
 TEST(Atan2, IsRightNextToTheAxesAndForVectorsOfAnySize) {
-  base::Rng rng(6);
+  Rng rng(6);
   const auto any = [&] {
-    const double size = std::ldexp(base::uniform(1, 2, rng), static_cast<int>(rng() % 600) - 300);
+    const double size = std::ldexp(uniform(1, 2, rng), static_cast<int>(rng() % 600) - 300);
     return rng() % 2 == 0 ? size : -size;
   };
   for (int i = 0; i < cases(1'000'000); ++i) {
     const double x = any();
-    const double y = rng() % 2 == 0 ? any() : x * base::uniform(-3, 3, rng);
+    const double y = rng() % 2 == 0 ? any() : x * uniform(-3, 3, rng);
     expect_right_atan_2(y, x);
   }
 }

@@ -12,12 +12,13 @@
 #include <memory>
 #include <numbers>
 
-#include "base/random.h"
 #include "support/cases.h"
 #include "support/collision_oracle.h"
 #include "support/draws.h"
+#include "support/problems.h"
 #include "vandplan/collision.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -42,15 +43,15 @@ std::string described(const Case& c) {
 }
 
 /// Around the origin.
-Polygon any_polygon(base::Rng& rng) {
+Polygon any_polygon(Rng& rng) {
   const double size = chance(0.7, rng) ? any_size(0.3, 10, rng) : any_size(1e-3, 100, rng);
-  const double turned = base::uniform(-pi, pi, rng);
+  const double turned = uniform(-pi, pi, rng);
   const auto at = [&](double x, double y) {
     return Point{x * std::cos(turned) - y * std::sin(turned),
                  x * std::sin(turned) + y * std::cos(turned)};
   };
   Polygon polygon;
-  const double kind = base::uniform01(rng);
+  const double kind = uniform01(rng);
   if (kind < 0.2) {  // a sliver, 1 cm wide
     polygon = {at(-size, 0), at(size, 0), at(size, 0.01), at(-size, 0.01)};
   } else if (kind < 0.3) {  // a pocket, open to one side
@@ -59,11 +60,11 @@ Polygon any_polygon(base::Rng& rng) {
                at(t - size, t - size), at(t - size, size - t), at(size, size - t),
                at(size, size),         at(-size, size)};
   } else {  // a star, or if its rays are equal convex
-    const int corners = 3 + static_cast<int>(base::uniform(0, kind < 0.6 ? 3 : 10, rng));
+    const int corners = 3 + static_cast<int>(uniform(0, kind < 0.6 ? 3 : 10, rng));
     const double least = chance(0.5, rng) ? 1 : 0.3;
     for (int i = 0; i < corners; ++i) {
-      const double angle = 2 * pi * (i + base::uniform(0, 0.6, rng)) / corners;
-      const double ray = size * base::uniform(least, 1, rng);
+      const double angle = 2 * pi * (i + uniform(0, 0.6, rng)) / corners;
+      const double ray = size * uniform(least, 1, rng);
       polygon.push_back({ray * std::cos(angle), ray * std::sin(angle)});
     }
   }
@@ -78,22 +79,22 @@ Polygon moved(Polygon polygon, double x, double y) {
 
 /// A random obstacle near the path; where that is possible, so near that it just touches or just
 /// misses what the footprint sweeps.
-Polygon any_obstacle(const Footprint& body, const Path& path, base::Rng& rng) {
-  const Pose near = pose_at(path, base::uniform(0, length(path.segments), rng));
-  const Polygon polygon = moved(any_polygon(rng), near.x + base::uniform(-12, 12, rng),
-                                near.y + base::uniform(-12, 12, rng));
+Polygon any_obstacle(const Footprint& body, const Path& path, Rng& rng) {
+  const Pose near = pose_at(path, uniform(0, length(path.segments), rng));
+  const Polygon polygon =
+      moved(any_polygon(rng), near.x + uniform(-12, 12, rng), near.y + uniform(-12, 12, rng));
   const Gap gap = least_gap(body, std::span(&polygon, 1), path, 1e-3);
   if (gap.distance == 0 || chance(0.2, rng)) return polygon;
-  const double wanted = chance(0.7, rng) ? base::uniform(-2e-3, 4e-3, rng) : any_size(1e-5, 1, rng);
+  const double wanted = chance(0.7, rng) ? uniform(-2e-3, 4e-3, rng) : any_size(1e-5, 1, rng);
   const double part = 1 - wanted / gap.distance;
   return moved(polygon, part * (gap.on_body.x - gap.on_obstacle.x),
                part * (gap.on_body.y - gap.on_obstacle.y));
 }
 
-Case any_case(base::Rng& rng) {
+Case any_case(Rng& rng) {
   Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
   const Footprint body = footprint(c.vehicle);
-  const int count = chance(0.8, rng) ? 1 : static_cast<int>(base::uniform(0, 6, rng));
+  const int count = chance(0.8, rng) ? 1 : static_cast<int>(uniform(0, 6, rng));
   for (int i = 0; i < count; ++i) c.obstacles.push_back(any_obstacle(body, c.path, rng));
   return c;
 }
@@ -104,13 +105,13 @@ TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
   int barely_accepted = 0;  // within 4 mm of an obstacle
   int rejected = 0;
   int barely_rejected = 0;  // without touching, found in every 16th
-  for_each_case(1, count, [&](base::Rng& rng) {
+  for_each_case(1, count, [&](Rng& rng) {
     const Case c = any_case(rng);
     const Footprint body = footprint(c.vehicle);
     const CollisionChecker checker(body, c.bounds, c.obstacles);
     if (checker.is_free(c.path.start, c.path.segments)) {
-      const Problem problem{std::make_shared<World>(c.vehicle, c.bounds, c.obstacles, Point{}),
-                            c.path.start, end_pose(c.path)};
+      const Problem problem =
+          problem_of_path({.bounds = c.bounds, .obstacles = c.obstacles}, c.path, c.vehicle);
       const PathCheck check = check_path(problem, c.path, {});
       EXPECT_TRUE(check.valid) << check.reason << "; " << described(c);
       ++accepted;
@@ -130,16 +131,14 @@ TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
 
 bool judged_within(const Path& path, const Bounds& bounds) {
   const Vehicle vehicle{.min_turning_radius = 1e-3};
-  const Problem problem{std::make_shared<World>(vehicle, bounds, std::vector<Polygon>{}, Point{}),
-                        path.start, end_pose(path)};
-  return check_path(problem, path, {}).valid;
+  return check_path(problem_of_path({.bounds = bounds}, path, vehicle), path, {}).valid;
 }
 
 TEST(CollisionLaw, TheRearAxleIsKeptInTheBoundsToAMicrometre) {
   constexpr int count = 100000;
   int accepted = 0;
   int rejected = 0;
-  for_each_case(2, count, [&](base::Rng& rng) {
+  for_each_case(2, count, [&](Rng& rng) {
     const Path path = any_edge(around, rng);
     std::vector<Point> points;
     for (const PathPoint& p : sampled(path, 1)) points.push_back({p.pose.x, p.pose.y});
@@ -168,15 +167,15 @@ TEST(CollisionLaw, ManyObstaclesAreHitExactlyIfOneOfThemIs) {
   constexpr int count = 300;
   int accepted = 0;
   int rejected = 0;
-  for_each_case(3, count, [&](base::Rng& rng) {
+  for_each_case(3, count, [&](Rng& rng) {
     const Footprint body = footprint(any_vehicle(rng));
     const double extent = any_size(30, 3000, rng);
     const Bounds bounds{-1e4, 1e4, -1e4, 1e4};
     std::vector<Polygon> obstacles;
     const auto obstacle_count = static_cast<int>(any_size(1, 3000, rng));
     for (int i = 0; i < obstacle_count; ++i) {
-      obstacles.push_back(moved(any_polygon(rng), base::uniform(-extent, extent, rng),
-                                base::uniform(-extent, extent, rng)));
+      obstacles.push_back(
+          moved(any_polygon(rng), uniform(-extent, extent, rng), uniform(-extent, extent, rng)));
     }
     const CollisionChecker all(body, bounds, obstacles);
     std::vector<std::unique_ptr<CollisionChecker>> each;

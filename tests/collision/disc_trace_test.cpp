@@ -29,17 +29,17 @@ struct Case {
   OccupancyGrid grid;  // its frame begins at the origin
 };
 
-Case any_case(base::Rng& rng) {
+Case any_case(Rng& rng) {
   Case c;
   c.body = footprint(any_vehicle(rng));
   c.segment = any_segment(rng);
   const double side = any_size(0.02, 0.3, rng);
   const double extent = count * side;
-  const Pose near{base::uniform(0.3, 0.7, rng) * extent, base::uniform(0.3, 0.7, rng) * extent,
-                  base::uniform(-3, 3, rng)};
-  const double driven = c.segment.length * base::uniform01(rng);
+  const Pose near{uniform(0.3, 0.7, rng) * extent, uniform(0.3, 0.7, rng) * extent,
+                  uniform(-3, 3, rng)};
+  const double driven = c.segment.length * uniform01(rng);
   c.from = advance(near, {c.segment.curvature, -driven});
-  const Point corner = corners(c.body, near)[static_cast<std::size_t>(4 * base::uniform01(rng))];
+  const Point corner = corners(c.body, near)[static_cast<std::size_t>(4 * uniform01(rng))];
   const double away = any_size(1e-3, 2, rng);
   const double beyond = 1 + away / std::hypot(corner.x - near.x, corner.y - near.y);
   const auto index = [&](double from, double to) {
@@ -64,7 +64,7 @@ TEST(DiscTrace, WhatIsNotInDoubtIsSo) {
   constexpr int cases_count = 4000;
   int hits = 0;
   int partly = 0;
-  for_each_case(1, cases_count, [&](base::Rng& rng) {
+  for_each_case(1, cases_count, [&](Rng& rng) {
     const Case c = any_case(rng);
     const geometry::DistanceField distances(geometry::BlockedCells(c.grid), 1);
     const collision::PlacedSegment placed(collision::placement_of(c.from), c.segment);

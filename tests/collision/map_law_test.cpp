@@ -14,6 +14,7 @@
 #include "support/collision_oracle.h"
 #include "support/grids.h"
 #include "support/map_cases.h"
+#include "support/problems.h"
 #include "vandplan/collision.h"
 #include "vandplan/path_check.h"
 
@@ -32,15 +33,14 @@ struct Counts {
 void expect_law(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& path,
                 Counts& counts) {
   const Footprint body = footprint(vehicle);
-  const auto world =
-      std::make_shared<World>(vehicle, Surroundings{.bounds = wide, .map = grid}, Point{});
+  const Problem problem = problem_of_path({.bounds = wide, .map = grid}, path, vehicle);
   const auto described = [&] {
     return as_code(path) + " on cells of " + as_code(grid.resolution) + " m at " +
            as_code(grid.origin) + ", " + std::to_string(grid.columns) + " x " +
            std::to_string(grid.rows) + ": " + as_code(squares_of(grid));
   };
-  if (world->checker().is_free(path.start, path.segments)) {
-    const PathCheck check = check_path({world, path.start, end_pose(path)}, path, {});
+  if (problem.task().checker->is_free(path.start, path.segments)) {
+    const PathCheck check = check_path(problem, path, {});
     EXPECT_TRUE(check.valid) << check.reason << "; " << described();
     ++counts.accepted;
     counts.barely_accepted += check.clearance < 4e-3;
@@ -55,7 +55,7 @@ void expect_law(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& p
 TEST(MapLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
   constexpr int count = 34000;
   Counts counts;
-  for_each_case(1, count, [&](base::Rng& rng) {
+  for_each_case(1, count, [&](Rng& rng) {
     const Vehicle vehicle = any_vehicle(rng);
     const Path grazing = any_edge(rng);
     OccupancyGrid grid = any_grid(rng);
@@ -72,13 +72,12 @@ TEST(MapLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
 TEST(MapLaw, CrowdedAndEnclosedMapsKeepItToo) {
   constexpr int count = 300;
   Counts counts;
-  for_each_case(2, count, [&](base::Rng& rng) {
-    const auto side = [&] { return static_cast<std::int32_t>(base::uniform(5, 40, rng)); };
+  for_each_case(2, count, [&](Rng& rng) {
+    const auto side = [&] { return static_cast<std::int32_t>(uniform(5, 40, rng)); };
     OccupancyGrid grid = random_grid(side(), side(), any_size(1e-3, 0.3, rng), rng);
     grid.unknown_is_free = chance(0.3, rng);
     grid.resolution = any_size(0.2, 2, rng);
-    grid.origin = {base::uniform(-20, 0, rng), base::uniform(-20, 0, rng),
-                   base::uniform(-0.5, 0.5, rng)};
+    grid.origin = {uniform(-20, 0, rng), uniform(-20, 0, rng), uniform(-0.5, 0.5, rng)};
     const Vehicle vehicle = any_vehicle(rng);
     for (int i = 0; i < 10; ++i) expect_law(vehicle, grid, any_edge(rng), counts);
   });
@@ -90,13 +89,12 @@ TEST(MapLaw, TheJudgeSeesCellsAsItSeesSquares) {
   constexpr int count = 3000;
   int valid = 0;
   int invalid = 0;
-  for_each_case(3, count, [&](base::Rng& rng) {
+  for_each_case(3, count, [&](Rng& rng) {
     const Vehicle vehicle = any_vehicle(rng);
     const Path path = any_edge(rng);
     const OccupancyGrid grid = any_grid(rng);
     const auto judged = [&](const Surroundings& surroundings) {
-      const auto world = std::make_shared<World>(vehicle, surroundings, Point{});
-      return check_path({world, path.start, end_pose(path)}, path, {});
+      return check_path(problem_of_path(surroundings, path, vehicle), path, {});
     };
     const PathCheck cells = judged({.bounds = wide, .map = grid});
     const PathCheck squares = judged({.bounds = wide, .obstacles = squares_of(grid)});

@@ -251,13 +251,13 @@ TEST(Draw, FarObstaclesDoNotShrinkTheScene) {
 }
 
 TEST(Draw, AllThatStandsAroundThePathIsShown) {
-  Scenario scenario = yard();  // start and goal take up 18 m
-  scenario.obstacles.push_back({{-24, -30}, {-22, -30}, {-22, -28}, {-24, -28}});
-  scenario.kerbs.push_back({{30, 20}, {32, 20}, {32, 24}, {30, 24}});
+  Scenario scenario = yard();
+  scenario.obstacles.push_back({{-18, -24}, {-16, -24}, {-16, -22}, {-18, -22}});
+  scenario.kerbs.push_back({{25, 8}, {27, 8}, {27, 16}, {25, 16}});
   const drawing::Framing framing = framing_of(scenario);
   EXPECT_FALSE(framing.is_cropped);
-  EXPECT_TRUE(contains(framing.seen, {-24, -30}));
-  EXPECT_TRUE(contains(framing.seen, {32, 24}));
+  EXPECT_TRUE(contains(framing.seen, {-18, -24}));
+  EXPECT_TRUE(contains(framing.seen, {27, 16}));
 }
 
 TEST(Draw, TheFenceOfAYardIsShownAndGenerousBoundsAreNot) {

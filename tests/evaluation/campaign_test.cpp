@@ -10,22 +10,33 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
-PlanResult no_plan(const Problem&, const PlanOptions&) { return {}; }
+PlannerAnswer no_plan(const Task&, const PlanOptions&) { return {}; }
 
-CampaignScenario scenario(const std::string& name, std::size_t goals, bool are_a_row) {
+// A planner that can be told where to draw samples, and to measure.
+Planner planner(const std::string& name) {
+  return {.name = name,
+          .summary = "",
+          .options = {{.name = "region",
+                       .summary = "",
+                       .standard = std::string("bounds"),
+                       .words = {"bounds", "scene"}},
+                      {.name = "profile", .summary = "", .standard = false}},
+          .function = no_plan};
+}
+
+CampaignScenario scenario(const std::string& name, std::size_t goals_in_row) {
   CampaignScenario made;
-  made.scenario.name = name;
-  made.scenario.goals.resize(goals);
-  made.scenario.goals_are_a_row = are_a_row;
+  made.scenario.scenario.name = name;
+  made.scenario.row.resize(goals_in_row);
   return made;
 }
 
 Campaign small_campaign() {
-  return {.scenarios = {scenario("single", 1, false), scenario("row", 3, true)},
-          .planners = {{"a", no_plan, ""}, {"b", no_plan, ""}, {"c", no_plan, ""}},
+  return {.scenarios = {scenario("single", 0), scenario("row", 3)},
+          .planners = {planner("a"), planner("b"), planner("c")},
           .repeats = 6,
           .repeats_per_goal = 2};
 }
@@ -35,14 +46,14 @@ TEST(Campaign, RunsEveryPlannerInEveryRegionOnEveryProblemWithEverySeed) {
   EXPECT_EQ(runs.size(), 3U * 2U * (6U + 3U * 2U));
   std::set<std::tuple<std::size_t, std::size_t, std::size_t, Region, std::uint64_t>> different;
   for (const RunSpec& run : runs)
-    different.insert({run.scenario, run.goal, run.planner, run.options.region, run.options.seed});
+    different.insert({run.scenario, run.goal, run.planner, run.region, run.options.budget.seed});
   EXPECT_EQ(different.size(), runs.size());
 }
 
 TEST(Campaign, GivesAllPlannersAndRegionsTheSameSeeds) {
   std::map<std::pair<std::size_t, Region>, std::set<std::uint64_t>> seeds;
   for (const RunSpec& run : runs_of(small_campaign()))
-    seeds[{run.planner, run.options.region}].insert(run.options.seed);
+    seeds[{run.planner, run.region}].insert(run.options.budget.seed);
   EXPECT_EQ(seeds.size(), 6U);
   for (const auto& [key, found] : seeds) EXPECT_EQ(found, seeds.begin()->second);
 }
@@ -53,8 +64,9 @@ TEST(Campaign, APartHasTheSeedsOfTheWhole) {
   part.planners.pop_back();
   part.regions = {Region::scene};
   std::set<std::uint64_t> whole_seeds;
-  for (const RunSpec& run : runs_of(small_campaign())) whole_seeds.insert(run.options.seed);
-  for (const RunSpec& run : runs_of(part)) EXPECT_TRUE(whole_seeds.contains(run.options.seed));
+  for (const RunSpec& run : runs_of(small_campaign())) whole_seeds.insert(run.options.budget.seed);
+  for (const RunSpec& run : runs_of(part))
+    EXPECT_TRUE(whole_seeds.contains(run.options.budget.seed));
 }
 
 TEST(Campaign, SeedsFollowFromOne) {
@@ -73,7 +85,7 @@ TEST(Campaign, TakesTurnsSoThatASlowMinuteHitsAllAlike) {
   for (const auto& [key, count] : done) EXPECT_EQ(count, 6);
   // One problem and seed: all planners and regions in a row.
   std::set<std::uint64_t> seeds;
-  for (std::size_t i = 0; i < 6; ++i) seeds.insert(runs[i].options.seed);
+  for (std::size_t i = 0; i < 6; ++i) seeds.insert(runs[i].options.budget.seed);
   EXPECT_EQ(seeds.size(), 1U);
 }
 
@@ -92,8 +104,8 @@ TEST(Campaign, ProfilesEveryPlannerInEveryRegionOnceMore) {
   const std::size_t timed = runs_of(small_campaign()).size();
   ASSERT_EQ(runs.size(), timed + 2U * 3U * 2U);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    EXPECT_EQ(runs[i].options.profile, i >= timed);
-    if (runs[i].options.profile && runs[i].scenario == 1) {
+    EXPECT_EQ(runs[i].options.planner.flag("profile"), i >= timed);
+    if (i >= timed && runs[i].scenario == 1) {
       EXPECT_EQ(runs[i].goal, 1U);
     }
   }
@@ -107,9 +119,92 @@ TEST(Campaign, OfNothingIsRefused) {
   campaign.planners.clear();
   EXPECT_THROW(static_cast<void>(runs_of(campaign)), InputError);
   campaign = small_campaign();
-  campaign.options.goal_bias = 2.0;
+  campaign.settings = {{"threads", "0"}};
+  EXPECT_THROW(static_cast<void>(runs_of(campaign)), InputError);
+  campaign = small_campaign();
+  campaign.planners.push_back(planner("a"));  // who of both would a report mean?
+  EXPECT_THROW(static_cast<void>(runs_of(campaign)), InputError);
+  campaign = small_campaign();
+  campaign.caps = {{"group", 0}};
   EXPECT_THROW(static_cast<void>(runs_of(campaign)), InputError);
 }
 
+TEST(Campaign, GivesSettingsToThosePlannersThatHonourThem) {
+  Campaign campaign = small_campaign();
+  campaign.planners = {planner("plain"), planner_named("rrt-bsc-euc")};
+  campaign.settings = {{"goal_bias", "0.25"}, {"time_limit", "0.5"}};
+  for (const RunSpec& run : runs_of(campaign)) {
+    EXPECT_EQ(run.options.budget.time_limit, 0.5);
+    EXPECT_EQ(run.options.planner.find("goal_bias") != nullptr, run.planner == 1);
+    EXPECT_EQ(run.options.planner.word("region"), run.region == Region::scene ? "scene" : "bounds");
+    if (run.planner == 1) {
+      EXPECT_EQ(run.options.planner.number("goal_bias"), 0.25);
+    }
+  }
+}
+
+TEST(Campaign, RefusesSettingsThatNobodyHonoursOrThatItSetsItself) {
+  for (const Setting& setting :
+       {Setting{"gaol_bias", "0.1"}, Setting{"reverse_weight", "2"}, Setting{"seed", "7"},
+        Setting{"region", "scene"}, Setting{"profile", "true"}}) {
+    Campaign campaign = small_campaign();
+    campaign.planners.push_back(planner_named("rrt-bsc-euc"));
+    campaign.settings = {setting};
+    EXPECT_THROW(static_cast<void>(runs_of(campaign)), InputError) << setting.name;
+  }
+}
+
+TEST(Campaign, RunsPlannersThatKnowNoRegionInEachRegionAlike) {
+  Campaign campaign = small_campaign();
+  campaign.planners = {{.name = "plain", .summary = "", .function = no_plan}};
+  campaign.profile = true;  // which it cannot do
+  const std::vector<RunSpec> runs = runs_of(campaign);
+  EXPECT_EQ(runs.size(), 2U * (6U + 3U * 2U));
+  for (const RunSpec& run : runs) EXPECT_TRUE(run.options.planner.values().empty());
+}
+
+TEST(Campaign, RepeatsAGroupLessOftenWithTheSameSeedsAndOverAllOfTheTime) {
+  Campaign campaign = small_campaign();
+  campaign.planners[1].properties.groups = {"few"};
+  campaign.caps = {{"few", 3}};
+  const std::vector<RunSpec> runs = runs_of(campaign);
+  EXPECT_EQ(runs.size(), 2U * 2U * (6U + 3U * 2U) + 2U * (3U + 3U * 2U));
+  std::set<std::uint64_t> many, few;
+  for (const RunSpec& run : runs) (run.planner == 1 ? few : many).insert(run.options.budget.seed);
+  for (const std::uint64_t seed : few) EXPECT_TRUE(many.contains(seed));
+  int early = 0;
+  for (std::size_t i = 0; i < runs.size() / 2; ++i)
+    early += runs[i].planner == 1 && runs[i].scenario == 0;
+  EXPECT_GE(early, 2);
+  EXPECT_LE(early, 4);  // of six
+}
+
+TEST(Campaign, ExplainsWhyThereAreSoManyRuns) {
+  Campaign campaign = small_campaign();
+  campaign.planners[1].properties.groups = {"few"};
+  campaign.caps = {{"few", 2}};
+  campaign.profile = true;
+  EXPECT_EQ(explain_runs(campaign),
+            "76 runs\n"
+            "     24 = 2 planners x 2 regions x 1 scenario x 6 repeats\n"
+            "     24 = 2 planners x 2 regions x 3 goals x 2 repeats, in rows of goals\n"
+            "      4 = 1 planner x 2 regions x 1 scenario x 2 repeats\n"
+            "     12 = 1 planner x 2 regions x 3 goals x 2 repeats, in rows of goals\n"
+            "     12 = 3 planners x 2 regions x 2 scenarios, once more to measure phases\n");
+  EXPECT_EQ(runs_of(campaign).size(), 76U);
+}
+
+TEST(Campaign, KnowsWhatWordsMean) {
+  EXPECT_EQ(planners_called("thesis").size(), 10U);
+  for (const Planner& planner : planners_called("thesis"))
+    EXPECT_FALSE(planner.properties.tries_goal);
+  EXPECT_EQ(planners_called("thesis-goal").size(), 10U);
+  for (const Planner& planner : planners_called("thesis-goal"))
+    EXPECT_TRUE(planner.properties.tries_goal);
+  EXPECT_EQ(planners_called("all").size(), planners().size());
+  ASSERT_EQ(planners_called("anytime").size(), 1U);
+  EXPECT_THROW(static_cast<void>(planners_called("thesis-gaol")), InputError);
+}
+
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -11,9 +11,8 @@
 #include "evaluation/sqlite.h"
 #include "support/made_up_runs.h"
 #include "support/temporary_folder.h"
-#include "vandplan/io.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 /// Two planners in both regions, on open ground and to both goals of a row; rrt-bsc-euc solves
@@ -24,10 +23,9 @@ class Exports : public testing::Test {
     const Environment here{"0.1.0", "GNU 12", "Release", "0123", "a \"fast\" processor",
                            2,       "Linux"};
     const std::size_t environment = store_.index_of(here);
-    for (const Scenario& scenario : {open_ground("open"), open_ground("row", 2)}) {
-      const std::size_t index = store_.index_of(
-          StoredScenario{scenario.name, scenario.name + ".yaml", scenario_to_yaml(scenario)});
-      for (std::size_t goal = 0; goal < scenario.goals.size(); ++goal)
+    for (const ScenarioFile& scenario : {open_ground("open"), open_ground("row", 2)}) {
+      const std::size_t index = store_.index_of(stored(scenario, scenario.scenario.name + ".yaml"));
+      for (std::size_t goal = 0; goal < scenario.size(); ++goal)
         for (const std::string planner : {"rrt-bsc-euc", "rrt-opt-hlut-4"})
           for (const Region region : {Region::bounds, Region::scene})
             for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -37,13 +35,13 @@ class Exports : public testing::Test {
               run.environment = environment;
               run.scenario = index;
               run.goal = goal;
-              run.options.region = region;
+              run.region = region;
               store_.add(run);
             }
     }
     RunRecord profiled = made_up_run("rrt-bsc-euc", 5, 100.0);
     profiled.environment = environment;
-    profiled.options.profile = true;
+    profiled.options.planner.set("profile", true);
     store_.add(profiled);
   }
 
@@ -54,10 +52,10 @@ class Exports : public testing::Test {
 TEST_F(Exports, CsvHasALineForEveryRun) {
   const std::string csv = runs_to_csv(store_);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 48 + 1);
-  EXPECT_NE(csv.find("\nopen,0,rrt-bsc-euc,bounds,1,time_limit,,,,0.1,1000,900,"),
+  EXPECT_NE(csv.find("\nopen,0,rrt-bsc-euc,bounds,1,time_limit,,,,,0.1,1000,900,"),
             std::string::npos)
       << csv;
-  EXPECT_NE(csv.find("\nrow,1,rrt-opt-hlut-4,scene,4,solved,104,0,0.001,0.1,1000,900,"),
+  EXPECT_NE(csv.find("\nrow,1,rrt-opt-hlut-4,scene,4,solved,,104,0,0.001,0.1,1000,900,"),
             std::string::npos)
       << csv;
   EXPECT_NE(csv.find(",\"a \"\"fast\"\" processor\","), std::string::npos) << csv;
@@ -160,4 +158,4 @@ TEST_F(PlannerArena, PlotsProgress) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -6,7 +6,7 @@
 
 #include "vandplan/input_error.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 constexpr double left = 1.0 / 7.0;
@@ -54,4 +54,4 @@ TEST(PathMetrics, NeedASpeed) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -11,9 +11,8 @@
 #include "support/made_up_runs.h"
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
-#include "vandplan/io.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 Campaign small_campaign() {
@@ -23,17 +22,27 @@ Campaign small_campaign() {
                     .profile = true};
   campaign.scenarios = {{open_ground("one</script>"), "one.yaml"},
                         {open_ground("row", 2), "r.yaml"}};
-  campaign.options.max_nodes = 300;
+  campaign.settings = {{"max_nodes", "300"}};
   return campaign;
+}
+
+void limit(Campaign& campaign, int iterations) {
+  std::erase_if(campaign.settings,
+                [](const Setting& setting) { return setting.name == "max_iterations"; });
+  campaign.settings.push_back({"max_iterations", std::to_string(iterations)});
+}
+
+std::string shared_value(const Report& report, const std::string& name) {
+  for (const auto& [option, value] : report.options.shared)
+    if (option == name) return value;
+  return "none";
 }
 
 TEST(Report, RepeatsARunThatWasCutByTheClock) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign campaign = small_campaign();
-  campaign.options.time_limit = 0.003;
-  campaign.options.goal_bias = 0.2;
-  campaign.options.max_nodes = 100'000;
+  campaign.settings = {{"time_limit", "0.003"}, {"goal_bias", "0.2"}, {"max_nodes", "100000"}};
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
   int solved = 0;
@@ -41,20 +50,21 @@ TEST(Report, RepeatsARunThatWasCutByTheClock) {
     // vandplan plan FILE --planner NAME --seed N ... as `plan` would read it.
     std::istringstream words(reproduce_command(report, run));
     std::string word, file, planner;
-    PlanOptions options;
     words >> word >> word >> file >> word >> planner;
     EXPECT_EQ(file, report.files[run.scenario].file);
+    PlanOptions options;
     for (std::string flag, value; words >> flag >> value;) {
-      if (flag == "--seed") set_option(options, "seed", value);
-      if (flag == "--region") set_option(options, "region", value);
-      if (flag == "--max-nodes") set_option(options, "max_nodes", value);
-      if (flag == "--max-iterations") set_option(options, "max_iterations", value);
+      const auto set = [&](const std::string& name, const std::string& text) {
+        set_option(options, planner_named(planner), name, text);
+      };
+      if (flag == "--seed") set("seed", value);
+      if (flag == "--max-iterations") set("max_iterations", value);
       if (flag != "--set") continue;
-      set_option(options, value.substr(0, value.find('=')), value.substr(value.find('=') + 1));
+      set(value.substr(0, value.find('=')), value.substr(value.find('=') + 1));
     }
-    const Problem problem = make_problem(report.scenarios[run.scenario], run.goal);
+    const Problem problem = make_problem(scenario_at(report.scenarios[run.scenario], run.goal));
     const PlanResult again = plan(problem, planner_named(planner), options);
-    EXPECT_EQ(again.nodes, run.result.nodes);
+    EXPECT_EQ(counter(again, "nodes"), counter(run.result, "nodes"));
     ASSERT_EQ(again.path.has_value(), run.result.path.has_value());
     if (!again.path) continue;
     ++solved;
@@ -67,17 +77,17 @@ TEST(Report, TellsOfTheRunsOfOneEnvironmentAndOptionsOnly) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign campaign = small_campaign();
-  campaign.options.max_iterations = 30;
+  limit(campaign, 30);
   run_campaign(campaign, store, {});
-  campaign.options.max_iterations = 40;
+  limit(campaign, 40);
   run_campaign(campaign, store, {});
   const Report last = make_report(store);
-  EXPECT_EQ(last.options.max_iterations, 40);
+  EXPECT_EQ(shared_value(last, "max_iterations"), "40");
   EXPECT_EQ(last.runs.size() * 2, store.runs().size());
   EXPECT_EQ(last.left_out, static_cast<int>(last.runs.size()));
-  campaign.options.max_iterations = 30;
+  limit(campaign, 30);
   EXPECT_EQ(make_report(store, campaign).runs.size(), last.runs.size());
-  campaign.options.max_iterations = 50;
+  limit(campaign, 50);
   EXPECT_THROW(static_cast<void>(make_report(store, campaign)), InputError);
 }
 
@@ -85,9 +95,9 @@ TEST(Report, TellsOfWhatAFileHoldsNow) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign before = small_campaign();
-  before.options.max_iterations = 30;
+  limit(before, 30);
   Campaign after = before;
-  after.scenarios[0].scenario.obstacles = {{{0, 0}, {1, 0}, {0, 1}}};
+  after.scenarios[0].scenario.scenario.obstacles = {{{0, 0}, {1, 0}, {0, 1}}};
   run_campaign(before, store, {});
   run_campaign(after, store, {});
   for (const Campaign& campaign : {before, after}) {
@@ -95,7 +105,8 @@ TEST(Report, TellsOfWhatAFileHoldsNow) {
     EXPECT_EQ(report.left_out, 16);  // 2 planners, 2 regions, 3 repeats and a profiled run
     for (const RunRecord& run : report.runs) {
       if (report.files[run.scenario].file != "one.yaml") continue;
-      EXPECT_EQ(report.scenarios[run.scenario].obstacles, campaign.scenarios[0].scenario.obstacles);
+      EXPECT_EQ(report.scenarios[run.scenario].scenario.obstacles,
+                campaign.scenarios[0].scenario.scenario.obstacles);
     }
   }
   EXPECT_EQ(make_report(store).left_out, 16);
@@ -105,10 +116,10 @@ TEST(Report, TellsOfAFileByTheRunsThatItCompares) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign before = small_campaign();
-  before.options.max_iterations = 30;
+  limit(before, 30);
   Campaign after = before;
-  after.scenarios[0].scenario.obstacles = {{{0, 0}, {1, 0}, {0, 1}}};
-  after.options.max_iterations = 20;
+  after.scenarios[0].scenario.scenario.obstacles = {{{0, 0}, {1, 0}, {0, 1}}};
+  limit(after, 20);
   run_campaign(before, store, {});
   const std::size_t runs = store.runs().size();
   run_campaign(after, store, {});
@@ -121,7 +132,7 @@ TEST(Report, IsOnePageWithEverythingInIt) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign campaign = small_campaign();
-  campaign.options.max_iterations = 100;
+  limit(campaign, 100);
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
   const std::string page = report_html(report, gallery_png(report));
@@ -139,7 +150,7 @@ TEST(Report, IsATableInTheTerminal) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign campaign = small_campaign();
-  campaign.options.max_iterations = 100;
+  limit(campaign, 100);
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
   const std::string headline = headline_markdown(report);
@@ -152,7 +163,7 @@ TEST(Report, PutsTheLongerListDown) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign campaign = small_campaign();
-  campaign.options.max_iterations = 30;
+  limit(campaign, 30);
   campaign.scenarios.push_back({open_ground("third"), "3.yaml"});
   run_campaign(campaign, store, {});
   const std::string headline = headline_markdown(make_report(store));
@@ -176,13 +187,13 @@ TEST(Report, HasAGalleryWithACellForEachScenario) {
   const TemporaryFolder folder;
   Campaign campaign{
       .planners = {planner_named("rrt-bsc-euc")}, .regions = {Region::bounds}, .repeats = 1};
-  campaign.options.max_iterations = 50;
+  limit(campaign, 50);
   const auto gallery_of = [&](int scenarios) {
     campaign.scenarios.clear();
     for (int i = 0; i < scenarios; ++i) {
-      Scenario scenario = open_ground("number " + std::to_string(i));
+      ScenarioFile scenario = open_ground("number " + std::to_string(i));
       if (i % 2 == 1)
-        scenario.obstacles = {{{39, 29}, {41, 29}, {40, 31}}};  // on the goal: no path
+        scenario.scenario.obstacles = {{{39, 29}, {41, 29}, {40, 31}}};  // on the goal: no path
       campaign.scenarios.push_back({scenario, std::to_string(i) + ".yaml"});
     }
     Store store = Store::create(folder / (std::to_string(scenarios) + ".sqlite"));
@@ -198,6 +209,24 @@ TEST(Report, HasAGalleryWithACellForEachScenario) {
   EXPECT_EQ(gallery_of(33), std::pair(2 * width, row + 5 * cell));
 }
 
+TEST(Report, SaysWhichOptionsDiffer) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.planners.push_back(planner_named("rrt-bsc-euc-goal"));
+  limit(campaign, 30);
+  run_campaign(campaign, store, {});
+  const Report report = make_report(store);
+  EXPECT_EQ(shared_value(report, "max_nodes"), "300");
+  EXPECT_EQ(shared_value(report, "try_goal"), "none");
+  ASSERT_EQ(report.options.differing.size(), 2U);
+  EXPECT_EQ(report.options.differing[0].name, "try_goal");
+  EXPECT_EQ(report.options.differing[0].value, "false");
+  EXPECT_EQ(report.options.differing[0].planners.size(), 2U);
+  EXPECT_NE(headline_markdown(report).find("`try_goal` is true for rrt-bsc-euc-goal.\n"),
+            std::string::npos);
+}
+
 TEST(Report, OfNothingIsRefused) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
@@ -205,4 +234,4 @@ TEST(Report, OfNothingIsRefused) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

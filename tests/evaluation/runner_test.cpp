@@ -8,55 +8,54 @@
 #include <stdexcept>
 #include <thread>
 
-#include "base/random.h"
 #include "support/made_up_runs.h"
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 // Drives straight to the goal; how long that took and what was found on the way is made up.
-PlanResult plan_directly(const Problem& problem, const PlanOptions& options) {
-  base::Rng rng(options.seed);
-  PlanResult result;
-  result.status = PlanStatus::solved;
-  const double radius = problem.world->vehicle().min_turning_radius;
-  const Piece piece = reeds_shepp(problem.start, problem.goal, radius);
-  result.path = Path{problem.start, {piece.view().begin(), piece.view().end()}};
-  result.cost = length(result.path->segments);
-  result.anytime = {{base::uniform01(rng), 1, 2.0 * result.cost}, {1.0, 2, result.cost}};
-  result.iterations = static_cast<std::int64_t>(options.seed);
-  return result;
+PlannerAnswer plan_directly(const Task& task, const PlanOptions& options) {
+  Rng rng(options.budget.seed);
+  const Piece piece = reeds_shepp(task.start, task.goal, task.vehicle.min_turning_radius);
+  PlannerAnswer answer{.status = PlanStatus::solved};
+  answer.segments.emplace(piece.view().begin(), piece.view().end());
+  const double cost = length(*answer.segments);
+  answer.anytime = {{uniform01(rng), 1, 2.0 * cost}, {1.0, 2, cost}};
+  answer.iterations = static_cast<std::int64_t>(options.budget.seed);
+  return answer;
 }
 
-PlanResult plan_nothing(const Problem&, const PlanOptions&) {
-  PlanResult result;
-  result.status = PlanStatus::node_limit;
-  return result;
+PlannerAnswer plan_nothing(const Task&, const PlanOptions&) {
+  return {.status = PlanStatus::node_limit};
 }
 
-PlanResult plan_wrongly(const Problem& problem, const PlanOptions&) {
-  PlanResult result;
-  result.status = PlanStatus::solved;
-  result.path = Path{problem.start, {{0.0, 1.0}}};
-  result.cost = 1.0;
-  return result;
+PlannerAnswer plan_wrongly(const Task&, const PlanOptions&) {
+  PlannerAnswer answer{.status = PlanStatus::solved};
+  answer.segments = {{0.0, 1.0}};
+  return answer;
 }
 
 // Runs until it is stopped.
-PlanResult plan_endlessly(const Problem&, const PlanOptions& options) {
-  while (!*options.stop) std::this_thread::yield();
+PlannerAnswer plan_endlessly(const Task&, const PlanOptions& options) {
+  while (!*options.budget.stop) std::this_thread::yield();
   return {};
+}
+
+Planner planner(const std::string& name, const PlannerFunction& function) {
+  return {.name = name, .summary = "", .function = function};
 }
 
 Campaign small_campaign() {
   return {
       .scenarios = {{open_ground("first"), "first.yaml"}, {open_ground("second"), "second.yaml"}},
-      .planners = {{"direct", plan_directly, ""}, {"nothing", plan_nothing, ""}},
-      .repeats = 5};
+      .planners = {planner("direct", plan_directly), planner("nothing", plan_nothing)},
+      .repeats = 5,
+      .settings = {{"max_iterations", "100"}}};
 }
 
 TEST(Runner, StoresEveryRunOfACampaign) {
@@ -79,7 +78,7 @@ TEST(Runner, KeepsPathsInTheFrameOfTheScenario) {
   run_campaign(campaign, store, {});
   for (const RunRecord& run : store.runs()) {
     if (!run.result.path) continue;
-    EXPECT_EQ(run.result.path->start, campaign.scenarios[0].scenario.start);
+    EXPECT_EQ(run.result.path->start, campaign.scenarios[0].scenario.scenario.start);
     EXPECT_NEAR(end_pose(*run.result.path).x, 40.0, 1e-6);
   }
 }
@@ -110,7 +109,7 @@ TEST(Runner, FindsTheSameWithOneJobAndWithTwo) {
       std::string path;
       for (const CostSample& sample : run.result.anytime)
         path += std::to_string(sample.time) + " " + std::to_string(sample.cost) + " ";
-      paths[{run.scenario, run.planner, run.options.seed, run.options.region}] = path;
+      paths[{run.scenario, run.planner, run.options.budget.seed, run.region}] = path;
     }
     return paths;
   };
@@ -121,9 +120,9 @@ TEST(Runner, DropsWhatIsInFlightWhenStopped) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign campaign = small_campaign();
-  campaign.planners = {{"direct", plan_directly, ""}};
+  campaign.planners = {planner("direct", plan_directly)};
   run_campaign(campaign, store, {});
-  campaign.planners.push_back({"endless", plan_endlessly, ""});
+  campaign.planners.push_back(planner("endless", plan_endlessly));
   const std::atomic<bool> stop = true;
   const Progress progress = run_campaign(campaign, store, {.stop = &stop});
   EXPECT_EQ(progress.total, 40);
@@ -132,12 +131,33 @@ TEST(Runner, DropsWhatIsInFlightWhenStopped) {
   EXPECT_EQ(store.runs().size(), 20U);
 }
 
-TEST(Runner, HandsOnWhatTheJudgeRejects) {
+TEST(Runner, KeepsWhatTheJudgeRejectsWithItsReasonAndGoesOn) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign campaign = small_campaign();
-  campaign.planners = {{"wrong", plan_wrongly, ""}};
-  EXPECT_THROW(run_campaign(campaign, store, {.jobs = 2}), std::logic_error);
+  campaign.planners.push_back(planner("wrong", plan_wrongly));
+  EXPECT_EQ(run_campaign(campaign, store, {.jobs = 2}).done, 60);
+  int rejected = 0, solved = 0;
+  for (const RunRecord& run : store.runs()) {
+    solved += run.result.status == PlanStatus::solved;
+    if (run.planner != "wrong") continue;
+    ++rejected;
+    EXPECT_EQ(run.result.status, PlanStatus::rejected);
+    EXPECT_NE(run.result.reason.find("the path ends"), std::string::npos) << run.result.reason;
+    EXPECT_FALSE(run.result.path);
+  }
+  EXPECT_EQ(rejected, 20);
+  EXPECT_EQ(solved, 20);
+}
+
+TEST(Runner, HandsOnWhatAPlannerThrows) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.planners = {planner("thrower", [](const Task&, const PlanOptions&) -> PlannerAnswer {
+    throw std::runtime_error("no");
+  })};
+  EXPECT_THROW(run_campaign(campaign, store, {.jobs = 2}), std::runtime_error);
   EXPECT_TRUE(store.runs().empty());
 }
 
@@ -145,15 +165,12 @@ TEST(Runner, TellsHowFarItIs) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   int last_done = 0;
-  int reports = 0;
   run_campaign(small_campaign(), store, {.report = [&](const Progress& progress) {
                  EXPECT_EQ(progress.total, 40);
                  EXPECT_GE(progress.done, last_done);
                  last_done = progress.done;
-                 reports += progress.last != nullptr;
                }});
   EXPECT_EQ(last_done, 40);
-  EXPECT_EQ(reports, 40);
 }
 
 TEST(Runner, ExpectsTheRestToTakeAsLongAsWhatIsDone) {
@@ -168,11 +185,11 @@ TEST(Runner, RefusesMoreJobsThanCoresWhenTimeIsTheLimit) {
   campaign.repeats = 1;
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   EXPECT_NO_THROW(run_campaign(campaign, store, {.jobs = cores + 1}));
-  campaign.options.time_limit = 0.1;
+  campaign.settings.push_back({"time_limit", "0.1"});
   EXPECT_THROW(run_campaign(campaign, store, {.jobs = cores + 1}), InputError);
   EXPECT_NO_THROW(run_campaign(campaign, store, {.jobs = cores}));
   EXPECT_THROW(run_campaign(campaign, store, {.jobs = 0}), InputError);
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

@@ -9,9 +9,9 @@
 #include <limits>
 #include <numeric>
 
-#include "base/random.h"
+#include "vandplan/random.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -61,12 +61,12 @@ TEST(Median, OfManyValuesHasANarrowInterval) {
 }
 
 TEST(Median, IntervalKeepsItsPromiseOnASkewedDistribution) {
-  base::Rng rng(1);
+  Rng rng(1);
   for (const int n : {6, 25, 70}) {
     int covered = 0;
     for (int trial = 0; trial < 4000; ++trial) {
       std::vector<double> values;
-      for (int i = 0; i < n; ++i) values.push_back(-std::log(1.0 - base::uniform01(rng)));
+      for (int i = 0; i < n; ++i) values.push_back(-std::log(1.0 - uniform01(rng)));
       const Interval interval = median_of(values, 0.95).interval;
       covered += interval.low <= std::log(2.0) && std::log(2.0) <= interval.high;
     }
@@ -89,11 +89,11 @@ TEST(ShareInterval, OfNoneAndOfAllEndsThere) {
 }
 
 TEST(PairedComparison, SeesAFactorThatIsSmallBesideTheSpread) {
-  base::Rng rng(2);
+  Rng rng(2);
   std::vector<double> first, second;
   for (int i = 0; i < 25; ++i) {
-    second.push_back(std::exp(base::uniform(0.0, 5.0, rng)));
-    first.push_back(second.back() * base::uniform(0.8, 0.99, rng));
+    second.push_back(std::exp(uniform(0.0, 5.0, rng)));
+    first.push_back(second.back() * uniform(0.8, 0.99, rng));
   }
   const PairedComparison comparison = compare_pairs(first, second, 0.95);
   EXPECT_EQ(comparison.pairs, 25);
@@ -113,13 +113,13 @@ TEST(PairedComparison, CountsAnUnsolvedRunAsInfinite) {
 }
 
 TEST(PairedComparison, RarelySeesADifferenceThatIsNotThere) {
-  base::Rng rng(3);
+  Rng rng(3);
   int seen = 0;
   for (int trial = 0; trial < 4000; ++trial) {
     std::vector<double> first, second;
     for (int i = 0; i < 25; ++i) {
-      first.push_back(base::uniform(1.0, 2.0, rng));
-      second.push_back(base::uniform(1.0, 2.0, rng));
+      first.push_back(uniform(1.0, 2.0, rng));
+      second.push_back(uniform(1.0, 2.0, rng));
     }
     seen += compare_pairs(first, second, 0.95).verdict != Verdict::no_difference;
   }
@@ -132,4 +132,4 @@ TEST(PairedComparison, OfNothingSaysNothing) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

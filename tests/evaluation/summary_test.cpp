@@ -5,17 +5,31 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 #include "evaluation/findings.h"
+#include "evaluation/methods.h"
 #include "evaluation/pooled.h"
 #include "evaluation/reasons.h"
 #include "support/made_up_runs.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Verdict = PairedComparison::Verdict;
+
+Summary summary_of(const std::vector<ScenarioFile>& scenarios, const std::vector<RunRecord>& runs) {
+  return summarize(scenarios, planners_of(runs, {}), runs);
+}
+
+// A run that measured where its time went: half of it in ranking.
+RunRecord profiled_run(const std::string& planner, std::uint64_t seed, double cost) {
+  RunRecord run = made_up_run(planner, seed, cost);
+  run.options.planner.set("profile", true);
+  run.result.phases = {{"ranking", 0.05}, {"steering", 0.02}, {"checking", 0.01}};
+  return run;
+}
 
 const MethodSummary& method(const Summary& summary, const std::string& planner) {
   for (const MethodSummary& found : summary.scenarios.at(0).methods)
@@ -39,7 +53,7 @@ TEST(Summary, CountsUnsolvedRunsAsInfinite) {
   EXPECT_EQ(final_cost(run), infinity);
   const std::vector<RunRecord> runs = {made_up_run("a", 1, 50.0), made_up_run("a", 2, {}),
                                        made_up_run("a", 3, {})};
-  const Summary summary = summarize({open_ground("open")}, runs);
+  const Summary summary = summary_of({open_ground("open")}, runs);
   EXPECT_EQ(method(summary, "a").solved, 1);
   EXPECT_EQ(method(summary, "a").cost_at_end.median, infinity);
   EXPECT_EQ(method(summary, "a").first_time.median, infinity);
@@ -49,8 +63,8 @@ TEST(Summary, DescribesEveryPlannerOfAScenario) {
   std::vector<RunRecord> runs;
   for (std::uint64_t seed = 0; seed < 25; ++seed)
     runs.push_back(made_up_run("a", seed, 50.0 + static_cast<double>(seed), 0.008));
-  runs[3].result.nodes = 5000;
-  const Summary summary = summarize({open_ground("open")}, runs);
+  runs[3].result.counters = {{"nodes", 5000}};
+  const Summary summary = summary_of({open_ground("open")}, runs);
   const MethodSummary& found = method(summary, "a");
   EXPECT_EQ(found.runs, 25);
   EXPECT_EQ(found.solved, 25);
@@ -71,12 +85,8 @@ TEST(Summary, DescribesEveryPlannerOfAScenario) {
 }
 
 TEST(Summary, KeepsProfiledRunsApart) {
-  RunRecord profiled = made_up_run("a", 1, 10.0);
-  profiled.options.profile = true;
-  profiled.result.time_ranking = 0.05;
-  profiled.result.time_steering = 0.02;
-  profiled.result.time_checking = 0.01;
-  const Summary summary = summarize({open_ground("open")}, {made_up_run("a", 1, 50.0), profiled});
+  const RunRecord profiled = profiled_run("a", 1, 10.0);
+  const Summary summary = summary_of({open_ground("open")}, {made_up_run("a", 1, 50.0), profiled});
   EXPECT_EQ(method(summary, "a").runs, 1);
   EXPECT_EQ(method(summary, "a").cost_at_end.median, 50.0);
   ASSERT_TRUE(method(summary, "a").phases);
@@ -94,7 +104,7 @@ TEST(Summary, OfARowOfGoalsSaysHowFarMoreThanHalfGet) {
                                  i < solved[goal] ? std::optional(cost) : std::nullopt));
       runs.back().goal = goal;
     }
-  const Summary summary = summarize({open_ground("row", 4)}, runs);
+  const Summary summary = summary_of({open_ground("row", 4)}, runs);
   const MethodSummary& found = method(summary, "a");
   EXPECT_EQ(found.furthest, 40.0);
   ASSERT_EQ(found.goals.size(), 4U);
@@ -107,17 +117,21 @@ TEST(Summary, OfARowOfGoalsSaysHowFarMoreThanHalfGet) {
 }
 
 TEST(Summary, ComparesWithTheTwinThatRanksByEuclid) {
-  EXPECT_EQ(euclid_twin("rrt-bsc-hlut-4"), "rrt-bsc-euc");
-  EXPECT_EQ(euclid_twin("rrt-opt-rs"), "rrt-opt-euc");
-  EXPECT_EQ(euclid_twin("rrt-opt-euc"), std::nullopt);
-  EXPECT_EQ(euclid_twin("anytime"), std::nullopt);
+  const auto twin_of = [](const char* planner) -> std::string {
+    const Planner* const twin = euclid_twin(planner_named(planner), planners());
+    return twin == nullptr ? "none" : twin->name;
+  };
+  EXPECT_EQ(twin_of("rrt-bsc-hlut-4"), "rrt-bsc-euc");
+  EXPECT_EQ(twin_of("rrt-opt-rs-goal"), "rrt-opt-euc-goal");
+  EXPECT_EQ(twin_of("rrt-opt-euc"), "none");
+  EXPECT_EQ(twin_of("anytime"), "none");
   std::vector<RunRecord> runs;
   for (std::uint64_t seed = 0; seed < 25; ++seed) {
     const double cost = 50.0 + 10.0 * static_cast<double>(seed);
     runs.push_back(made_up_run("rrt-bsc-euc", seed, cost));
     runs.push_back(made_up_run("rrt-bsc-hlut-1", 24 - seed, 0.8 * (290.0 - (cost - 50.0))));
   }
-  const Summary summary = summarize({open_ground("open")}, runs);
+  const Summary summary = summary_of({open_ground("open")}, runs);
   ASSERT_EQ(summary.scenarios[0].twins.size(), 1U);
   const TwinComparison& twins = summary.scenarios[0].twins[0];
   EXPECT_EQ(twins.cost.pairs, 25);
@@ -127,9 +141,35 @@ TEST(Summary, ComparesWithTheTwinThatRanksByEuclid) {
   EXPECT_EQ(twins.cost_ratios.size(), 25U);
 }
 
+// Names mean nothing: whoever says that he is built like another is his twin.
+TEST(Summary, ComparesPlannersOfOthersByTheirProperties) {
+  const Planner mine{"zebra", "", {.family = "mine", .strategy = "x", .estimate = "euclid"}};
+  const Planner table{"yak", "", {.family = "mine", .strategy = "x", .estimate = "hlut-3"}};
+  const Planner stranger{"rrt-bsc-hlut-1", "", {}};
+  const std::vector<RunRecord> runs = {made_up_run("zebra", 1, 10.0), made_up_run("yak", 1, 9.0),
+                                       made_up_run("rrt-bsc-hlut-1", 1, 8.0),
+                                       made_up_run("rrt-bsc-euc", 1, 7.0)};
+  const std::vector<Planner> known = {mine, table, stranger};
+  const Summary summary = summarize({open_ground("s")}, planners_of(runs, known), runs);
+  ASSERT_EQ(summary.scenarios[0].twins.size(), 1U);
+  EXPECT_EQ(summary.scenarios[0].twins[0].planner, "yak");
+  EXPECT_EQ(summary.scenarios[0].twins[0].twin, "zebra");
+  EXPECT_EQ(table_number(table.properties), 3);
+  EXPECT_EQ(table_number(stranger.properties), std::nullopt);
+}
+
+TEST(Summary, ShowsPlannersThatNobodyKnows) {
+  const std::vector<Planner> found =
+      planners_of({made_up_run("unknown", 1, 10.0), made_up_run("anytime", 1, 9.0)}, {});
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].name, "anytime");  // the library's come first
+  EXPECT_EQ(found[1].name, "unknown");
+  EXPECT_TRUE(found[1].properties.family.empty());
+}
+
 // Nine scenarios; the table halves the cost in `better` of them and doubles the time in all.
 std::vector<Finding> findings_when_better_in(std::size_t better) {
-  std::vector<Scenario> scenarios;
+  std::vector<ScenarioFile> scenarios;
   std::vector<RunRecord> runs;
   for (std::size_t s = 0; s < 9; ++s) {
     scenarios.push_back(open_ground("s" + std::to_string(s)));
@@ -140,12 +180,11 @@ std::vector<Finding> findings_when_better_in(std::size_t better) {
       runs.back().scenario = s;
     }
     for (const std::string planner : {"rrt-opt-euc", "rrt-opt-hlut-2"}) {
-      runs.push_back(made_up_run(planner, 25, 100.0));
+      runs.push_back(profiled_run(planner, 25, 100.0));
       runs.back().scenario = s;
-      runs.back().options.profile = true;
     }
   }
-  return findings(summarize(scenarios, runs), scenarios);
+  return findings(summary_of(scenarios, runs), scenarios);
 }
 
 TEST(Findings, SayWhatIsLeftOfTheThesisClaims) {
@@ -158,7 +197,7 @@ TEST(Findings, SayWhatIsLeftOfTheThesisClaims) {
             "together better beyond chance: rrt-opt-hlut-2 (56 % of the pairs better, 0 % worse)");
   EXPECT_FALSE(five[1].holds);
   EXPECT_EQ(five[1].found,
-            "First solution: at best nothing beyond chance; at worst +100 % (+100 % to +100 %) by "
+            "First solution: at best nothing beyond chance; at worst +100 % by "
             "rrt-opt-hlut-2 in s0. Whole run: at best nothing beyond chance; at worst nothing "
             "beyond chance");
   EXPECT_FALSE(five[2].holds);  // 50 % better, not 90 %
@@ -177,9 +216,9 @@ TEST(Findings, SayWhy) {
 }
 
 TEST(Findings, TablesCoverWhatLiesWithinTheirExtent) {
-  Scenario scenario = open_ground("s");  // 400 m by 400 m
+  Scenario scenario = open_ground("s").scenario;  // 400 m by 400 m
   const auto coverage = [&](int number) {
-    return table_coverage(make_problem(scenario, 0), Region::bounds, number);
+    return table_coverage(make_problem(scenario), Region::bounds, number);
   };
   EXPECT_NEAR(coverage(1), 0.049375 * 0.049375, 1e-12);
   EXPECT_NEAR(coverage(4), 0.144375 * 0.144375, 1e-12);
@@ -197,7 +236,7 @@ Summary summary_when_better(std::uint64_t better) {
     runs.push_back(made_up_run("rrt-bsc-hlut-1", seed, seed < better ? 50.0 : 110.0));
     runs.push_back(made_up_run("anytime", seed, 40.0));
   }
-  return summarize({open_ground("s")}, runs);
+  return summary_of({open_ground("s")}, runs);
 }
 
 TEST(Findings, PoolAllScenariosByTheSignTest) {
@@ -219,13 +258,44 @@ TEST(Findings, PoolAllScenariosByTheSignTest) {
 TEST(Findings, BeginWithTheAnswer) {
   EXPECT_EQ(headline(summary_when_better(28), Region::bounds),
             "anytime ends with the shortest paths (medians) in 1 of 1 scenarios; of the random "
-            "trees rrt-bsc-hlut-1, in 1. Scenario by scenario the thesis' tables end better than "
-            "Euclid in 1, worse in 0 of 1 comparisons, beyond chance; over all scenarios together "
-            "1 of 1 tables are better, 0 worse.");
+            "trees rrt-bsc-hlut-1, in 1. As the thesis prints its methods, its tables end better "
+            "than Euclid in 1, worse in 0 of 1 comparisons scenario by scenario, beyond chance; "
+            "over all scenarios together 1 of 1 tables are better, 0 worse.");
   EXPECT_EQ(headline(summary_when_better(28), Region::scene), "");
-  const Summary nothing = summarize({open_ground("s")}, {made_up_run("anytime", 1, {})});
+  const Summary nothing = summary_of({open_ground("s")}, {made_up_run("anytime", 1, {})});
   EXPECT_EQ(headline(nothing, Region::bounds),
             "No planner solves half of its runs in any scenario.");
+}
+
+// The table is better as printed, and worse with the goal tried.
+TEST(Findings, JudgeEverySettingAndRegionOnItsOwn) {
+  std::vector<RunRecord> runs;
+  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+    for (const Region region : {Region::bounds, Region::scene}) {
+      for (const auto& [planner, cost] : {std::pair("rrt-bsc-euc", 100.0),
+                                          {"rrt-bsc-hlut-2", 9.0},
+                                          {"rrt-bsc-euc-goal", 100.0},
+                                          {"rrt-bsc-hlut-2-goal", 110.0}}) {
+        runs.push_back(made_up_run(planner, seed, cost));
+        runs.back().region = region;
+      }
+    }
+  }
+  const std::vector<ScenarioFile> scenarios = {open_ground("s")};
+  const std::vector<Finding> found = findings(summary_of(scenarios, runs), scenarios);
+  ASSERT_EQ(found.size(), 12U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(found[i].where.setting, i < 6 ? GoalSetting::sampled : GoalSetting::tried);
+    EXPECT_EQ(found[i].where.region, i / 3 % 2 == 0 ? Region::bounds : Region::scene);
+    EXPECT_EQ(found[i].holds, i < 6 && i % 3 != 1) << i;  // no time is saved
+  }
+  const std::vector<std::string> sentences = verdicts(found);
+  ASSERT_EQ(sentences.size(), 2U);
+  EXPECT_EQ(sentences[0],
+            "The thesis' claims, as printed: confirmed \"better paths in at least six of nine "
+            "scenarios\" (bounds, scene), \"up to 90 % better path\" (bounds, scene); not "
+            "confirmed \"up to 20 % less time\" (bounds, scene).");
+  EXPECT_TRUE(sentences[1].starts_with("The thesis' claims, goal tried: confirmed nothing; not "));
 }
 
 TEST(Findings, WriteRatiosAsChanges) {
@@ -238,4 +308,4 @@ TEST(Findings, WriteRatiosAsChanges) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

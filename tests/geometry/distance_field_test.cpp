@@ -28,15 +28,15 @@ double squared_distance(const geometry::BlockedCells& cells, double x, double y)
   return least;
 }
 
-OccupancyGrid any_grid(base::Rng& rng) {
-  const auto side = [&] { return static_cast<std::int32_t>(base::uniform(1, 90, rng)); };
-  OccupancyGrid grid = random_grid(side(), side(), std::pow(base::uniform01(rng), 4), rng);
-  grid.unknown_is_free = base::uniform01(rng) < 0.7;
+OccupancyGrid any_grid(Rng& rng) {
+  const auto side = [&] { return static_cast<std::int32_t>(uniform(1, 90, rng)); };
+  OccupancyGrid grid = random_grid(side(), side(), std::pow(uniform01(rng), 4), rng);
+  grid.unknown_is_free = uniform01(rng) < 0.7;
   return grid;
 }
 
 TEST(DistanceField, IsExactAtTheCornersOfCells) {
-  for_each_case(1, 60, [](base::Rng& rng) {
+  for_each_case(1, 60, [](Rng& rng) {
     const geometry::BlockedCells cells(any_grid(rng));
     const geometry::DistanceField field(cells, 2);
     for (std::int32_t y = 0; y <= cells.rows(); ++y) {
@@ -75,12 +75,12 @@ TEST(DistanceField, KnowsRoughlyHowFarItIsBeyond255Cells) {
 }
 
 TEST(DistanceField, BoundsDistancesEverywhere) {
-  for_each_case(2, 60, [](base::Rng& rng) {
+  for_each_case(2, 60, [](Rng& rng) {
     const geometry::BlockedCells cells(any_grid(rng));
     const geometry::DistanceField field(cells, 2);
     for (int i = 0; i < 500; ++i) {
-      const double x = base::uniform(-20, cells.columns() + 20, rng);
-      const double y = base::uniform(-20, cells.rows() + 20, rng);
+      const double x = uniform(-20, cells.columns() + 20, rng);
+      const double y = uniform(-20, cells.rows() + 20, rng);
       const double expected = std::sqrt(squared_distance(cells, x, y));
       const auto [least, most] = field.around({x, y});
       const double at_least = field.at_least({x, y});
@@ -96,7 +96,7 @@ TEST(DistanceField, BoundsDistancesEverywhere) {
 }
 
 TEST(BlockedCells, EdgeCellsHaveANeighbourThatIsFree) {
-  for_each_case(3, 100, [](base::Rng& rng) {
+  for_each_case(3, 100, [](Rng& rng) {
     const OccupancyGrid grid = any_grid(rng);
     const geometry::BlockedCells cells(grid);
     std::vector<std::vector<bool>> found(

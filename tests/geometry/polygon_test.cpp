@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
 #include "support/cases.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -68,12 +68,12 @@ TEST(Polygon, TouchingAndFoldingSidesAreFlaws) {
 }
 
 /// Corners at random distances around the origin, in order, from a random one on, either way round.
-Polygon random_star(double nearest, double furthest, base::Rng& rng) {
-  const auto count = static_cast<std::size_t>(base::uniform(5, 30, rng));
+Polygon random_star(double nearest, double furthest, Rng& rng) {
+  const auto count = static_cast<std::size_t>(uniform(5, 30, rng));
   Polygon star;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
-    const double radius = base::uniform(nearest, furthest, rng);
+    const double radius = uniform(nearest, furthest, rng);
     star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
   if (rng() % 2 == 0) std::reverse(star.begin(), star.end());
@@ -82,14 +82,14 @@ Polygon random_star(double nearest, double furthest, base::Rng& rng) {
 }
 
 TEST(Polygon, StarsAreSimple) {
-  for_each_case(3, 20'000, [](base::Rng& rng) {
+  for_each_case(3, 20'000, [](Rng& rng) {
     const Polygon star = random_star(0.1, 1, rng);
     ASSERT_EQ(flaw(star), "") << as_code(star);
   });
 }
 
 TEST(Polygon, ExchangingTwoCornersOfAConvexPolygonCrossesItsSides) {
-  for_each_case(4, 20'000, [](base::Rng& rng) {
+  for_each_case(4, 20'000, [](Rng& rng) {
     Polygon polygon = random_star(1, 1, rng);
     std::swap(polygon[0], polygon[1 + rng() % (polygon.size() - 1)]);
     ASSERT_NE(flaw(polygon), "") << as_code(polygon);

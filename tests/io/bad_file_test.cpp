@@ -6,22 +6,22 @@
 #include <algorithm>
 #include <string>
 
-#include "base/random.h"
 #include "support/cases.h"
 #include "support/shared_files.h"
 #include "support/temporary_folder.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
+#include "vandplan/random.h"
 #include "vandplan/result_file.h"
 #include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
 
-std::size_t below(std::size_t count, base::Rng& rng) { return rng() % count; }
+std::size_t below(std::size_t count, Rng& rng) { return rng() % count; }
 
 /// One of many ways to hurt a text.
-std::string hurt(std::string text, base::Rng& rng) {
+std::string hurt(std::string text, Rng& rng) {
   static const std::string scraps[] = {"[",
                                        "]",
                                        "{",
@@ -83,7 +83,7 @@ std::string hurt(std::string text, base::Rng& rng) {
   }
 }
 
-std::string hurt_often(std::string text, base::Rng& rng) {
+std::string hurt_often(std::string text, Rng& rng) {
   for (std::size_t i = 1 + below(4, rng); i > 0; --i) text = hurt(std::move(text), rng);
   return text;
 }
@@ -113,7 +113,7 @@ TEST(BadFile, ScenariosAreReadOrRefused) {
   const std::string texts[] = {our_scenario("5-leave-cage.yaml"),
                                our_scenario("9-furthest-walled.yaml").substr(0, 1500),
                                our_scenario("2-flat-obstacle.yaml")};
-  for_each_case(1, 6000, [&](base::Rng& rng) {
+  for_each_case(1, 6000, [&](Rng& rng) {
     const std::string text = hurt_often(texts[below(std::size(texts), rng)], rng);
     expect_read_or_refused(
         [&] {
@@ -140,7 +140,7 @@ TEST(BadFile, ResultsAreReadOrRefused) {
   record.result.tree = TreeSnapshot{{{0, 0, 0}, {1, 0, 0.5}}, {-1, 0}};
   const std::string valid = results_to_json(scenario, {record});
   const TemporaryFolder folder;
-  for_each_case(2, 6000, [&](base::Rng& rng) {
+  for_each_case(2, 6000, [&](Rng& rng) {
     const std::string text = hurt_often(valid, rng);
     const std::string file = folder.put("r.json", text);
     expect_read_or_refused([&] { (void)read_results(file, scenario); }, file, text);
@@ -156,7 +156,7 @@ TEST(BadFile, ResultsOfManyPairsAreReadOrRefused) {
   const std::string valid =
       result_to_json_line(1, problem, record) + result_to_json_line(2, problem, record);
   const TemporaryFolder folder;
-  for_each_case(4, 3000, [&](base::Rng& rng) {
+  for_each_case(4, 3000, [&](Rng& rng) {
     const std::string text = hurt_often(valid, rng);
     const std::string file = folder.put("r.jsonl", text);
     const auto read = [&] {
@@ -172,7 +172,7 @@ TEST(BadFile, ResultsOfManyPairsAreReadOrRefused) {
 TEST(BadFile, CasesOfTheCompetitionAreReadOrRefused) {
   const std::string valid = "1,2,3,4,5,6,2,3,4,0,0,1,0,1,1,5,5,6,5,6,6,5,6\n";
   const TemporaryFolder folder;
-  for_each_case(3, 6000, [&](base::Rng& rng) {
+  for_each_case(3, 6000, [&](Rng& rng) {
     const std::string text = hurt_often(valid, rng);
     const std::string file = folder.put("c.csv", text);
     expect_read_or_refused([&] { (void)read_tpcap(file); }, file, text);

@@ -48,10 +48,11 @@ ResultRecord solved(const Scenario& scenario) {
   result.counters = {{"nodes", 5000}, {"edge_checks", 12345}};
   result.time_total = 0.5;
   result.anytime = {{0.0031, 61, 375.9}, {0.0102, 190, 17.65}};
-  PathCheck& check = result.check.emplace();
-  check.valid = true;
-  check.reverse_length = 12.34;
-  check.clearance = 0.25;
+  result.check = PathCheck{.valid = true,
+                           .length = 17.64,
+                           .reverse_length = 12.34,
+                           .gear_changes = 2,
+                           .clearance = 0.25};
   record.options.planner.set("max_nodes", std::int64_t{700});
   return record;
 }
@@ -158,6 +159,15 @@ TEST(ResultFile, PosesFarAwayAreAsGoodAsADoubleIs) {
     EXPECT_EQ(poses[i]["y"], beside["y"].get<double>() - 354286007);
     EXPECT_EQ(poses[i]["heading"], beside["heading"]);
   }
+}
+
+TEST(ResultFile, TheStartIsWrittenAsTheScenarioWritesIt) {
+  Scenario scenario = yard();
+  scenario.start.heading = -6.11698657169903;
+  ResultRecord record = solved(scenario);
+  record.result.path->start = scenario.start;  // as `plan` has it
+  const Json json = Json::parse(results_to_json({scenario}, {record}));
+  EXPECT_EQ(json["path"]["start"]["heading"], -6.11698657169903);
 }
 
 TEST(ResultFile, WithoutAPathThereIsNothingOfAPath) {

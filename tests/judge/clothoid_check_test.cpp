@@ -88,15 +88,17 @@ TEST(JudgedClothoid, StatedCurvaturesAreThoseThere) {
 }
 
 TEST(JudgedClothoid, NumbersOutOfReasonAreNamed) {
-  const auto reason = [](const Segment& segment) {
-    return check_open({{0, 0, 0}, {{0, 1}, segment}}).reason;
+  const Problem problem = problem_of({0, 0, 0}, {0, 0, 0}, {}, wide_bounds, nimble);
+  const auto reason = [&](const Segment& segment) {
+    return check_path(problem, {{0, 0, 0}, {{0, 1}, segment}}).reason;
   };
   EXPECT_EQ(reason({0, 1, std::numeric_limits<double>::quiet_NaN()}), "segments[1] is not finite");
   for (const Segment& segment : {Segment{0, 1, 1e300}, Segment{1e300, 1e300, -1e300},
                                  Segment{0.1, 1e9, 1e-12}, Segment{0, -1e6, 1e-3}}) {
     EXPECT_EQ(reason(segment), "segments[1] winds too often to be judged") << as_code(segment);
   }
-  EXPECT_EQ(reason({0.25, 200, -0.0025}), "");  // turns by 50 rad, in and out
+  // It turns by 50 rad, in and out.
+  EXPECT_EQ(check_open({{0, 0, 0}, {{0, 1}, {0.25, 200, -0.0025}}}).reason, "");
 }
 
 // ---- How tight it is ----

@@ -12,13 +12,14 @@
 #include <memory>
 #include <numbers>
 
-#include "geometry/random_pose.h"
 #include "judge/cell_tree.h"
 #include "judge/clearance.h"
 #include "support/cases.h"
 #include "support/map_cases.h"
+#include "support/problems.h"
 #include "support/slow_judge.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -28,13 +29,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Bounds wide{-1e4, 1e4, -1e4, 1e4};
 
 /// Around the origin, with blocked cells wherever one looks, and walls around it at times.
-OccupancyGrid crowded_grid(base::Rng& rng) {
-  const auto side = [&] { return static_cast<std::int32_t>(base::uniform(5, 30, rng)); };
+OccupancyGrid crowded_grid(Rng& rng) {
+  const auto side = [&] { return static_cast<std::int32_t>(uniform(5, 30, rng)); };
   OccupancyGrid grid = random_grid(side(), side(), any_size(1e-3, 0.1, rng), rng);
   grid.unknown_is_free = chance(0.3, rng);
-  grid.resolution = base::uniform(1, 3, rng);
-  const Pose turned{base::uniform(-5, 5, rng), base::uniform(-5, 5, rng),
-                    base::uniform(-pi, pi, rng)};
+  grid.resolution = uniform(1, 3, rng);
+  const Pose turned{uniform(-5, 5, rng), uniform(-5, 5, rng), uniform(-pi, pi, rng)};
   grid.origin =
       compose(turned, {-grid.columns * grid.resolution / 2, -grid.rows * grid.resolution / 2, 0});
   return grid;
@@ -58,8 +58,8 @@ struct Counts {
 /// What the judge says of one passage, of cells or of polygons.
 template <typename Clearance>
 void expect_passage(const Clearance& clearance, const Footprint& body,
-                    const std::vector<Polygon>& squares, base::Rng& rng, Counts& counts) {
-  const Pose pose = geometry::uniform_pose({-8, 8, -8, 8}, rng);
+                    const std::vector<Polygon>& squares, Rng& rng, Counts& counts) {
+  const Pose pose = uniform_pose({-8, 8, -8, 8}, rng);
   const double curvature = chance(0.3, rng) ? 0 : any_sign(any_size(1e-6, 5, rng), rng);
   const double half = any_size(1e-4, 20, rng);
   const double rate = chance(0.5, rng) ? 0 : any_sign(any_size(1e-6, 2, rng) / half, rng);
@@ -77,7 +77,7 @@ void expect_passage(const Clearance& clearance, const Footprint& body,
   EXPECT_LE(bound, most);
   double least = exact;
   for (int i = 0; i < 40; ++i) {
-    const double s = i < 2 ? any_sign(half, rng) : base::uniform(-half, half, rng);
+    const double s = i < 2 ? any_sign(half, rng) : uniform(-half, half, rng);
     const Pose there = advance(pose, {curvature, s, std::copysign(1.0, s) * rate});
     least = std::min(least, gap_at(body, squares, there).distance);
   }
@@ -92,7 +92,7 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
   constexpr int count = 20000;
   Counts cells;
   Counts polygons;
-  for_each_case(1, count, [&](base::Rng& rng) {
+  for_each_case(1, count, [&](Rng& rng) {
     const Footprint body = footprint(any_vehicle(rng));
     const OccupancyGrid grid = chance(0.8, rng) ? any_grid(rng) : crowded_grid(rng);
     const std::vector<Polygon> squares = squares_of(grid);
@@ -164,8 +164,7 @@ void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Pat
                as_code(grid.origin) + ": " + as_code(squares));
   for (const Surroundings& surroundings :
        {Surroundings{.bounds = wide, .map = grid}, {.bounds = wide, .obstacles = squares}}) {
-    const auto world = std::make_shared<World>(vehicle, surroundings, Point{});
-    const PathCheck check = check_path({world, path.start, end_pose(path)}, path, {});
+    const PathCheck check = check_path(problem_of_path(surroundings, path, vehicle), path);
     ASSERT_TRUE(check.clearance);
     const Footprint body = footprint(vehicle);
     if (check.valid) {
@@ -185,12 +184,12 @@ void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Pat
 TEST(JudgeLaw, VerdictAndClearanceAreThoseOfLookingEverywhere) {
   constexpr int count = 1000;
   Verdicts verdicts;
-  for_each_case(2, count, [&](base::Rng& rng) {
+  for_each_case(2, count, [&](Rng& rng) {
     const Vehicle vehicle = any_vehicle(rng);
     const Path path = any_edge(rng);
     if (chance(0.2, rng)) return expect_verdict(vehicle, crowded_grid(rng), path, verdicts);
     OccupancyGrid grid = any_grid(rng);
-    if (chance(0.1, rng)) grid.origin = compose({base::uniform(10, 60, rng), 0, 0}, grid.origin);
+    if (chance(0.1, rng)) grid.origin = compose({uniform(10, 60, rng), 0, 0}, grid.origin);
     if (chance(0.6, rng)) graze(grid, footprint(vehicle), path, rng);
     expect_verdict(vehicle, grid, path, verdicts);
   });

@@ -384,8 +384,7 @@ TEST(PathCheck, ReverseIsLookedAtToo) {
 
 PathCheck check_with_kerb(const Polygon& kerb, const Vehicle& vehicle) {
   const Surroundings surroundings{.bounds = {-50, 50, -50, 50}, .kerbs = {kerb}};
-  return check_path({std::make_shared<World>(vehicle, surroundings, Point{}), {0, 0, 0}, ten_ahead},
-                    ahead, {});
+  return check_path(problem_in(surroundings, {0, 0, 0}, ten_ahead, vehicle), ahead, {});
 }
 
 // Wheels from the rear axle to the front one, at the end from x = 10 to 14.5; the body to 15.9.
@@ -416,9 +415,7 @@ PathCheck check_on_map(const std::vector<std::string>& rows, const Pose& origin,
   grid.unknown_is_free = true;
   const Surroundings surroundings{.bounds = {-50, 50, -50, 50}, .map = grid};
   const Path path{{0, 0, 0}, {{0, metres}}};
-  return check_path(
-      {std::make_shared<World>(Vehicle{}, surroundings, Point{}), path.start, end_pose(path)}, path,
-      {});
+  return check_path(problem_of_path(surroundings, path), path, {});
 }
 
 TEST(PathCheckOnAMap, ClearanceIsToTheSquaresOfCells) {

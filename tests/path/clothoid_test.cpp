@@ -10,13 +10,15 @@
 #include <limits>
 #include <numbers>
 
-#include "search/edges.h"
 #include "support/cases.h"
 #include "support/clothoid_oracle.h"
 #include "vandplan/path.h"
+#include "vandplan/search.h"
 
 namespace vandplan {
 namespace {
+
+using search::end_of, search::prefix, search::suffix;
 
 constexpr double pi = std::numbers::pi;
 constexpr Bounds around{-20, 20, -20, 20};

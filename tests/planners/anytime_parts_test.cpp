@@ -7,36 +7,43 @@
 
 #include "../support/cases.h"
 #include "../support/problems.h"
-#include "geometry/random_pose.h"
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/trees.h"
 #include "vandplan/path_check.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
 
+using anytime::Lattice;
+using anytime::Shortener;
+using anytime::TwoTrees;
+using search::Connector;
+using search::CostRule;
+using search::GridDistance;
+using search::Route;
+
 // A truck among five boxes; start and goal are free.
-Problem random_problem(base::Rng& rng) {
+Problem random_problem(Rng& rng) {
   while (true) {
     std::vector<Polygon> boxes;
     for (int i = 0; i < 5; ++i) {
-      const double x = base::uniform(-25, 20, rng);
-      const double y = base::uniform(-25, 20, rng);
-      boxes.push_back(box(x, y, x + base::uniform(1, 8, rng), y + base::uniform(1, 8, rng)));
+      const double x = uniform(-25, 20, rng);
+      const double y = uniform(-25, 20, rng);
+      boxes.push_back(box(x, y, x + uniform(1, 8, rng), y + uniform(1, 8, rng)));
     }
     const Bounds region{-30, 30, -30, 30};
-    Problem problem =
-        problem_of(geometry::uniform_pose(region, rng), geometry::uniform_pose(region, rng), boxes);
-    const CollisionChecker& checker = problem.world->checker();
-    if (checker.is_free(problem.start) && checker.is_free(problem.goal)) return problem;
+    Problem problem = problem_of(uniform_pose(region, rng), uniform_pose(region, rng), boxes);
+    const CollisionChecker& checker = *problem.task().checker;
+    if (checker.is_free(problem.start()) && checker.is_free(problem.goal())) return problem;
   }
 }
 
 void expect_valid(const Problem& problem, const CostRule& rule, const Route& route) {
   const PathCheck check = check_path(problem, path_of(route), {});
-  EXPECT_TRUE(check.valid) << check.reason << " " << as_code(problem.start) << " "
-                           << as_code(problem.goal) << " " << as_code(problem.world->obstacles());
+  EXPECT_TRUE(check.valid) << check.reason << " " << as_code(problem.start()) << " "
+                           << as_code(problem.goal()) << " " << as_code(obstacles_of(problem));
   EXPECT_NEAR(cost_of(rule, route), route.cost, 1e-9);
   EXPECT_NEAR(rule.forward_weight * (check.length - check.reverse_length) +
                   rule.reverse_weight * check.reverse_length +
@@ -47,11 +54,11 @@ void expect_valid(const Problem& problem, const CostRule& rule, const Route& rou
 constexpr CostRule rules[] = {{}, {1.0, 2.0, 3.0, 0}};
 
 TEST(TwoTrees, WhatTheyFindIsARoute) {
-  for_each_case(1, 100, [](base::Rng& rng) {
+  for_each_case(1, 100, [](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
-    Edges edges(*problem.world, rule);
-    TwoTrees trees(problem, {-40, 40, -40, 40}, edges, 0.5, rng());
+    Connector connector(problem.task(), rule);
+    TwoTrees trees(problem.task(), {-40, 40, -40, 40}, connector, 0.5, rng());
     for (int i = 0; i < 300; ++i) {
       if (!trees.step()) continue;
       expect_valid(problem, rule, trees.route());
@@ -61,14 +68,14 @@ TEST(TwoTrees, WhatTheyFindIsARoute) {
 }
 
 TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
-  for_each_case(2, 100, [](base::Rng& rng) {
+  for_each_case(2, 100, [](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
-    Edges edges(*problem.world, rule);
-    GridDistance guide(*problem.world, {-50, 50, -50, 50}, 1.0, problem.goal, problem.start);
+    Connector connector(problem.task(), rule);
+    GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.goal(), problem.start());
     while (guide.step()) {
     }
-    Lattice lattice(problem.start, problem.goal, {12, 0.5, 2.0}, guide, edges);
+    Lattice lattice(problem.start(), problem.goal(), {12, 0.5, 2.0}, guide, connector);
     double cost = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 400 && !lattice.is_exhausted(); ++i) {
       if (!lattice.step()) continue;
@@ -81,16 +88,16 @@ TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
 }
 
 TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
-  for_each_case(3, 60, [](base::Rng& rng) {
+  for_each_case(3, 60, [](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
-    Edges edges(*problem.world, rule);
-    TwoTrees trees(problem, {-40, 40, -40, 40}, edges, 0.5, rng());
+    Connector connector(problem.task(), rule);
+    TwoTrees trees(problem.task(), {-40, 40, -40, 40}, connector, 0.5, rng());
     int tries = 0;
     while (!trees.step() && ++tries < 300) {
     }
     if (tries == 300) return;
-    Shortener shortener(edges, trees.route(), rng());
+    Shortener shortener(connector, trees.route(), rng());
     double cost = shortener.route().cost;
     for (int i = 0; i < 500; ++i) {
       const bool cheaper = shortener.step();
@@ -103,24 +110,25 @@ TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
 
 // With nothing in the way the shortest word is all that remains.
 TEST(Shortener, OnOpenGroundItFindsTheShortestPath) {
-  for_each_case(4, 20, [](base::Rng& rng) {
+  for_each_case(4, 20, [](Rng& rng) {
     Problem problem = random_problem(rng);
-    problem = problem_of(problem.start, problem.goal, {});
-    Edges edges(*problem.world, {});
-    const Pose via = geometry::uniform_pose({-30, 30, -30, 30}, rng);
-    Route route{problem.start, {}, 0.0};
-    route.legs.push_back({edges.steer(problem.start, via, {}), via});
-    route.legs.push_back({edges.steer(via, problem.goal, {}), problem.goal});
+    problem = problem_of(problem.start(), problem.goal(), {});
+    Connector connector(problem.task());
+    const Pose via = uniform_pose({-30, 30, -30, 30}, rng);
+    Route route{problem.start(), {}, 0.0};
+    route.legs.push_back({connector.steer(problem.start(), via), via});
+    route.legs.push_back({connector.steer(via, problem.goal()), problem.goal()});
     route.cost = cost_of({}, route);
-    Shortener shortener(edges, route, rng());
+    Shortener shortener(connector, route, rng());
     for (int i = 0; i < 200; ++i) shortener.step();
-    EXPECT_NEAR(shortener.route().cost, edges.least_cost(problem.start, problem.goal), 1e-6);
+    EXPECT_NEAR(shortener.route().cost, connector.least_cost(problem.start(), problem.goal()),
+                1e-6);
   });
 }
 
 TEST(GridDistance, GoesAroundAWallAndIsNearTheTruth) {
   const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
-  GridDistance guide(*problem.world, {-20, 50, -40, 40}, 0.5, problem.goal, problem.start);
+  GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.goal(), problem.start());
   while (guide.step()) {
   }
   EXPECT_NEAR(guide.at(0, 0), 2 * std::hypot(14, 20) + 2, 0.12 * 50);

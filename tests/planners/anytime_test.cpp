@@ -8,6 +8,7 @@
 
 #include "../support/problems.h"
 #include "vandplan/path_check.h"
+#include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -16,12 +17,14 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 PlanResult run(const Problem& problem, const PlanOptions& options) {
-  return plan(problem, planner_named("anytime"), options);
+  PlanResult result = plan(problem, planner_named("anytime"), options);
+  EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
+  return result;
 }
 
 PlanOptions iterations(std::int64_t count) {
   PlanOptions options;
-  options.max_iterations = count;
+  options.budget.max_iterations = count;
   return options;
 }
 
@@ -35,7 +38,7 @@ TEST(Anytime, IsTheDefault) { EXPECT_EQ(default_planner().name, "anytime"); }
 TEST(Anytime, OnOpenGroundTheShortestPathIsProvenAtOnce) {
   const Problem problem = problem_of({0, 0, 0}, {20, 30, 2}, {});
   const PlanResult result = run(problem, iterations(1000));
-  const double shortest = reeds_shepp_length(problem.start, problem.goal, 7.0);
+  const double shortest = reeds_shepp_length(problem.start(), problem.goal(), 7.0);
   EXPECT_NEAR(result.cost, shortest, 1e-9);
   EXPECT_NEAR(result.lower_bound, shortest, 1e-9);
   EXPECT_EQ(result.iterations, 0);
@@ -53,7 +56,7 @@ TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
   PlanOptions options = iterations(6000);
   const PlanResult one = run(narrow_road(), options);
   for (const int threads : {2, 3, 16}) {
-    options.threads = threads;
+    options.budget.threads = threads;
     const PlanResult many = run(narrow_road(), options);
     EXPECT_EQ(many.path, one.path) << threads;
     EXPECT_EQ(many.iterations, one.iterations) << threads;
@@ -69,10 +72,10 @@ TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
 // Every path that only turns left is as long as the shortest: three gear changes do, seldom four.
 TEST(Anytime, OfTheShortestPathsItTakesOneWithFewGearChanges) {
   PlanOptions options = iterations(6000);
-  for (options.seed = 1; options.seed <= 10; ++options.seed) {
+  for (options.budget.seed = 1; options.budget.seed <= 10; ++options.budget.seed) {
     const PlanResult result = run(narrow_road(), options);
-    EXPECT_NEAR(result.cost, 7 * pi, 1e-6) << options.seed;
-    EXPECT_LE(gear_changes(result.path->segments), 4) << options.seed;
+    EXPECT_NEAR(result.cost, 7 * pi, 1e-6) << options.budget.seed;
+    EXPECT_LE(gear_changes(result.path->segments), 4) << options.budget.seed;
   }
 }
 
@@ -91,7 +94,7 @@ TEST(Anytime, LeavesAVeryTightSlotAndGetsIntoIt) {
 TEST(Anytime, ReversingCostsItsWeight) {
   const Problem behind = problem_of({0, 0, 0}, {-10, 0, 0}, {});
   PlanOptions options = iterations(3000);
-  options.reverse_weight = 1.5;
+  options.cost.reverse_weight = 1.5;
   EXPECT_NEAR(run(behind, options).cost, 15.0, 1e-9);
 }
 
@@ -99,7 +102,7 @@ TEST(Anytime, ReversingCostsItsWeight) {
 TEST(Anytime, AHighWeightMakesItDriveForward) {
   const Problem behind = problem_of({0, 0, 0}, {-10, 0, 0}, {});
   PlanOptions options = iterations(20000);
-  options.reverse_weight = 100.0;
+  options.cost.reverse_weight = 100.0;
   const PlanResult result = run(behind, options);
   const PathCheck check = check_path(behind, *result.path, {});
   EXPECT_LT(check.reverse_length, 0.05);
@@ -109,18 +112,18 @@ TEST(Anytime, AHighWeightMakesItDriveForward) {
 TEST(Anytime, TheGearBeforeTheStartIsCharged) {
   const Problem ahead = problem_of({0, 0, 0}, {10, 0, 0}, {});
   PlanOptions options = iterations(100);
-  options.gear_change_cost = 3.0;
+  options.cost.gear_change_cost = 3.0;
   EXPECT_NEAR(run(ahead, options).cost, 10.0, 1e-9);
-  options.initial_gear = InitialGear::forward;
+  options.cost.initial_gear = InitialGear::forward;
   EXPECT_NEAR(run(ahead, options).cost, 10.0, 1e-9);
-  options.initial_gear = InitialGear::reverse;
+  options.cost.initial_gear = InitialGear::reverse;
   EXPECT_NEAR(run(ahead, options).cost, 13.0, 1e-9);
 }
 
 TEST(Anytime, DearGearChangesBecomeFew) {
   PlanOptions options = iterations(20000);
   const PlanResult cheap = run(narrow_road(), options);
-  options.gear_change_cost = 20.0;
+  options.cost.gear_change_cost = 20.0;
   const PlanResult dear = run(narrow_road(), options);
   const double cheap_length = length(cheap.path->segments);
   const int cheap_changes = gear_changes(cheap.path->segments);

@@ -8,30 +8,31 @@
 #include <filesystem>
 
 #include "support/cases.h"
-#include "vandplan/io.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
 
-std::vector<Scenario> thesis_scenarios() {
+const std::string thesis = VANDPLAN_REPOSITORY "/scenarios/thesis/";
+
+std::vector<ScenarioProblems> thesis_problems() {
   std::vector<std::string> files;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(VANDPLAN_REPOSITORY "/scenarios/thesis")) {
+  for (const auto& entry : std::filesystem::directory_iterator(thesis)) {
     files.push_back(entry.path().string());
   }
   std::sort(files.begin(), files.end());
-  std::vector<Scenario> scenarios;
-  for (const std::string& file : files) scenarios.push_back(read_scenario(file));
-  return scenarios;
+  std::vector<ScenarioProblems> all;
+  for (const std::string& file : files) all.push_back(read_problems(file));
+  return all;
 }
 
 std::vector<std::string> thesis_methods() {
   std::vector<std::string> names;
-  for (const PlannerInfo& info : planners()) {
-    if (info.name.starts_with("rrt-")) names.emplace_back(info.name);
+  for (const Planner& planner : planners()) {
+    if (planner.properties.family == "rrt") names.push_back(planner.name);
   }
   return names;
 }
@@ -39,23 +40,24 @@ std::vector<std::string> thesis_methods() {
 class ThesisMethod : public testing::TestWithParam<std::string> {};
 
 TEST_P(ThesisMethod, FindsOnlyPathsThatTheJudgeAccepts) {
-  const std::vector<Scenario> scenarios = thesis_scenarios();
+  const std::vector<ScenarioProblems> scenarios = thesis_problems();
   ASSERT_EQ(scenarios.size(), 9U);
-  const PlannerInfo& planner = planner_named(GetParam());
+  const Planner& planner = planner_named(GetParam());
   int solved = 0;
-  for (const Scenario& scenario : scenarios) {
+  for (const auto& [file, problems] : scenarios) {
     // The nearest, a middle and the furthest goal of a row.
-    for (std::size_t goal = 0; goal < scenario.goals.size();
-         goal += std::max<std::size_t>(1, (scenario.goals.size() - 1) / 2)) {
-      const Problem problem = make_problem(scenario, goal);
+    for (std::size_t goal = 0; goal < problems.size();
+         goal += std::max<std::size_t>(1, (problems.size() - 1) / 2)) {
+      const Problem& problem = problems[goal];
       for (int seed = 1; seed <= std::max(1, cases(3)); ++seed) {
-        SCOPED_TRACE(scenario.name + ", goal " + std::to_string(goal) + ", seed " +
+        SCOPED_TRACE(file.scenario.name + ", goal " + std::to_string(goal) + ", seed " +
                      std::to_string(seed));
         PlanOptions options;
-        options.seed = static_cast<std::uint64_t>(seed);
-        options.max_iterations = 400;
-        options.region = seed % 2 == 0 ? Region::bounds : Region::scene;
-        const PlanResult result = planner.function(problem, options);
+        options.budget.seed = static_cast<std::uint64_t>(seed);
+        options.budget.max_iterations = 400;
+        options.planner.set("region", seed % 2 == 0 ? "bounds" : "scene");
+        const PlanResult result = plan(problem, planner, options);
+        EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
         EXPECT_EQ(result.status == PlanStatus::solved, result.path.has_value());
         if (!result.path) continue;
         ++solved;
@@ -70,24 +72,24 @@ TEST_P(ThesisMethod, FindsOnlyPathsThatTheJudgeAccepts) {
 }
 
 TEST_P(ThesisMethod, GrowsATreeWhoseEveryEdgeTheJudgeAccepts) {
-  const Problem cage =
-      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/5-leave-cage.yaml"), 0);
+  const Problem cage = read_problems(thesis + "5-leave-cage.yaml").problems[0];
   PlanOptions options;
-  options.max_iterations = 300;
-  options.region = Region::scene;
-  options.keep_tree = true;
-  const PlanResult result = planner_named(GetParam()).function(cage, options);
+  options.budget.max_iterations = 300;
+  options.planner.set("region", "scene");
+  options.planner.set("keep_tree", true);
+  const PlanResult result = plan(cage, planner_named(GetParam()), options);
   ASSERT_TRUE(result.tree);
   const TreeSnapshot& tree = *result.tree;
-  ASSERT_EQ(static_cast<std::int64_t>(tree.poses.size()), result.nodes);
+  ASSERT_EQ(static_cast<std::int64_t>(tree.poses.size()), counter(result, "nodes"));
   ASSERT_GT(tree.poses.size(), 30U);
   EXPECT_EQ(tree.parents[0], -1);
   for (std::size_t i = 1; i < tree.poses.size(); ++i) {
     ASSERT_LT(static_cast<std::size_t>(tree.parents[i]), i);
     const Pose& from = tree.poses[static_cast<std::size_t>(tree.parents[i])];
     const Piece edge = reeds_shepp(from, tree.poses[i], 7.0);
-    const PathCheck check = check_path({cage.world, from, tree.poses[i]},
-                                       {from, {edge.view().begin(), edge.view().end()}}, {});
+    const Problem problem = make_problem(cage.world(), cage.vehicle(), from, tree.poses[i]);
+    const PathCheck check =
+        check_path(problem, {from, {edge.view().begin(), edge.view().end()}}, {});
     EXPECT_TRUE(check.valid) << "node " << i << ": " << check.reason;
   }
 }
@@ -102,23 +104,21 @@ INSTANTIATE_TEST_SUITE_P(All, ThesisMethod, testing::ValuesIn(thesis_methods()),
 
 TEST(Rrt, LeastTotalCostIsNeverLongerOnTheSameSamplesThanNearest) {
   // Both draw the same samples; on open ground every one is connected at once.
-  const Problem open =
-      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/1-open.yaml"), 0);
+  const Problem open = read_problems(thesis + "1-open.yaml").problems[0];
   PlanOptions options;
-  options.max_iterations = 200;
+  options.budget.max_iterations = 200;
   const PlanResult nearest = plan(open, planner_named("rrt-bsc-euc"), options);
   const PlanResult least = plan(open, planner_named("rrt-opt-rs"), options);
   ASSERT_TRUE(nearest.path && least.path);
   EXPECT_LE(least.cost, nearest.cost);
-  EXPECT_NEAR(least.cost, reeds_shepp_length(open.start, open.goal, 7.0), 1e-9);
+  EXPECT_NEAR(least.cost, reeds_shepp_length(open.start(), open.goal(), 7.0), 1e-9);
 }
 
 TEST(Rrt, TheParentByExactLengthIsTheNearestOfAll) {
-  const Problem open =
-      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/1-open.yaml"), 0);
+  const Problem open = read_problems(thesis + "1-open.yaml").problems[0];
   PlanOptions options;
-  options.max_iterations = cases(500);
-  options.keep_tree = true;
+  options.budget.max_iterations = cases(500);
+  options.planner.set("keep_tree", true);
   const PlanResult result = plan(open, planner_named("rrt-bsc-rs"), options);
   ASSERT_TRUE(result.tree);
   const auto& [poses, parents] = *result.tree;
@@ -133,24 +133,21 @@ TEST(Rrt, TheParentByExactLengthIsTheNearestOfAll) {
 }
 
 TEST(Rrt, WithoutGoalSamplesOnlyTryingTheGoalFromEveryNodeSolves) {
-  const Problem open =
-      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/1-open.yaml"), 0);
+  const Problem open = read_problems(thesis + "1-open.yaml").problems[0];
   PlanOptions options;
-  options.max_iterations = 200;
-  options.goal_bias = 0.0;
-  EXPECT_EQ(plan(open, planner_named("rrt-bsc-euc"), options).status, PlanStatus::solved);
-  options.try_goal = false;
+  options.budget.max_iterations = 200;
+  options.planner.set("goal_bias", 0.0);
+  EXPECT_EQ(plan(open, planner_named("rrt-bsc-euc-goal"), options).status, PlanStatus::solved);
   EXPECT_EQ(plan(open, planner_named("rrt-bsc-euc"), options).status, PlanStatus::iteration_limit);
 }
 
 TEST(Rrt, AFullTreeEndsTheRun) {
-  const Problem narrow =
-      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/4-narrow-turn.yaml"), 0);
+  const Problem narrow = read_problems(thesis + "4-narrow-turn.yaml").problems[0];
   PlanOptions options;
-  options.max_nodes = 5;
+  options.planner.set("max_nodes", std::int64_t{5});
   const PlanResult result = plan(narrow, planner_named("rrt-bsc-euc"), options);
   EXPECT_EQ(result.status, PlanStatus::node_limit);
-  EXPECT_EQ(result.nodes, 5);
+  EXPECT_EQ(counter(result, "nodes"), 5);
 }
 
 }  // namespace

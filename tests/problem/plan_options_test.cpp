@@ -4,91 +4,203 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "vandplan/input_error.h"
+#include "vandplan/planner.h"
 
 namespace vandplan {
 namespace {
 
-std::string message_of_setting(const char* name, const char* value) {
-  PlanOptions options;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+OptionValue whole(std::int64_t number) { return number; }
+
+/// What an error says, or nothing.
+template <typename Action>
+std::string message_of(Action action) {
   try {
-    set_option(options, name, value);
+    action();
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(PlanOptions, EveryOptionReadsBackWhatItWrites) {
+std::string message_of_setting(const char* planner, const char* name, const char* value) {
+  return message_of([&] {
+    PlanOptions options;
+    set_option(options, planner_named(planner), name, value);
+  });
+}
+
+/// What is said when a run of that planner is asked for with these options.
+std::string message_of_completing(const char* planner, const PlanOptions& options) {
+  return message_of([&] { (void)complete(planner_named(planner), options); });
+}
+
+PlanOptions with(const char* name, OptionValue value) {
   PlanOptions options;
-  options.seed = 18446744073709551615U;
-  options.time_limit = 0.1;
-  options.max_nodes = 77;
-  options.region = Region::scene;
-  options.goal_bias = 1.0 / 3;
-  options.reverse_weight = 1.7;
-  options.gear_change_cost = 0.1;
-  options.initial_gear = InitialGear::reverse;
-  options.threads = 3;
-  options.keep_tree = true;
+  options.planner.set(name, std::move(value));
+  return options;
+}
+
+// ---- options of all planners ----
+
+TEST(PlanOptions, EveryCommonOptionReadsBackWhatItWrites) {
+  PlanOptions options;
+  options.budget = {
+      .time_limit = 0.1, .max_iterations = 7, .seed = 18446744073709551615U, .threads = 3};
+  options.cost = {
+      .reverse_weight = 1.7, .gear_change_cost = 0.1, .initial_gear = InitialGear::reverse};
   PlanOptions copy;
-  for (const OptionInfo& info : option_table()) {
-    std::string value = info.get(options);
+  for (const CommonOption& option : common_options()) {
+    std::string value = option.get(options);
     if (value.front() == '"') value = value.substr(1, value.size() - 2);
-    set_option(copy, info.name, value);
+    set_option(copy, planner_named("anytime"), option.name, value);
   }
-  for (const OptionInfo& info : option_table()) {
-    EXPECT_EQ(info.get(copy), info.get(options)) << info.name;
-  }
-  EXPECT_EQ(copy.goal_bias, 1.0 / 3);
+  EXPECT_EQ(copy, options);
 }
 
 TEST(PlanOptions, NullTakesALimitAway) {
   PlanOptions options;
-  set_option(options, "max_iterations", "3");
-  EXPECT_EQ(options.max_iterations, 3);
-  set_option(options, "max_iterations", "null");
-  EXPECT_EQ(options.max_iterations, std::nullopt);
-}
-
-TEST(PlanOptions, UnknownNameListsTheKnownOnes) {
-  const std::string message = message_of_setting("gaol_bias", "0.1");
-  EXPECT_NE(message.find("gaol_bias: unknown option, expected one of seed, "), std::string::npos);
-}
-
-TEST(PlanOptions, BadValueNamesOptionValueAndRule) {
-  EXPECT_EQ(message_of_setting("goal_bias", "0.1x"),
-            "goal_bias: \"0.1x\" is not a number, expected: share of samples that are the goal; "
-            "0 to 1");
-  EXPECT_NE(message_of_setting("seed", "-1"), "");
-  EXPECT_NE(message_of_setting("max_nodes", "99999999999999999999"), "");
-  EXPECT_NE(message_of_setting("region", "everywhere"), "");
-  EXPECT_NE(message_of_setting("keep_tree", "yes"), "");
+  set_option(options, default_planner(), "max_iterations", "3");
+  EXPECT_EQ(options.budget.max_iterations, 3);
+  set_option(options, default_planner(), "max_iterations", "null");
+  EXPECT_EQ(options.budget.max_iterations, std::nullopt);
 }
 
 TEST(PlanOptions, ValidateRejectsWhatIsOutOfRange) {
   const auto is_rejected = [](auto change) {
     PlanOptions options;
     change(options);
-    try {
-      validate(options);
-    } catch (const InputError&) {
-      return true;
-    }
-    return false;
+    return !message_of([&] { validate(options); }).empty();
   };
   EXPECT_FALSE(is_rejected([](PlanOptions&) {}));
-  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.goal_bias = 1.01; }));
-  EXPECT_TRUE(
-      is_rejected([](PlanOptions& o) { o.goal_bias = std::numeric_limits<double>::quiet_NaN(); }));
-  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.time_limit = -0.1; }));
-  EXPECT_TRUE(
-      is_rejected([](PlanOptions& o) { o.time_limit = std::numeric_limits<double>::infinity(); }));
-  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.max_nodes = 0; }));
-  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.max_parents = 0; }));
-  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.max_iterations = -1; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.time_limit = -0.1; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.time_limit = infinity; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.max_iterations = -1; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.threads = 0; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.threads = 257; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.reverse_weight = 0.9; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.reverse_weight = nan; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.gear_change_cost = -1; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.gear_change_cost = infinity; }));
+}
+
+// ---- options of one planner ----
+
+TEST(PlannerOptions, EveryOneReadsBackWhatItWrites) {
+  for (const Planner& planner : planners()) {
+    for (const OptionInfo& info : planner.options) {
+      SCOPED_TRACE(planner.name + " " + info.name);
+      std::string text = json_of(info.standard);
+      if (text.front() == '"') text = text.substr(1, text.size() - 2);
+      EXPECT_EQ(parsed_value(info, text), info.standard);
+      EXPECT_EQ(fitting_value(info, info.standard), info.standard);
+      EXPECT_FALSE(info.summary.empty());
+      EXPECT_FALSE(info.range().empty());
+    }
+  }
+}
+
+TEST(PlannerOptions, ANumberReadsBackExactly) {
+  PlanOptions options;
+  set_option(options, planner_named("rrt-bsc-euc"), "goal_bias", "0.3333333333333333");
+  EXPECT_EQ(options.planner.number("goal_bias"), 1.0 / 3);
+}
+
+TEST(PlannerOptions, CompleteFillsInTheDefaults) {
+  const PlanOptions all = complete(planner_named("rrt-bsc-euc"), with("max_nodes", whole(77)));
+  EXPECT_EQ(all.planner.integer("max_nodes"), 77);
+  EXPECT_EQ(all.planner.number("goal_bias"), 0.05);
+  EXPECT_EQ(all.planner.word("region"), "bounds");
+  EXPECT_FALSE(all.planner.flag("try_goal"));
+  EXPECT_TRUE(complete(planner_named("rrt-bsc-euc-goal"), {}).planner.flag("try_goal"));
+}
+
+TEST(PlannerOptions, AWholeNumberIsANumberToo) {
+  const PlanOptions all = complete(planner_named("rrt-bsc-euc"), with("goal_bias", whole(1)));
+  EXPECT_EQ(all.planner.number("goal_bias"), 1.0);
+}
+
+TEST(PlannerOptions, ARunWithoutALimitTakesTheDefaultTime) {
+  EXPECT_EQ(complete(default_planner(), {}).budget.time_limit, default_time_limit);
+  PlanOptions limited;
+  limited.budget.max_iterations = 5;
+  EXPECT_EQ(complete(default_planner(), limited).budget.time_limit, std::nullopt);
+}
+
+// ---- what is refused ----
+
+TEST(PlannerOptions, AnUnknownNameListsTheKnownOnes) {
+  const std::string expected =
+      "gaol_bias: unknown option, expected one of seed, time_limit, max_iterations, region, "
+      "goal_bias, max_nodes, max_parents, try_goal, keep_tree, profile";
+  EXPECT_EQ(message_of_setting("rrt-bsc-euc", "gaol_bias", "0.1"), expected);
+  EXPECT_EQ(message_of_completing("rrt-bsc-euc", with("gaol_bias", 0.1)), expected);
+}
+
+TEST(PlannerOptions, AnIgnoredOneNamesThePlannersThatHonourIt) {
+  std::string trees;
+  for (const Planner& planner : planners()) {
+    if (planner.properties.family == "rrt") trees += (trees.empty() ? "" : ", ") + planner.name;
+  }
+  const std::string expected =
+      "max_nodes: is no option of anytime, expected one of the planners that honour it: " + trees;
+  EXPECT_EQ(message_of_setting("anytime", "max_nodes", "10"), expected);
+  EXPECT_EQ(message_of_completing("anytime", with("max_nodes", whole(10))), expected);
+}
+
+TEST(PlannerOptions, PricesAndThreadsAreRefusedByTheTrees) {
+  const auto refusal = [](const char* name) {
+    return std::string(name) +
+           ": is no option of rrt-opt-rs, expected one of the planners that honour it: anytime";
+  };
+  EXPECT_EQ(message_of_setting("rrt-opt-rs", "reverse_weight", "2"), refusal("reverse_weight"));
+  EXPECT_EQ(message_of_setting("rrt-opt-rs", "gear_change_cost", "2"), refusal("gear_change_cost"));
+  EXPECT_EQ(message_of_setting("rrt-opt-rs", "initial_gear", "reverse"), refusal("initial_gear"));
+  EXPECT_EQ(message_of_setting("rrt-opt-rs", "threads", "2"), refusal("threads"));
+  const auto completing = [](auto change) {
+    PlanOptions options;
+    change(options);
+    return message_of_completing("rrt-opt-rs", options);
+  };
+  EXPECT_EQ(completing([](PlanOptions& o) { o.cost.reverse_weight = 2; }),
+            refusal("reverse_weight"));
+  EXPECT_EQ(completing([](PlanOptions& o) { o.cost.gear_change_cost = 2; }),
+            refusal("gear_change_cost"));
+  EXPECT_EQ(completing([](PlanOptions& o) { o.cost.initial_gear = InitialGear::reverse; }),
+            refusal("initial_gear"));
+  EXPECT_EQ(completing([](PlanOptions& o) { o.budget.threads = 2; }), refusal("threads"));
+}
+
+TEST(PlannerOptions, ABadTextNamesOptionValueAndRule) {
+  EXPECT_EQ(message_of_setting("rrt-bsc-euc", "goal_bias", "0.1x"),
+            "goal_bias: \"0.1x\" is not a number, expected: share of samples that are the goal; "
+            "0 to 1");
+  EXPECT_NE(message_of_setting("rrt-bsc-euc", "seed", "-1"), "");
+  EXPECT_NE(message_of_setting("rrt-bsc-euc", "max_nodes", "99999999999999999999"), "");
+  EXPECT_NE(message_of_setting("rrt-bsc-euc", "max_nodes", "0"), "");
+  EXPECT_NE(message_of_setting("rrt-bsc-euc", "region", "everywhere"), "");
+  EXPECT_NE(message_of_setting("rrt-bsc-euc", "keep_tree", "yes"), "");
+}
+
+TEST(PlannerOptions, AValueOfAnotherTypeOrOutOfRangeIsRefused) {
+  EXPECT_EQ(message_of_completing("rrt-bsc-euc", with("goal_bias", 1.01)),
+            "goal_bias: 1.01 is not 0 to 1");
+  EXPECT_EQ(message_of_completing("rrt-bsc-euc", with("goal_bias", std::string("0.1"))),
+            "goal_bias: \"0.1\" is not 0 to 1");
+  EXPECT_EQ(message_of_completing("rrt-bsc-euc", with("region", std::string("yard"))),
+            "region: \"yard\" is not bounds or scene");
+  EXPECT_EQ(message_of_completing("rrt-bsc-euc", with("keep_tree", whole(1))),
+            "keep_tree: 1 is not true or false");
+  EXPECT_NE(message_of_completing("rrt-bsc-euc", with("goal_bias", nan)), "");
+  EXPECT_NE(message_of_completing("rrt-bsc-euc", with("max_nodes", whole(0))), "");
+  EXPECT_NE(message_of_completing("rrt-bsc-euc", with("max_nodes", 5.5)), "");
+  EXPECT_NE(message_of_completing("rrt-bsc-euc", with("max_parents", whole(0))), "");
 }
 
 }  // namespace

@@ -9,11 +9,10 @@
 #include <limits>
 #include <numbers>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "support/cases.h"
 #include "support/problems.h"
 #include "vandplan/input_error.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -24,64 +23,36 @@ Scenario yard() {
           .vehicle = {},
           .bounds = {-50.5, 50, -40, 40.25},
           .start = {10.7, -3.2, 0.5},
-          .goals = {{.distance = {}, .pose = {20, 5.5, -1}, .obstacles = {}}},
-          .goals_are_a_row = false,
+          .goal = {20, 5.5, -1},
           .obstacles = {{{0, 0}, {1, 0}, {1, 1}}}};
 }
 
-Scenario row() {
-  Scenario scenario = yard();
-  scenario.goals_are_a_row = true;
-  scenario.goals = {{20.0, {20, 0, 0}, {}}, {40.0, {40, 0, 0}, {{{5, 5}, {6, 5}, {6, 6}}}}};
-  return scenario;
-}
-
 TEST(MakeProblem, MovesEverythingNextToTheStart) {
-  const Problem problem = make_problem(yard(), 0);
-  const World& world = *problem.world;
+  const Problem problem = make_problem(yard());
+  EXPECT_EQ(problem.start(), yard().start);
+  EXPECT_EQ(problem.goal(), yard().goal);
+  const World& world = *problem.world();
   EXPECT_EQ(world.origin(), (Point{11, -3}));
-  EXPECT_EQ(problem.start, (Pose{-0.3, -0.2, 0.5}));
-  EXPECT_EQ(problem.goal, (Pose{9, 8.5, -1}));
-  EXPECT_EQ(world.bounds(), (Bounds{-61.5, 39, -37, 43.25}));
-  EXPECT_EQ(world.obstacles(), (std::vector<Polygon>{{{-11, 3}, {-10, 3}, {-10, 4}}}));
+  EXPECT_EQ(problem.task().start, (Pose{-0.3, -0.2, 0.5}));
+  EXPECT_EQ(problem.task().goal, (Pose{9, 8.5, -1}));
+  EXPECT_EQ(world.local().bounds, (Bounds{-61.5, 39, -37, 43.25}));
+  EXPECT_EQ(world.local().obstacles, (std::vector<Polygon>{{{-11, 3}, {-10, 3}, {-10, 4}}}));
 }
 
 TEST(MakeProblem, AScenarioFarAwayIsTheSameProblem) {
-  const Problem here = make_problem(yard(), 0);
+  const Problem here = make_problem(yard());
   for (const double distance : {4484378811.0, -8.7e9, 1e10, 1e12 - 100}) {
     SCOPED_TRACE(distance);
     const Scenario scenario = moved_by(yard(), distance, -std::round(distance / 2));
-    const Problem there = make_problem(scenario, 0);
+    const Problem there = make_problem(scenario);
+    EXPECT_EQ(there.start(), scenario.start);
+    EXPECT_EQ(there.goal(), scenario.goal);
     // A coordinate of at most 15 digits comes out exactly; yard() has two after the point.
-    EXPECT_EQ(there.start, here.start);
-    EXPECT_EQ(there.goal, here.goal);
-    EXPECT_EQ(there.world->bounds(), here.world->bounds());
-    EXPECT_EQ(there.world->obstacles(), here.world->obstacles());
-    EXPECT_EQ(to_scenario(*there.world, there.start), scenario.start);
-  }
-}
-
-TEST(MakeProblem, AGoalOfARowBringsItsOwnObstacles) {
-  EXPECT_EQ(make_problem(row(), 0).world->obstacles().size(), 1U);
-  const Problem second = make_problem(row(), 1);
-  EXPECT_EQ(second.goal, (Pose{29, 3, 0}));
-  EXPECT_EQ(second.world->obstacles(),
-            (std::vector<Polygon>{{{-11, 3}, {-10, 3}, {-10, 4}}, {{-6, 8}, {-5, 8}, {-5, 9}}}));
-}
-
-TEST(MakeProblems, GoalsWithoutObstaclesOfTheirOwnShareAWorld) {
-  Scenario scenario = row();
-  scenario.goals.push_back({60.0, {45, 0, 0}, {}});
-  const std::vector<Problem> problems = make_problems(scenario);
-  ASSERT_EQ(problems.size(), 3U);
-  EXPECT_EQ(problems[0].world, problems[2].world);
-  EXPECT_NE(problems[0].world, problems[1].world);
-  for (std::size_t goal = 0; goal < problems.size(); ++goal) {
-    const Problem alone = make_problem(scenario, goal);
-    EXPECT_EQ(problems[goal].start, alone.start);
-    EXPECT_EQ(problems[goal].goal, alone.goal);
-    EXPECT_EQ(problems[goal].world->bounds(), alone.world->bounds());
-    EXPECT_EQ(problems[goal].world->obstacles(), alone.world->obstacles());
+    EXPECT_EQ(there.task().start, here.task().start);
+    EXPECT_EQ(there.task().goal, here.task().goal);
+    EXPECT_EQ(there.world()->local().bounds, here.world()->local().bounds);
+    EXPECT_EQ(there.world()->local().obstacles, here.world()->local().obstacles);
+    EXPECT_EQ(to_scenario(*there.world(), there.task().start), scenario.start);
   }
 }
 
@@ -89,53 +60,55 @@ TEST(MakeProblem, WrapsHeadingsAndDropsRepeatedCorners) {
   Scenario scenario = yard();
   scenario.start.heading = 2 * std::numbers::pi + 0.5;
   scenario.obstacles = {{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 0}}};
-  const Problem problem = make_problem(scenario, 0);
-  EXPECT_NEAR(problem.start.heading, 0.5, 1e-15);
-  EXPECT_EQ(problem.world->obstacles().front().size(), 3U);
+  const Problem problem = make_problem(scenario);
+  EXPECT_NEAR(problem.task().start.heading, 0.5, 1e-15);
+  EXPECT_EQ(obstacles_of(problem).front().size(), 3U);
 }
 
 TEST(MakeProblem, APolygonOfOnePointStaysAnObstacle) {
   Scenario scenario = yard();
   scenario.obstacles = {{{20, 0}, {20, 0}, {20, 0}}};
-  const Problem problem = make_problem(scenario, 0);
-  ASSERT_EQ(problem.world->obstacles().size(), 1U);
-  EXPECT_FALSE(problem.world->checker().is_free({9.0, 3.0, 0.0}));  // (20, 0) in the yard
-  EXPECT_TRUE(problem.world->checker().is_free({9.0, 3.0 + 2.55 / 2 + 0.002, 0.0}));
+  const Problem problem = make_problem(scenario);
+  ASSERT_EQ(obstacles_of(problem).size(), 1U);
+  const CollisionChecker& checker = *problem.task().checker;
+  EXPECT_FALSE(checker.is_free({9.0, 3.0, 0.0}));  // (20, 0) in the yard
+  EXPECT_TRUE(checker.is_free({9.0, 3.0 + 2.55 / 2 + 0.002, 0.0}));
 }
 
 TEST(MakeProblem, CollisionAndBoundsAreForThePlannerToSay) {
   Scenario scenario = yard();
-  scenario.start = {0.5, 0.2, 0};   // in the obstacle
-  scenario.goals[0].pose.x = 1000;  // outside the bounds
-  EXPECT_NO_THROW((void)make_problem(scenario, 0));
+  scenario.start = {0.5, 0.2, 0};  // in the obstacle
+  scenario.goal.x = 1000;          // outside the bounds
+  EXPECT_NO_THROW((void)make_problem(scenario));
 }
 
 TEST(ToLocal, IsUndoneByToScenario) {
-  for_each_case(1, 20'000, [](base::Rng& rng) {
+  for_each_case(1, 20'000, [](Rng& rng) {
     Scenario scenario = yard();
-    const double size = std::pow(10.0, base::uniform(-2, 11.9, rng));
-    scenario.start = geometry::uniform_pose({-size, size, -size, size}, rng);
-    scenario.goals[0].pose = scenario.start;
-    const Problem problem = make_problem(scenario, 0);
-    ASSERT_EQ(to_scenario(*problem.world, problem.start), scenario.start)
-        << as_code(scenario.start);
-    ASSERT_EQ(to_local(*problem.world, scenario.start), problem.start) << as_code(scenario.start);
+    const double size = std::pow(10.0, uniform(-2, 11.9, rng));
+    scenario.start = uniform_pose({-size, size, -size, size}, rng);
+    scenario.goal = scenario.start;
+    const Problem problem = make_problem(scenario);
+    const Pose& local = problem.task().start;
+    ASSERT_EQ(to_scenario(*problem.world(), local), scenario.start) << as_code(scenario.start);
+    ASSERT_EQ(to_local(*problem.world(), scenario.start), local) << as_code(scenario.start);
   });
 }
 
 TEST(SamplingRegion, SceneIsWhatThereIsPlusTwentyMetresCutToTheBounds) {
-  const Problem problem = make_problem(yard(), 0);
-  EXPECT_EQ(sampling_region(problem, Region::bounds), problem.world->bounds());
+  const Problem problem = make_problem(yard());
+  const Task& task = problem.task();
+  EXPECT_EQ(sampling_region(task, Region::bounds), task.world->local().bounds);
   // In the scenario's frame x: 0 .. 20, y: -3.2 .. 5.5; the origin is (11, -3).
-  const Bounds scene = sampling_region(problem, Region::scene);
+  const Bounds scene = sampling_region(task, Region::scene);
   EXPECT_DOUBLE_EQ(scene.x_min, -31);
   EXPECT_DOUBLE_EQ(scene.x_max, 29);
   EXPECT_DOUBLE_EQ(scene.y_min, -20.2);
   EXPECT_DOUBLE_EQ(scene.y_max, 28.5);
   Scenario narrow = yard();
   narrow.bounds = {-5, 15, -4, 7};
-  const Problem cut = make_problem(narrow, 0);
-  EXPECT_EQ(sampling_region(cut, Region::scene), cut.world->bounds());
+  const Problem cut = make_problem(narrow);
+  EXPECT_EQ(sampling_region(cut.task(), Region::scene), cut.world()->local().bounds);
 }
 
 struct BadScenario {
@@ -169,9 +142,8 @@ const BadScenario bad_scenarios[] = {
      "start.x: is nan, expected a number between -1e+12 and 1e+12"},
     {[](Scenario& s) { s.start.y = 1e13; },
      "start.y: is 1e+13, expected a number between -1e+12 and 1e+12"},
-    {[](Scenario& s) { s.goals[0].pose.heading = infinity; },
+    {[](Scenario& s) { s.goal.heading = infinity; },
      "goal.heading: is inf, expected a number between -1e+06 and 1e+06"},
-    {[](Scenario& s) { s.goals.clear(); }, "goals: is empty, expected at least one goal"},
     {[](Scenario& s) {
        s.obstacles.push_back({{0, 0}, {1, 1}});
      },
@@ -187,13 +159,7 @@ const BadScenario bad_scenarios[] = {
      },
      "obstacles[0]: crosses or touches itself where the sides that begin at [0, 0] and [1, 0] "
      "meet, expected a simple polygon"},
-    {[](Scenario& s) { (s = row()).goals[1].pose.x = nan; },
-     "goals[1].goal.x: is nan, expected a number between -1e+12 and 1e+12"},
-    {[](Scenario& s) { (s = row()).goals[1].distance = -1; },
-     "goals[1].distance: is -1, expected 0 m or more"},
-    {[](Scenario& s) { (s = row()).goals[1].obstacles[0].pop_back(); },
-     "goals[1].obstacles[0]: has 2 corners, expected at least 3"},
-    {[](Scenario& s) { s.goals[0].pose.x = s.start.x + 3e5; },
+    {[](Scenario& s) { s.goal.x = s.start.x + 3e5; },
      "goal: is 300000 m from the start, expected at most 100000 m"},
 };
 
@@ -208,9 +174,8 @@ TEST(CheckScenario, NamesTheKeyThatIsWrong) {
     } catch (const InputError& error) {
       EXPECT_EQ(error.what(), bad.message);
     }
-    if (scenario.goals.empty()) continue;
     try {
-      (void)make_problem(scenario, scenario.goals.size() - 1);
+      (void)make_problem(scenario);
       ADD_FAILURE() << "no error";
     } catch (const InputError& error) {
       EXPECT_EQ(error.what(), bad.message);
@@ -219,11 +184,16 @@ TEST(CheckScenario, NamesTheKeyThatIsWrong) {
 }
 
 TEST(World, ChecksWhatItIsGiven) {
-  EXPECT_THROW(World({.width = 0}, {-1, 1, -1, 1}, {}, {}), InputError);
-  EXPECT_THROW(World({}, {1, -1, -1, 1}, {}, {}), InputError);
-  EXPECT_THROW(World({}, {-1, 1, -1, 1}, {{{0, 0}, {nan, 1}, {1, 0}}}, {}), InputError);
-  EXPECT_THROW(World({}, {-1, 1, -1, 1}, {{{0, 0}, {0, 1}}}, {}), InputError);
-  EXPECT_NO_THROW(World({}, {-1, 1, -1, 1}, {{{0, 0}, {0, 1}, {1, 0}}}, {}));
+  const auto made = [](const Bounds& bounds, const Polygon& obstacle) {
+    return world_of({.bounds = bounds, .obstacles = {obstacle}});
+  };
+  const Polygon triangle = {{0, 0}, {0, 1}, {1, 0}};
+  const Bounds square{-1, 1, -1, 1};
+  EXPECT_THROW((void)made({1, -1, -1, 1}, triangle), InputError);
+  EXPECT_THROW((void)made(square, {{0, 0}, {nan, 1}, {1, 0}}), InputError);
+  EXPECT_THROW((void)made(square, {{0, 0}, {0, 1}}), InputError);
+  EXPECT_THROW((void)made(square, triangle)->checker({.width = 0}), InputError);
+  EXPECT_NO_THROW((void)made(square, triangle)->checker({}));
 }
 
 TEST(InputError, StaysOneLine) {

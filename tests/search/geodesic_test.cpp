@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double disc = 1.275;  // [m] half the width of the default truck
 
 double bound_of(const Problem& problem, double longest = infinity) {
-  Geodesic geodesic(*problem.world, problem.start, problem.goal, longest);
+  search::Geodesic geodesic(problem.task(), longest);
   while (geodesic.step()) {
   }
   return geodesic.bound();
@@ -158,14 +158,14 @@ double way_around(const std::vector<Polygon>& boxes, double radius) {
 }
 
 /// Boxes between start and goal with corners at multiples of the resolution.
-std::vector<Polygon> any_boxes(double resolution, base::Rng& rng) {
+std::vector<Polygon> any_boxes(double resolution, Rng& rng) {
   const auto on_lattice = [&](double x) { return std::round(x / resolution) * resolution; };
   std::vector<Polygon> boxes;
   for (int i = 0; i < 5; ++i) {
-    const double x = on_lattice(base::uniform(4, 22, rng));
-    const double y = on_lattice(base::uniform(-12, 12, rng));
-    boxes.push_back(box(x, y, x + on_lattice(base::uniform(0.5, 5, rng)),
-                        y + on_lattice(base::uniform(0.5, 12, rng))));
+    const double x = on_lattice(uniform(4, 22, rng));
+    const double y = on_lattice(uniform(-12, 12, rng));
+    boxes.push_back(
+        box(x, y, x + on_lattice(uniform(0.5, 5, rng)), y + on_lattice(uniform(0.5, 12, rng))));
   }
   return boxes;
 }
@@ -186,7 +186,7 @@ void expect_between_ways(double bound, const std::vector<Polygon>& boxes) {
 constexpr Bounds around{-10, 40, -30, 30};
 
 TEST(Geodesic, IsBetweenTheWaysOfTwoDiscsAmongPolygons) {
-  for_each_case(11, 200, [](base::Rng& rng) {
+  for_each_case(11, 200, [](Rng& rng) {
     const std::vector<Polygon> boxes = any_boxes(0.01, rng);
     if (!is_goal_clear(boxes)) return;
     expect_between_ways(bound_of(problem_of({0, 0, 0}, {31, 0, 0}, boxes, around)), boxes);
@@ -195,7 +195,7 @@ TEST(Geodesic, IsBetweenTheWaysOfTwoDiscsAmongPolygons) {
 
 // The same boxes as cells of a map that is turned against the lattice.
 TEST(Geodesic, IsBetweenTheWaysOfTwoDiscsOnAMap) {
-  for_each_case(12, 20, [](base::Rng& rng) {
+  for_each_case(12, 20, [](Rng& rng) {
     constexpr double resolution = 0.5;
     const std::vector<Polygon> boxes = any_boxes(resolution, rng);
     if (!is_goal_clear(boxes)) return;
@@ -208,7 +208,7 @@ TEST(Geodesic, IsBetweenTheWaysOfTwoDiscsOnAMap) {
         cells.push_back(is_inside ? Cell::occupied : Cell::free);
       }
     }
-    const Pose origin{0, 0, base::uniform(-3, 3, rng)};
+    const Pose origin{0, 0, uniform(-3, 3, rng)};
     const auto turned = [&](const Pose& pose) { return compose(origin, pose); };
     const OccupancyGrid map{.origin = turned({around.x_min, around.y_min, 0}),
                             .resolution = resolution,
@@ -216,9 +216,9 @@ TEST(Geodesic, IsBetweenTheWaysOfTwoDiscsOnAMap) {
                             .rows = 120,
                             .cells = std::make_shared<const std::vector<Cell>>(std::move(cells)),
                             .unknown_is_free = true};
-    const auto world = std::make_shared<const World>(
-        Vehicle{}, Surroundings{.bounds = {-60, 60, -60, 60}, .map = map}, Point{});
-    expect_between_ways(bound_of({world, turned({0, 0, 0}), turned({31, 0, 0})}), boxes);
+    const Problem problem = problem_in({.bounds = {-60, 60, -60, 60}, .map = map},
+                                       turned({0, 0, 0}), turned({31, 0, 0}));
+    expect_between_ways(bound_of(problem), boxes);
   });
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/tree.h"
+#include "vandplan/search.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-namespace vandplan {
+namespace vandplan::search {
 namespace {
 
 TEST(Tree, BranchRunsFromTheRootToTheNode) {
@@ -26,4 +26,4 @@ TEST(Tree, FloatHeadingsAreWrapped) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::search

@@ -7,10 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "support/cases.h"
 #include "support/leads.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -49,10 +48,10 @@ TEST(Dubins, OneMetreBackNeedsAlmostTwoFullTurns) {
 }
 
 TEST(Dubins, ShortArcsAreNotRoundedUpToFullTurns) {
-  for_each_case(1, 100'000, [](base::Rng& rng) {
-    const Pose from = geometry::uniform_pose({-50, 50, -50, 50}, rng);
+  for_each_case(1, 100'000, [](Rng& rng) {
+    const Pose from = uniform_pose({-50, 50, -50, 50}, rng);
     const double curvature = rng() % 2 == 0 ? 1 / radius : -1 / radius;
-    const Segment arc{curvature, base::uniform(0, 40, rng)};
+    const Segment arc{curvature, uniform(0, 40, rng)};
     const Pose to = advance(from, arc);
     EXPECT_NEAR(dubins_length(from, to, radius), arc.length, 1e-6)
         << as_code(from) << ", " << as_code(to);
@@ -60,9 +59,9 @@ TEST(Dubins, ShortArcsAreNotRoundedUpToFullTurns) {
 }
 
 TEST(Dubins, IsTheShortestWordAndEveryWordEndsAtTheGoal) {
-  for_each_case(2, 100'000, [](base::Rng& rng) {
-    const Pose from = geometry::uniform_pose({-10, 10, -10, 10}, rng);
-    const Pose to = geometry::uniform_pose({-10, 10, -10, 10}, rng);
+  for_each_case(2, 100'000, [](Rng& rng) {
+    const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
+    const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
     SCOPED_TRACE(as_code(from) + ", " + as_code(to));
     double least = INFINITY;
     for (const Piece& piece : dubins_words(from, to, radius)) {

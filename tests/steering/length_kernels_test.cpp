@@ -5,7 +5,7 @@
 // machine.
 
 #include "simd/length_kernels.h"
-#include "geometry/random_pose.h"
+#include "vandplan/random.h"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,12 @@ namespace vandplan {
 namespace {
 
 TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnes) {
-  on_every_target([](std::size_t count, base::Rng& rng) {
-    const double radius = base::uniform(0.5, 20.0, rng);
-    const Pose sample = geometry::uniform_pose({-200, 200, -200, 200}, rng);
+  on_every_target([](std::size_t count, Rng& rng) {
+    const double radius = uniform(0.5, 20.0, rng);
+    const Pose sample = uniform_pose({-200, 200, -200, 200}, rng);
     std::vector<float> x(count), y(count), heading(count), scalar(count), vector(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const PosePair pair = any_pair(radius, rng);  // as seen from the sample
+      const DrawnPair pair = any_pair(radius, rng);  // as seen from the sample
       const Pose node = compose(sample, relative(pair.to, pair.from));
       x[i] = static_cast<float>(node.x);
       y[i] = static_cast<float>(node.y);
@@ -40,7 +40,7 @@ TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnes) {
 
 // Small numbers without rounding, so that lanes lie on the borders between words.
 TEST(LengthKernels, LengthsHaveTheBitsOfTheScalarOnesOnAGrid) {
-  on_every_target([](std::size_t count, base::Rng& rng) {
+  on_every_target([](std::size_t count, Rng& rng) {
     const auto eighths = [&rng](int most) {
       const auto range = static_cast<unsigned>(2 * most + 1);
       return static_cast<float>(static_cast<int>(rng() % range) - most) / 8;

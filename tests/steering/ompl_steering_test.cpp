@@ -23,7 +23,7 @@ constexpr int million = 1'000'000;
 template <typename Space>
 class Peer {
  public:
-  double distance(const PosePair& pair) {
+  double distance(const DrawnPair& pair) {
     set(from_, pair.from);
     set(to_, pair.to);
     return space_->distance(from_.get(), to_.get());
@@ -44,7 +44,7 @@ class Peer {
 template <typename Space, typename Length>
 void expect_same_lengths(std::uint64_t seed, Length length) {
   Peer<Space> peer;
-  for_each_pair(seed, million, near_or_far_pair, [&](const PosePair& pair, base::Rng&) {
+  for_each_pair(seed, million, near_or_far_pair, [&](const DrawnPair& pair, Rng&) {
     const double expected = peer.distance(pair);
     EXPECT_NEAR(length(pair.from, pair.to, radius), expected, 1e-9 * expected) << as_code(pair);
   });

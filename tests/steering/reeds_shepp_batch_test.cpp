@@ -10,10 +10,10 @@
 #include <numbers>
 #include <vector>
 
-#include "geometry/random_pose.h"
 #include "simd/length_kernels.h"
 #include "support/cases.h"
 #include "support/pose_pairs.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -34,10 +34,10 @@ double error(const Pose& node, const Pose& sample, double radius) {
 /// `n` pairs that `draw(radius, rng)` gives stay within half of the error that is allowed for.
 template <typename Draw>
 void expect_small_errors(std::uint64_t seed, int n, Draw draw) {
-  base::Rng rng(seed);
+  Rng rng(seed);
   for (int i = 0; i < cases(n); ++i) {
-    const double radius = base::uniform(0.5, 20.0, rng);
-    const PosePair pair = draw(radius, rng);
+    const double radius = uniform(0.5, 20.0, rng);
+    const DrawnPair pair = draw(radius, rng);
     const double e = error(pair.from, pair.to, radius);
     ASSERT_LE(e, static_cast<double>(simd::length_error) / 2)
         << as_code(pair.from) << ", " << as_code(pair.to) << ", " << as_code(radius);
@@ -47,15 +47,15 @@ void expect_small_errors(std::uint64_t seed, int n, Draw draw) {
 TEST(ReedsSheppBatch, ErrorsAreSmall) { expect_small_errors(1, 5'000'000, any_pair); }
 
 TEST(ReedsSheppBatch, ErrorsAreSmallAtAnyDistance) {
-  expect_small_errors(2, 5'000'000, [](double radius, base::Rng& rng) {
-    const double distance = radius * std::pow(10.0, base::uniform(-6.0, 4.0, rng));
-    const double bearing = base::uniform(-pi, pi, rng);
-    PosePair pair{
-        {0, 0, base::uniform(-pi, pi, rng)},
-        {distance * std::cos(bearing), distance * std::sin(bearing), base::uniform(-pi, pi, rng)}};
-    if (base::uniform01(rng) < 0.5) {
-      const double turn = std::pow(10.0, base::uniform(-8.0, 0.0, rng));
-      pair.to.heading = pair.from.heading + (base::uniform01(rng) < 0.7 ? turn : pi - turn);
+  expect_small_errors(2, 5'000'000, [](double radius, Rng& rng) {
+    const double distance = radius * std::pow(10.0, uniform(-6.0, 4.0, rng));
+    const double bearing = uniform(-pi, pi, rng);
+    DrawnPair pair{
+        {0, 0, uniform(-pi, pi, rng)},
+        {distance * std::cos(bearing), distance * std::sin(bearing), uniform(-pi, pi, rng)}};
+    if (uniform01(rng) < 0.5) {
+      const double turn = std::pow(10.0, uniform(-8.0, 0.0, rng));
+      pair.to.heading = pair.from.heading + (uniform01(rng) < 0.7 ? turn : pi - turn);
     }
     return pair;
   });
@@ -63,15 +63,15 @@ TEST(ReedsSheppBatch, ErrorsAreSmallAtAnyDistance) {
 
 // Where the length is steepest: a shift sideways, or almost, by headings that almost agree.
 TEST(ReedsSheppBatch, ErrorsAreSmallWhereTheLengthIsSteep) {
-  expect_small_errors(3, 5'000'000, [](double radius, base::Rng& rng) {
-    const double shift = std::pow(10.0, base::uniform(-6.0, 1.0, rng));
-    const double less = shift * (base::uniform01(rng) < 0.5 ? shift : 1.0);
-    const bool sideways = base::uniform01(rng) < 0.5;
-    const double other = shift * shift * base::uniform(-2.0, 2.0, rng);
+  expect_small_errors(3, 5'000'000, [](double radius, Rng& rng) {
+    const double shift = std::pow(10.0, uniform(-6.0, 1.0, rng));
+    const double less = shift * (uniform01(rng) < 0.5 ? shift : 1.0);
+    const bool sideways = uniform01(rng) < 0.5;
+    const double other = shift * shift * uniform(-2.0, 2.0, rng);
     const Pose local{radius * (sideways ? other : shift), radius * (sideways ? shift : other),
-                     less * base::uniform(-2.0, 2.0, rng)};
-    const Pose from{0, 0, base::uniform(-pi, pi, rng)};
-    return PosePair{from, compose(from, local)};
+                     less * uniform(-2.0, 2.0, rng)};
+    const Pose from{0, 0, uniform(-pi, pi, rng)};
+    return DrawnPair{from, compose(from, local)};
   });
 }
 
@@ -82,12 +82,12 @@ TEST(ReedsSheppBatch, EqualPosesAreAtNoDistance) {
 }
 
 TEST(ReedsSheppBatch, LengthsBelongToTheirNodes) {
-  base::Rng rng(4);
-  const Pose sample = geometry::uniform_pose({-50, 50, -50, 50}, rng);
+  Rng rng(4);
+  const Pose sample = uniform_pose({-50, 50, -50, 50}, rng);
   for (const std::size_t count : {0, 1, 3, 100}) {
     std::vector<float> x, y, heading, out(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const Pose node = geometry::uniform_pose({-50, 50, -50, 50}, rng);
+      const Pose node = uniform_pose({-50, 50, -50, 50}, rng);
       x.push_back(static_cast<float>(node.x));
       y.push_back(static_cast<float>(node.y));
       heading.push_back(static_cast<float>(node.heading));

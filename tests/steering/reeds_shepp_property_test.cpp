@@ -7,12 +7,12 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/random_pose.h"
 #include "steering/mean_frame.h"
 #include "steering/reeds_shepp_formulas.h"
 #include "support/leads.h"
 #include "support/pair_cases.h"
 #include "support/reeds_shepp_oracle.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -21,9 +21,9 @@ namespace {
 constexpr double radius = 7;
 constexpr int million = 1'000'000;
 
-PosePair pair_of_any_kind(base::Rng& rng) { return any_pair(radius, rng); }
+DrawnPair pair_of_any_kind(Rng& rng) { return any_pair(radius, rng); }
 
-double least_word(const PosePair& pair) {
+double least_word(const DrawnPair& pair) {
   double least = std::numeric_limits<double>::infinity();
   for (const Piece& piece : reeds_shepp_words(pair.from, pair.to, radius)) {
     least = std::min(least, piece.length);
@@ -38,7 +38,7 @@ double tolerance(double length, double shift) {
 }
 
 TEST(ReedsSheppLaw, EndsAtTheGoal) {
-  for_each_pair(1, million, pair_of_any_kind, [](const PosePair& pair, base::Rng&) {
+  for_each_pair(1, million, pair_of_any_kind, [](const DrawnPair& pair, Rng&) {
     const Piece piece = reeds_shepp(pair.from, pair.to, radius);
     EXPECT_TRUE(leads(piece, pair.from, pair.to));
     EXPECT_NEAR(length(piece.view()), piece.length, 1e-14 * piece.length + 1e-12) << as_code(pair);
@@ -47,7 +47,7 @@ TEST(ReedsSheppLaw, EndsAtTheGoal) {
 }
 
 TEST(ReedsSheppLaw, TheWayBackIsTheWayThereReversedBitForBit) {
-  for_each_pair(2, million, pair_of_any_kind, [](const PosePair& pair, base::Rng&) {
+  for_each_pair(2, million, pair_of_any_kind, [](const DrawnPair& pair, Rng&) {
     const Piece there = reeds_shepp(pair.from, pair.to, radius);
     const Piece back = reversed(reeds_shepp(pair.to, pair.from, radius));
     EXPECT_EQ(there.length, back.length) << as_code(pair);
@@ -57,7 +57,7 @@ TEST(ReedsSheppLaw, TheWayBackIsTheWayThereReversedBitForBit) {
 }
 
 TEST(ReedsSheppLaw, MirroringChangesNothingBitForBit) {
-  for_each_pair(3, million, pair_of_any_kind, [](const PosePair& pair, base::Rng&) {
+  for_each_pair(3, million, pair_of_any_kind, [](const DrawnPair& pair, Rng&) {
     const auto mirrored = [](const Pose& p) { return Pose{p.x, -p.y, -p.heading}; };
     EXPECT_EQ(reeds_shepp_length(mirrored(pair.from), mirrored(pair.to), radius),
               reeds_shepp_length(pair.from, pair.to, radius))
@@ -66,8 +66,8 @@ TEST(ReedsSheppLaw, MirroringChangesNothingBitForBit) {
 }
 
 TEST(ReedsSheppLaw, MotionChangesNothing) {
-  for_each_pair(4, million, pair_of_any_kind, [](const PosePair& pair, base::Rng& rng) {
-    const Pose frame = geometry::uniform_pose({-100, 100, -100, 100}, rng);
+  for_each_pair(4, million, pair_of_any_kind, [](const DrawnPair& pair, Rng& rng) {
+    const Pose frame = uniform_pose({-100, 100, -100, 100}, rng);
     const double expected = reeds_shepp_length(pair.from, pair.to, radius);
     EXPECT_NEAR(reeds_shepp_length(compose(frame, pair.from), compose(frame, pair.to), radius),
                 expected, tolerance(expected, 1e-12) + 1e-12 * expected)
@@ -76,8 +76,8 @@ TEST(ReedsSheppLaw, MotionChangesNothing) {
 }
 
 TEST(ReedsSheppLaw, LengthScalesWithTheRadius) {
-  for_each_pair(5, million, pair_of_any_kind, [](const PosePair& pair, base::Rng& rng) {
-    const double scale = std::exp(base::uniform(-3, 3, rng));
+  for_each_pair(5, million, pair_of_any_kind, [](const DrawnPair& pair, Rng& rng) {
+    const double scale = std::exp(uniform(-3, 3, rng));
     const auto scaled = [&](const Pose& p) { return Pose{scale * p.x, scale * p.y, p.heading}; };
     const double expected = reeds_shepp_length(pair.from, pair.to, radius);
     EXPECT_NEAR(reeds_shepp_length(scaled(pair.from), scaled(pair.to), scale * radius) / scale,
@@ -87,11 +87,11 @@ TEST(ReedsSheppLaw, LengthScalesWithTheRadius) {
 }
 
 TEST(ReedsSheppLaw, ADetourIsNoShorter) {
-  for_each_pair(6, million, pair_of_any_kind, [](const PosePair& pair, base::Rng& rng) {
+  for_each_pair(6, million, pair_of_any_kind, [](const DrawnPair& pair, Rng& rng) {
     const Pose via =
-        base::uniform01(rng) < 0.5
-            ? geometry::uniform_pose(
-                  {pair.from.x - 20, pair.from.x + 20, pair.from.y - 20, pair.from.y + 20}, rng)
+        uniform01(rng) < 0.5
+            ? uniform_pose({pair.from.x - 20, pair.from.x + 20, pair.from.y - 20, pair.from.y + 20},
+                           rng)
             : border_pair(radius, rng).to;
     EXPECT_LE(reeds_shepp_length(pair.from, pair.to, radius),
               reeds_shepp_length(pair.from, via, radius) +
@@ -101,7 +101,7 @@ TEST(ReedsSheppLaw, ADetourIsNoShorter) {
 }
 
 TEST(ReedsSheppLaw, IsNoShorterThanALineOrTheTurnOfTheHeading) {
-  for_each_pair(7, million, pair_of_any_kind, [](const PosePair& pair, base::Rng&) {
+  for_each_pair(7, million, pair_of_any_kind, [](const DrawnPair& pair, Rng&) {
     const double length = reeds_shepp_length(pair.from, pair.to, radius);
     const double line = std::hypot(pair.to.x - pair.from.x, pair.to.y - pair.from.y);
     const double turn = std::remainder(pair.to.heading - pair.from.heading, 2 * std::numbers::pi);
@@ -111,7 +111,7 @@ TEST(ReedsSheppLaw, IsNoShorterThanALineOrTheTurnOfTheHeading) {
 }
 
 TEST(ReedsSheppLaw, IsTheLeastOfAllWords) {
-  for_each_pair(8, million, pair_of_any_kind, [](const PosePair& pair, base::Rng&) {
+  for_each_pair(8, million, pair_of_any_kind, [](const DrawnPair& pair, Rng&) {
     const double least = least_word(pair);
     // The parts of a listed word are right to 10^-12 rad.
     EXPECT_NEAR(reeds_shepp_length(pair.from, pair.to, radius), least,
@@ -121,8 +121,8 @@ TEST(ReedsSheppLaw, IsTheLeastOfAllWords) {
 }
 
 TEST(ReedsSheppLaw, IsTheLeastOfAllWordsToTheLastBitsForTinyAndForRandomOffsets) {
-  for_each_pair(9, million, pair_of_any_kind, [](const PosePair&, base::Rng& rng) {
-    const PosePair pair = base::uniform01(rng) < 0.5 ? tiny_pair(rng) : near_pair(20, rng);
+  for_each_pair(9, million, pair_of_any_kind, [](const DrawnPair&, Rng& rng) {
+    const DrawnPair pair = uniform01(rng) < 0.5 ? tiny_pair(rng) : near_pair(20, rng);
     const double least = least_word(pair);
     EXPECT_NEAR(reeds_shepp_length(pair.from, pair.to, radius), least, 1e-14 * least)
         << as_code(pair);
@@ -136,18 +136,18 @@ struct Range {
 };
 
 Range range_of(const steering::reeds_shepp_formulas::Solution& solution) {
-  using steering::reeds_shepp_formulas::Word;
-  const auto& [word, arcs] = solution;
+  using steering::reeds_shepp_formulas::Formula;
+  const auto& [formula, arcs] = solution;
   const auto [least, most] = std::minmax(arcs.first, arcs.last);
   const bool has_line = arcs.line != 0 || arcs.inner == 0;
   const double quarter = std::numbers::pi / 2;
-  if (word == Word::l_r_l) return {least, most, std::numbers::pi};
+  if (formula == Formula::l_r_l) return {least, most, std::numbers::pi};
   return {least, most, has_line ? quarter : std::min(arcs.inner, quarter)};
 }
 
 TEST(ReedsSheppLaw, TheEndsOfTheChosenWordAreInTheRangeThatMakesItShortest) {
-  for_each_pair(12, million, pair_of_any_kind, [](const PosePair&, base::Rng& rng) {
-    const PosePair pair = base::uniform01(rng) < 0.5 ? tiny_pair(rng) : near_pair(20, rng);
+  for_each_pair(12, million, pair_of_any_kind, [](const DrawnPair&, Rng& rng) {
+    const DrawnPair pair = uniform01(rng) < 0.5 ? tiny_pair(rng) : near_pair(20, rng);
     const steering::MeanFrame f = steering::mean_frame(pair.from, pair.to, radius);
     const Range range = range_of(steering::reeds_shepp_formulas::shortest(
         steering::Circles({std::abs(f.x), std::abs(f.y), std::abs(f.half_turn)})));
@@ -157,7 +157,7 @@ TEST(ReedsSheppLaw, TheEndsOfTheChosenWordAreInTheRangeThatMakesItShortest) {
 }
 
 TEST(ReedsSheppLaw, EveryWordEndsAtTheGoal) {
-  for_each_pair(10, million / 10, pair_of_any_kind, [](const PosePair& pair, base::Rng&) {
+  for_each_pair(10, million / 10, pair_of_any_kind, [](const DrawnPair& pair, Rng&) {
     for (const Piece& piece : reeds_shepp_words(pair.from, pair.to, radius)) {
       EXPECT_TRUE(leads(piece, pair.from, pair.to));
     }
@@ -165,7 +165,7 @@ TEST(ReedsSheppLaw, EveryWordEndsAtTheGoal) {
 }
 
 TEST(ReedsSheppLaw, IsAsLongAsTheFormulasOfThePaperSay) {
-  for_each_pair(11, million / 4, pair_of_any_kind, [](const PosePair& pair, base::Rng&) {
+  for_each_pair(11, million / 4, pair_of_any_kind, [](const DrawnPair& pair, Rng&) {
     const auto expected =
         static_cast<double>(oracle::reeds_shepp_length(pair.from, pair.to, radius));
     // The paper's formulas lose half of the digits of tiny offsets.
@@ -176,13 +176,13 @@ TEST(ReedsSheppLaw, IsAsLongAsTheFormulasOfThePaperSay) {
 }
 
 TEST(ReedsSheppLaw, IsExactWhereTheFirstLeftCircleIsTheLastRightOne) {
-  for_each_pair(13, million / 10, pair_of_any_kind, [](const PosePair&, base::Rng& rng) {
-    const double half_turn = base::uniform(0, std::numbers::pi / 2, rng);
-    const double offset = std::pow(10.0, base::uniform(-12.0, 0.0, rng));
-    const double bearing = base::uniform(-std::numbers::pi, std::numbers::pi, rng);
+  for_each_pair(13, million / 10, pair_of_any_kind, [](const DrawnPair&, Rng& rng) {
+    const double half_turn = uniform(0, std::numbers::pi / 2, rng);
+    const double offset = std::pow(10.0, uniform(-12.0, 0.0, rng));
+    const double bearing = uniform(-std::numbers::pi, std::numbers::pi, rng);
     const double x = offset * std::cos(bearing);
     const double y = 2 * std::cos(half_turn) + offset * std::sin(bearing);
-    const PosePair pair{{-x / 2, -y / 2, -half_turn}, {x / 2, y / 2, half_turn}};
+    const DrawnPair pair{{-x / 2, -y / 2, -half_turn}, {x / 2, y / 2, half_turn}};
     const auto expected = static_cast<double>(oracle::reeds_shepp_length(pair.from, pair.to, 1));
     EXPECT_NEAR(reeds_shepp_length(pair.from, pair.to, 1), expected, 1e-13) << as_code(pair);
   });

@@ -9,10 +9,9 @@
 #include <set>
 #include <string>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "support/cases.h"
 #include "support/leads.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -57,10 +56,10 @@ std::string word_of(const Piece& piece) {
 
 TEST(ReedsShepp, ThereAre48WordsAndNoneIsListedTwice) {
   std::set<std::string> all;
-  for_each_case(1, 50'000, [&](base::Rng& rng) {
+  for_each_case(1, 50'000, [&](Rng& rng) {
     std::set<std::string> here;
     for (const Piece& piece :
-         reeds_shepp_words({}, geometry::uniform_pose({-50, 50, -50, 50}, rng), radius)) {
+         reeds_shepp_words({}, uniform_pose({-50, 50, -50, 50}, rng), radius)) {
       EXPECT_TRUE(here.insert(word_of(piece)).second) << word_of(piece);
     }
     all.merge(here);
@@ -79,9 +78,9 @@ TEST(ReedsShepp, AShiftAcrossIsFourArcsAndCostsFarMoreThanItsWidth) {
 }
 
 TEST(ReedsShepp, BackIsTheSameWayReversed) {
-  for_each_case(2, 100'000, [](base::Rng& rng) {
-    const Pose from = geometry::uniform_pose({-10, 10, -10, 10}, rng);
-    const Pose to = geometry::uniform_pose({-10, 10, -10, 10}, rng);
+  for_each_case(2, 100'000, [](Rng& rng) {
+    const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
+    const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
     const Piece there = reeds_shepp(from, to, radius);
     const Piece back = reversed(reeds_shepp(to, from, radius));
     SCOPED_TRACE(as_code(from) + ", " + as_code(to));
@@ -92,9 +91,9 @@ TEST(ReedsShepp, BackIsTheSameWayReversed) {
 }
 
 TEST(ReedsShepp, IsTheShortestWordAndEveryWordEndsAtTheGoal) {
-  for_each_case(3, 20'000, [](base::Rng& rng) {
-    const Pose from = geometry::uniform_pose({-10, 10, -10, 10}, rng);
-    const Pose to = geometry::uniform_pose({-10, 10, -10, 10}, rng);
+  for_each_case(3, 20'000, [](Rng& rng) {
+    const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
+    const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
     SCOPED_TRACE(as_code(from) + ", " + as_code(to));
     double least = INFINITY;
     for (const Piece& piece : reeds_shepp_words(from, to, radius)) {

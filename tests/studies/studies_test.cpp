@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <numbers>
 
-#include "geometry/random_pose.h"
 #include "studies/accuracy.h"
 #include "studies/growth.h"
 #include "studies/range.h"
@@ -16,9 +15,10 @@
 #include "support/cases.h"
 #include "vandplan/dubins.h"
 #include "vandplan/heuristic_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -124,9 +124,9 @@ TEST(GrowthStudy, EveryEdgeIsOneInputFromTheNodeNearestToItsSample) {
   ASSERT_EQ(tree.poses.size(), 300U);
   EXPECT_EQ(tree.poses[0], Pose{});
   EXPECT_EQ(tree.parents[0], -1);
-  base::Rng rng(options.seed);
+  Rng rng(options.seed);
   for (std::size_t i = 1; i < tree.poses.size(); ++i) {
-    const Pose sample = geometry::uniform_pose({-40.0, 40.0, -40.0, 40.0}, rng);
+    const Pose sample = uniform_pose({-40.0, 40.0, -40.0, 40.0}, rng);
     const auto left = [&](const Pose& pose) {
       return std::hypot(pose.x - sample.x, pose.y - sample.y);
     };
@@ -217,4 +217,4 @@ TEST(SteeringStudy, DrawnPathsEndAtTheirGoals) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::studies

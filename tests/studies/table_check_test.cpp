@@ -10,14 +10,14 @@
 
 #include "studies/percentile.h"
 
-namespace vandplan {
+namespace vandplan::studies {
 namespace {
 
 constexpr HeuristicTableOptions small{
     .extent = 2.0, .step = 1.0, .heading_cells = 4, .turning_radius = 5.0};
 
 // A table of which one entry is something else.
-HeuristicTable spoilt(const HeuristicTable::Cell& cell, float entry) {
+HeuristicTable spoilt(const HeuristicTable::GridPoint& cell, float entry) {
   const HeuristicTable table(small);
   std::vector<float> entries(table.entries().begin(), table.entries().end());
   entries[table.index_of(cell)] = entry;
@@ -32,7 +32,7 @@ TEST(TableCheck, ComparesEveryEntryOfAGoodTable) {
 }
 
 TEST(TableCheck, FindsTheOneWrongEntry) {
-  const HeuristicTable::Cell cell{2, 1, 0, 3};
+  const HeuristicTable::GridPoint cell{2, 1, 0, 3};
   const HeuristicTable table(small);
   const float right = table.entries()[table.index_of(cell)];
   const EntryCheck check = check_entries(spoilt(cell, right + 0.5F), {});
@@ -42,7 +42,7 @@ TEST(TableCheck, FindsTheOneWrongEntry) {
 }
 
 TEST(TableCheck, AnEntryThatIsNoNumberIsTheWorst) {
-  const HeuristicTable::Cell cell{1, 2, 2, 2};
+  const HeuristicTable::GridPoint cell{1, 2, 2, 2};
   const EntryCheck check = check_entries(spoilt(cell, std::nanf("")), {});
   EXPECT_EQ(check.wrong, 1);
   EXPECT_EQ(check.worst, cell);
@@ -50,7 +50,7 @@ TEST(TableCheck, AnEntryThatIsNoNumberIsTheWorst) {
 }
 
 TEST(TableCheck, ASampleRepeatsAndFindsAboutItsShare) {
-  const HeuristicTable::Cell cell{1, 2, 2, 2};
+  const HeuristicTable::GridPoint cell{1, 2, 2, 2};
   const HeuristicTable table = spoilt(cell, 99.0F);
   const EntryCheck check = check_entries(table, {.sample = 22'500, .seed = 3});
   EXPECT_EQ(check.compared, 22'500);
@@ -76,4 +76,4 @@ TEST(Percentile, IsTheValueOfTheNearestRank) {
 }
 
 }  // namespace
-}  // namespace vandplan
+}  // namespace vandplan::studies

@@ -10,9 +10,9 @@
 #include <numbers>
 #include <string>
 
-#include "base/random.h"
 #include "support/cases.h"
 #include "vandplan/bound_table.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -36,25 +36,24 @@ inline bool expect_inside(const BoundCase& c) {
 
 /// A pair at any distance, every power of ten from a millimetre to 1000 radii as likely as the
 /// next; one in four with headings that almost agree or almost oppose.
-inline BoundCase any_bound_case(base::Rng& rng) {
+inline BoundCase any_bound_case(Rng& rng) {
   constexpr double pi = std::numbers::pi;
-  const double radius = base::uniform(0.5, 20.0, rng);
-  const double distance = radius * std::pow(10.0, base::uniform(-3.0, 3.0, rng));
-  const double bearing = base::uniform(-pi, pi, rng);
-  const Pose from{base::uniform(-200.0, 200.0, rng), base::uniform(-200.0, 200.0, rng),
-                  base::uniform(-pi, pi, rng)};
+  const double radius = uniform(0.5, 20.0, rng);
+  const double distance = radius * std::pow(10.0, uniform(-3.0, 3.0, rng));
+  const double bearing = uniform(-pi, pi, rng);
+  const Pose from{uniform(-200.0, 200.0, rng), uniform(-200.0, 200.0, rng), uniform(-pi, pi, rng)};
   Pose to{from.x + distance * std::cos(bearing), from.y + distance * std::sin(bearing),
-          base::uniform(-pi, pi, rng)};
-  if (base::uniform01(rng) < 0.25) {
-    const double turn = std::pow(10.0, base::uniform(-8.0, 0.0, rng));
-    to.heading = from.heading + (base::uniform01(rng) < 0.5 ? turn : pi - turn);
+          uniform(-pi, pi, rng)};
+  if (uniform01(rng) < 0.25) {
+    const double turn = std::pow(10.0, uniform(-8.0, 0.0, rng));
+    to.heading = from.heading + (uniform01(rng) < 0.5 ? turn : pi - turn);
   }
   return {from, to, radius};
 }
 
 /// `n` pairs, fewer under sanitizers; stops at the first one that is outside.
 inline void expect_all_inside(std::uint64_t seed, int n) {
-  base::Rng rng(seed);
+  Rng rng(seed);
   for (int i = 0; i < cases(n); ++i) {
     if (!expect_inside(any_bound_case(rng))) return;
   }

@@ -12,8 +12,8 @@
 #include <iterator>
 #include <string>
 
-#include "base/random.h"
 #include "vandplan/path.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 
@@ -32,7 +32,7 @@ template <typename Law>
 void for_each_case(std::uint64_t seed, int n, Law law) {
   for (int i = 0; i < cases(n) && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(i));
-    base::Rng rng(base::stream_seed(seed, static_cast<std::uint64_t>(i)));
+    Rng rng(stream_seed(seed, static_cast<std::uint64_t>(i)));
     law(rng);
   }
 }

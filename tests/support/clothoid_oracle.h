@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.h"
 #include "support/draws.h"
 #include "vandplan/path.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 

@@ -6,26 +6,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "vandplan/path.h"
+#include "vandplan/random.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
 
-inline bool chance(double probability, base::Rng& rng) {
-  return base::uniform01(rng) < probability;
-}
+inline bool chance(double probability, Rng& rng) { return uniform01(rng) < probability; }
 
 /// Between the bounds, every power of ten as likely as the next.
-inline double any_size(double low, double high, base::Rng& rng) {
-  return low * std::pow(high / low, base::uniform01(rng));
+inline double any_size(double low, double high, Rng& rng) {
+  return low * std::pow(high / low, uniform01(rng));
 }
 
-inline double any_sign(double value, base::Rng& rng) { return chance(0.5, rng) ? value : -value; }
+inline double any_sign(double value, Rng& rng) { return chance(0.5, rng) ? value : -value; }
 
 /// Often the default one; may turn as sharply as a case wants.
-inline Vehicle any_vehicle(base::Rng& rng) {
+inline Vehicle any_vehicle(Rng& rng) {
   Vehicle vehicle;
   if (chance(0.7, rng)) {
     vehicle = {.wheelbase = any_size(0.3, 8, rng),
@@ -38,10 +35,10 @@ inline Vehicle any_vehicle(base::Rng& rng) {
 }
 
 /// Straight, nearly straight or up to 1.4 turns; of any length up to 30 m, or of none.
-inline Segment any_segment(base::Rng& rng) {
-  const double kind = base::uniform01(rng);
+inline Segment any_segment(Rng& rng) {
+  const double kind = uniform01(rng);
   Segment segment;
-  if (kind < 0.6) segment.curvature = any_sign(1 / base::uniform(2, 12, rng), rng);
+  if (kind < 0.6) segment.curvature = any_sign(1 / uniform(2, 12, rng), rng);
   if (kind < 0.1) segment.curvature = any_sign(1 / any_size(0.02, 2, rng), rng);
   if (kind > 0.8) segment.curvature = any_sign(any_size(1e-12, 0.1, rng), rng);
   const double most = std::min(30.0, 9 / std::abs(segment.curvature));
@@ -62,8 +59,8 @@ inline Segment any_drive(Rng& rng) {
 }
 
 /// One or three segments from a pose in the box.
-inline Path any_edge(const Bounds& box, base::Rng& rng) {
-  Path path{geometry::uniform_pose(box, rng), {}};
+inline Path any_edge(const Bounds& box, Rng& rng) {
+  Path path{uniform_pose(box, rng), {}};
   const int count = chance(0.7, rng) ? 1 : 3;
   for (int i = 0; i < count; ++i) path.segments.push_back(any_drive(rng));
   return path;

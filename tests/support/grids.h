@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/random.h"
 #include "vandplan/occupancy_grid.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 
@@ -31,9 +31,9 @@ inline OccupancyGrid grid_of(const std::vector<std::string>& rows, double resolu
 
 /// Every cell occupied with that probability.
 inline OccupancyGrid random_grid(std::int32_t columns, std::int32_t rows, double density,
-                                 base::Rng& rng) {
+                                 Rng& rng) {
   std::vector<Cell> cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (Cell& cell : cells) cell = base::uniform01(rng) < density ? Cell::occupied : Cell::free;
+  for (Cell& cell : cells) cell = uniform01(rng) < density ? Cell::occupied : Cell::free;
   return {.columns = columns,
           .rows = rows,
           .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))};

@@ -15,7 +15,7 @@
 
 namespace vandplan {
 
-inline std::string as_code(const PosePair& pair) {
+inline std::string as_code(const DrawnPair& pair) {
   return "{" + as_code(pair.from) + ", " + as_code(pair.to) + "}";
 }
 

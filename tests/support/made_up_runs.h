@@ -7,21 +7,21 @@
 #include <string>
 
 #include "evaluation/run_record.h"
-#include "vandplan/problem.h"
+#include "vandplan/scenario_file.h"
 
-namespace vandplan {
+namespace vandplan::evaluation {
 
 /// Open ground with one goal, or with a row of goals 20 m, 40 m, ... away.
-inline Scenario open_ground(const std::string& name, int goals_in_row = 0) {
-  Scenario scenario;
-  scenario.name = name;
-  scenario.bounds = {-200.0, 200.0, -200.0, 200.0};
-  scenario.start = {10.0, 20.0, 0.5};
-  scenario.goals_are_a_row = goals_in_row > 0;
-  if (goals_in_row == 0) scenario.goals.push_back({std::nullopt, {40.0, 30.0, 1.0}, {}});
+inline ScenarioFile open_ground(const std::string& name, int goals_in_row = 0) {
+  ScenarioFile file;
+  file.scenario.name = name;
+  file.scenario.bounds = {-200.0, 200.0, -200.0, 200.0};
+  file.scenario.start = {10.0, 20.0, 0.5};
+  file.scenario.goal = {40.0, 30.0, 1.0};
   for (int i = 1; i <= goals_in_row; ++i)
-    scenario.goals.push_back({20.0 * i, {10.0 + 20.0 * i, 20.0, 0.0}, {}});
-  return scenario;
+    file.row.push_back({20.0 * i, {10.0 + 20.0 * i, 20.0, 0.0}, {}});
+  if (file.is_row()) file.scenario.goal = file.row.front().goal;
+  return file;
 }
 
 /// A run that took 0.1 s and found a path of this cost after `time`, or none.
@@ -29,15 +29,14 @@ inline RunRecord made_up_run(const std::string& planner, std::uint64_t seed,
                              std::optional<double> cost, double time = 0.001) {
   RunRecord run;
   run.planner = planner;
-  run.options.seed = seed;
-  run.options.time_limit = 0.1;
+  run.options.budget.seed = seed;
+  run.options.budget.time_limit = 0.1;
+  run.options.planner.set("max_nodes", std::int64_t{5000});
   run.started = "2026-11-21T05:16:33Z";
   run.result.status = cost ? PlanStatus::solved : PlanStatus::time_limit;
   run.result.time_total = 0.1;
   run.result.iterations = 1000;
-  run.result.nodes = 900;
-  run.result.exact_solves = 3000;
-  run.result.time_ranking = 0.05;
+  run.result.counters = {{"nodes", 900}, {"exact_solves", 3000}};
   if (!cost) return run;
   run.result.path = Path{{10.0, 20.0, 0.5}, {{0.0, *cost}}};
   run.result.cost = *cost;
@@ -45,4 +44,4 @@ inline RunRecord made_up_run(const std::string& planner, std::uint64_t seed,
   return run;
 }
 
-}  // namespace vandplan
+}  // namespace vandplan::evaluation

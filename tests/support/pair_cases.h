@@ -12,14 +12,12 @@ namespace vandplan {
 template <typename Draw, typename Law>
 void for_each_pair(std::uint64_t seed, int n, Draw draw, Law law) {
   constexpr int pairs_per_case = 100;
-  for_each_case(seed, n / pairs_per_case, [&](base::Rng& rng) {
+  for_each_case(seed, n / pairs_per_case, [&](Rng& rng) {
     for (int i = 0; i < pairs_per_case; ++i) law(draw(rng), rng);
   });
 }
 
 /// The second pose near the first, or far away.
-inline PosePair near_or_far_pair(base::Rng& rng) {
-  return near_pair(rng() % 2 == 0 ? 10 : 200, rng);
-}
+inline DrawnPair near_or_far_pair(Rng& rng) { return near_pair(rng() % 2 == 0 ? 10 : 200, rng); }
 
 }  // namespace vandplan

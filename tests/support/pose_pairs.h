@@ -6,28 +6,27 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "vandplan/path.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 
-struct PosePair {
+struct DrawnPair {
   Pose from;
   Pose to;
 };
 
 /// The second pose within `reach` of the first, which is anywhere.
-inline PosePair near_pair(double reach, base::Rng& rng) {
-  const Pose from = geometry::uniform_pose({-1000, 1000, -1000, 1000}, rng);
-  Pose to = geometry::uniform_pose({-reach, reach, -reach, reach}, rng);
+inline DrawnPair near_pair(double reach, Rng& rng) {
+  const Pose from = uniform_pose({-1000, 1000, -1000, 1000}, rng);
+  Pose to = uniform_pose({-reach, reach, -reach, reach}, rng);
   to.x += from.x;
   to.y += from.y;
   return {from, to};
 }
 
 /// Whole metres and eighths of a turn, so that arcs vanish and words meet.
-inline PosePair grid_pair(base::Rng& rng) {
+inline DrawnPair grid_pair(Rng& rng) {
   const auto whole = [&](int limit) {
     return static_cast<double>(static_cast<int>(rng() % (2 * static_cast<unsigned>(limit) + 1)) -
                                limit);
@@ -39,30 +38,30 @@ inline PosePair grid_pair(base::Rng& rng) {
 
 /// The second pose at the end of a few turns and lines, many of them quarter turns: the ends of
 /// words that lack a part lie on the border of other words.
-inline PosePair border_pair(double radius, base::Rng& rng) {
+inline DrawnPair border_pair(double radius, Rng& rng) {
   const double quarter = radius * std::numbers::pi / 2;
-  const Pose from = geometry::uniform_pose({-100, 100, -100, 100}, rng);
+  const Pose from = uniform_pose({-100, 100, -100, 100}, rng);
   Pose to = from;
   const auto count = 1 + rng() % 4;
   for (std::uint64_t i = 0; i < count; ++i) {
     const double curvature = (static_cast<double>(rng() % 3) - 1) / radius;
-    const double length = rng() % 2 == 0 ? quarter : base::uniform(0, quarter, rng);
+    const double length = rng() % 2 == 0 ? quarter : uniform(0, quarter, rng);
     to = advance(to, {curvature, rng() % 2 == 0 ? length : -length});
   }
   return {from, to};
 }
 
 /// Offsets from 2^-30 to 1, each of its own size.
-inline PosePair tiny_pair(base::Rng& rng) {
-  const Pose from{0, 0, base::uniform(-std::numbers::pi, std::numbers::pi, rng)};
+inline DrawnPair tiny_pair(Rng& rng) {
+  const Pose from{0, 0, uniform(-std::numbers::pi, std::numbers::pi, rng)};
   const auto offset = [&] {
-    return std::ldexp(base::uniform(-1, 1, rng), -static_cast<int>(rng() % 31));
+    return std::ldexp(uniform(-1, 1, rng), -static_cast<int>(rng() % 31));
   };
   return {from, {offset(), offset(), from.heading + offset()}};
 }
 
 /// One of the above.
-inline PosePair any_pair(double radius, base::Rng& rng) {
+inline DrawnPair any_pair(double radius, Rng& rng) {
   switch (rng() % 5) {
     case 0:
       return near_pair(10, rng);

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/random.h"
 #include "simd/target.h"
 #include "support/cases.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 
@@ -40,7 +40,7 @@ void on_every_target(Law law) {
     const ForcedTarget forced(target);
     SCOPED_TRACE(hwy::TargetName(target));
     ASSERT_EQ(simd::simd_target(), std::string_view(hwy::TargetName(target)));
-    base::Rng rng(11);
+    Rng rng(11);
     for (std::size_t i = 0; i < static_cast<std::size_t>(cases(1000)); ++i) {
       const std::size_t count = i < 300 ? i : rng() % 1000;
       SCOPED_TRACE("case " + std::to_string(i));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/bound_table.h"
-#include "geometry/random_pose.h"
+#include "vandplan/random.h"
 
 #include <gtest/gtest.h>
 
@@ -25,12 +25,12 @@ constexpr double pi = std::numbers::pi;
 TEST(BoundTable, HoldsTenMillionRandomPairs) { expect_all_inside(1, 10'000'000); }
 
 TEST(BoundTable, HoldsInTheCornersOfItsCells) {
-  base::Rng rng(3);
+  Rng rng(3);
   const auto corner = [&rng](int cells) {
     const auto i = static_cast<double>(rng() % static_cast<unsigned>(cells + 1));
     // On the corner, or a few roundings of float beside it.
-    const double beside = any_sign(std::pow(10.0, base::uniform(-9.0, -5.0, rng)), rng);
-    return std::clamp(i / cells + (base::uniform01(rng) < 0.5 ? 0.0 : beside), 0.0, 1.0);
+    const double beside = any_sign(std::pow(10.0, uniform(-9.0, -5.0, rng)), rng);
+    return std::clamp(i / cells + (uniform01(rng) < 0.5 ? 0.0 : beside), 0.0, 1.0);
   };
   for (int i = 0; i < cases(1'000'000); ++i) {
     const double distance = tables::distance_at(std::min(corner(simd::radial_cells), 0.9999));
@@ -45,19 +45,19 @@ TEST(BoundTable, HoldsInTheCornersOfItsCells) {
 
 // A path some of whose arcs have the lengths at which words meet ends where they meet.
 TEST(BoundTable, HoldsOnTheBordersBetweenWords) {
-  base::Rng rng(4);
+  Rng rng(4);
   constexpr std::array<double, 8> special{0.0, 1e-12, 1e-7, pi / 3, pi / 2, pi, 2.0, 4.0};
   for (int i = 0; i < cases(1'000'000); ++i) {
     const double curvature = any_sign(1.0, rng);
-    Pose to{0.0, 0.0, base::uniform(-pi, pi, rng)};
+    Pose to{0.0, 0.0, uniform(-pi, pi, rng)};
     const Pose from = to;
-    double same = base::uniform(0.0, pi / 2, rng);
+    double same = uniform(0.0, pi / 2, rng);
     for (int k = 0; k < 4; ++k) {
-      const double draw = base::uniform01(rng);
+      const double draw = uniform01(rng);
       double length = same;  // arcs of equal length meet too
       if (draw < 0.5) length = special[rng() % special.size()];
-      if (draw > 0.75) length = base::uniform(0.0, 3.0, rng);
-      const double turn = k % 2 == 0 ? curvature : base::uniform01(rng) < 0.4 ? 0.0 : -curvature;
+      if (draw > 0.75) length = uniform(0.0, 3.0, rng);
+      const double turn = k % 2 == 0 ? curvature : uniform01(rng) < 0.4 ? 0.0 : -curvature;
       to = advance(to, {turn, any_sign(length, rng)});
     }
     if (!expect_inside({from, to, 1.0})) return;
@@ -65,20 +65,18 @@ TEST(BoundTable, HoldsOnTheBordersBetweenWords) {
 }
 
 TEST(BoundTable, HoldsWherePosesAlmostAgree) {
-  base::Rng rng(5);
+  Rng rng(5);
   const auto tiny = [&rng] {
-    return base::uniform01(rng) < 0.1
-               ? 0.0
-               : any_sign(std::pow(10.0, base::uniform(-16.0, 0.0, rng)), rng);
+    return uniform01(rng) < 0.1 ? 0.0 : any_sign(std::pow(10.0, uniform(-16.0, 0.0, rng)), rng);
   };
   for (int i = 0; i < cases(1'000'000); ++i) {
-    const Pose from{0.0, 0.0, base::uniform(-pi, pi, rng)};
+    const Pose from{0.0, 0.0, uniform(-pi, pi, rng)};
     if (!expect_inside({from, {tiny(), tiny(), from.heading + tiny()}, 7.0})) return;
   }
 }
 
 TEST(BoundTable, HoldsFarFromTheOrigin) {
-  base::Rng rng(6);
+  Rng rng(6);
   for (int i = 0; i < cases(100'000); ++i) {
     BoundCase c = any_bound_case(rng);
     for (Pose* pose : {&c.from, &c.to}) {
@@ -90,17 +88,17 @@ TEST(BoundTable, HoldsFarFromTheOrigin) {
 }
 
 TEST(BoundTable, BatchHoldsForItsFloats) {
-  base::Rng rng(7);
+  Rng rng(7);
   std::vector<float> x(1000), y(1000), heading(1000), low(1000), high(1000);
   for (int round = 0; round < cases(100); ++round) {
     const Bounds box{-50.0, 50.0, -50.0, 50.0};
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const Pose pose = geometry::uniform_pose(box, rng);
+      const Pose pose = uniform_pose(box, rng);
       x[i] = static_cast<float>(pose.x);
       y[i] = static_cast<float>(pose.y);
       heading[i] = static_cast<float>(pose.heading);
     }
-    Pose sample = geometry::uniform_pose(box, rng);
+    Pose sample = uniform_pose(box, rng);
     for (double* value : {&sample.x, &sample.y, &sample.heading}) {
       *value = static_cast<double>(static_cast<float>(*value));
     }
@@ -116,12 +114,12 @@ TEST(BoundTable, BatchHoldsForItsFloats) {
 }
 
 TEST(BoundTable, IsTight) {
-  base::Rng rng(8);
+  Rng rng(8);
   const auto widths = [&rng](double reach) {
     std::vector<double> width;
     for (int i = 0; i < cases(100'000); ++i) {
-      const Pose pose = geometry::uniform_pose({-reach, reach, -reach, reach}, rng);
-      const Pose sample{0.0, 0.0, base::uniform(-pi, pi, rng)};
+      const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng);
+      const Pose sample{0.0, 0.0, uniform(-pi, pi, rng)};
       const auto [low, high] = length_bounds(pose, sample, 7.0);
       width.push_back((high - low) / 7.0);
     }

@@ -9,9 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "base/random.h"
-#include "geometry/random_pose.h"
 #include "vandplan/input_error.h"
+#include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -101,7 +100,7 @@ TEST(HeuristicTable, FoldsTheNodeIntoTheFirstQuadrant) {
   EXPECT_EQ(table.distance({105.5, -57.5, -1.0}, {100.0, -50.0, -0.3}, 7.0), first);
   EXPECT_EQ(table.distance({94.5, -42.5, pi - 1.0}, {100.0, -50.0, pi - 0.3}, 7.0), first);
   EXPECT_EQ(table.distance({94.5, -57.5, 1.0 - pi}, {100.0, -50.0, 0.3 - pi}, 7.0), first);
-  const HeuristicTable::Cell cell{5, 7, 16, 13};  // 1.0 and 0.3 rad in steps of pi/12 from -pi
+  const HeuristicTable::GridPoint cell{5, 7, 16, 13};  // 1.0 and 0.3 rad in steps of pi/12 from -pi
   EXPECT_EQ(first, static_cast<double>(table.entries()[table.index_of(cell)]));
 }
 
@@ -125,11 +124,11 @@ TEST(HeuristicTable, ScalesWithTheTurningRadius) {
 
 TEST(HeuristicTable, BatchGivesWhatSingleLookUpsGive) {
   const HeuristicTable table = thesis_table(4);
-  base::Rng rng(7);
+  Rng rng(7);
   const Bounds box{-40.0, 40.0, -40.0, 40.0};
   std::vector<float> x, y, heading;
   for (int i = 0; i < 1000; ++i) {
-    const Pose pose = geometry::uniform_pose(box, rng);
+    const Pose pose = uniform_pose(box, rng);
     x.push_back(static_cast<float>(pose.x));
     y.push_back(static_cast<float>(pose.y));
     heading.push_back(static_cast<float>(pose.heading));

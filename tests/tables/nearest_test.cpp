@@ -4,7 +4,7 @@
 // The nearest node is that of comparing all exact lengths, ties included.
 
 #include "vandplan/nearest.h"
-#include "geometry/random_pose.h"
+#include "vandplan/random.h"
 
 #include <gtest/gtest.h>
 
@@ -54,38 +54,38 @@ void expect_same(const NearestNodes& all, const std::vector<Pose>& nodes, const 
   EXPECT_GE(found->exact_solves, expected.ties);
 }
 
-std::vector<Pose> uniform_poses(std::size_t count, const Bounds& box, base::Rng& rng) {
+std::vector<Pose> uniform_poses(std::size_t count, const Bounds& box, Rng& rng) {
   std::vector<Pose> poses(count);
-  for (Pose& pose : poses) pose = geometry::uniform_pose(box, rng);
+  for (Pose& pose : poses) pose = uniform_pose(box, rng);
   return poses;
 }
 
 TEST(NearestNodes, NoneOfNone) { EXPECT_FALSE(NearestNodes(7.0).nearest({1, 2, 3})); }
 
 TEST(NearestNodes, AreThoseOfAllLengthsAmongUniformNodes) {
-  for_each_case(1, 300, [](base::Rng& rng) {
-    const double radius = base::uniform(0.5, 20.0, rng);
-    const double reach = std::pow(10.0, base::uniform(-1.0, 3.0, rng));
-    const std::size_t count = 1 + rng() % (base::uniform01(rng) < 0.8 ? 100 : 4000);
+  for_each_case(1, 300, [](Rng& rng) {
+    const double radius = uniform(0.5, 20.0, rng);
+    const double reach = std::pow(10.0, uniform(-1.0, 3.0, rng));
+    const std::size_t count = 1 + rng() % (uniform01(rng) < 0.8 ? 100 : 4000);
     const std::vector<Pose> nodes = uniform_poses(count, {-reach, reach, -reach, reach}, rng);
     const NearestNodes all = with(nodes, radius);
     for (int i = 0; i < 20; ++i) {  // two in five of them outside of all nodes
       const double wide = 1.3 * reach;
-      expect_same(all, nodes, geometry::uniform_pose({-wide, wide, -wide, wide}, rng), radius);
+      expect_same(all, nodes, uniform_pose({-wide, wide, -wide, wide}, rng), radius);
     }
   });
 }
 
 TEST(NearestNodes, AreThoseOfAllLengthsAsTheTreeGrows) {
-  for_each_case(2, 20, [](base::Rng& rng) {
+  for_each_case(2, 20, [](Rng& rng) {
     std::vector<Pose> nodes;
     NearestNodes all(7.0);
     double reach = 1.0;  // later nodes lie further out, beyond the grid of the earlier ones
     for (int i = 0; i < 600; ++i) {
       reach *= 1.01;
-      nodes.push_back(geometry::uniform_pose({-reach, reach, -reach / 5, reach / 5}, rng));
+      nodes.push_back(uniform_pose({-reach, reach, -reach / 5, reach / 5}, rng));
       all.add(nodes.back());
-      expect_same(all, nodes, geometry::uniform_pose({-reach, reach, -reach, reach}, rng), 7.0);
+      expect_same(all, nodes, uniform_pose({-reach, reach, -reach, reach}, rng), 7.0);
     }
   });
 }
@@ -93,10 +93,10 @@ TEST(NearestNodes, AreThoseOfAllLengthsAsTheTreeGrows) {
 // The images of a node under the symmetries of the length are exactly as near to the origin.
 TEST(NearestNodes, TiesGoToTheOlderNode) {
   int ties = 0;
-  for_each_case(3, 300, [&ties](base::Rng& rng) {
+  for_each_case(3, 300, [&ties](Rng& rng) {
     std::vector<Pose> nodes;
     for (int i = 0; i < 40; ++i) {
-      const Pose p = geometry::uniform_pose({0, 30, 0, 30}, rng);
+      const Pose p = uniform_pose({0, 30, 0, 30}, rng);
       for (const Pose& image : {p, Pose{p.x, -p.y, -p.heading}, Pose{-p.x, p.y, -p.heading},
                                 Pose{-p.x, -p.y, p.heading}}) {
         nodes.push_back(image);
@@ -110,7 +110,7 @@ TEST(NearestNodes, TiesGoToTheOlderNode) {
 }
 
 TEST(NearestNodes, TheOldestOfManyEqualNodesIsNearest) {
-  base::Rng rng(4);
+  Rng rng(4);
   std::vector<Pose> nodes = uniform_poses(50, {-20, 20, -20, 20}, rng);
   for (int i = 0; i < 1000; ++i) nodes.push_back({5, 6, 1});
   const NearestNodes all = with(nodes, 7.0);
@@ -120,7 +120,7 @@ TEST(NearestNodes, TheOldestOfManyEqualNodesIsNearest) {
 }
 
 TEST(NearestNodes, ANodeAtTheSampleIsNearest) {
-  for_each_case(5, 200, [](base::Rng& rng) {
+  for_each_case(5, 200, [](Rng& rng) {
     const std::vector<Pose> nodes = uniform_poses(200, {-5, 5, -5, 5}, rng);
     const NearestNodes all = with(nodes, 7.0);
     const Pose& sample = nodes[rng() % nodes.size()];
@@ -131,48 +131,61 @@ TEST(NearestNodes, ANodeAtTheSampleIsNearest) {
 
 // A fan of nodes that nearly agree: their lengths differ in the last places of a float.
 TEST(NearestNodes, AreThoseOfAllLengthsWhereFloatsCannotTell) {
-  for_each_case(6, 200, [](base::Rng& rng) {
+  for_each_case(6, 200, [](Rng& rng) {
     std::vector<Pose> nodes;
-    const Pose centre = geometry::uniform_pose({-100, 100, -100, 100}, rng);
-    const auto little = [&rng] { return std::pow(10.0, base::uniform(-12.0, -3.0, rng)); };
+    const Pose centre = uniform_pose({-100, 100, -100, 100}, rng);
+    const auto little = [&rng] { return std::pow(10.0, uniform(-12.0, -3.0, rng)); };
     for (int i = 0; i < 200; ++i) {
       nodes.push_back({centre.x + little(), centre.y - little(), centre.heading + little()});
     }
-    expect_same(with(nodes, 7.0), nodes, geometry::uniform_pose({-100, 100, -100, 100}, rng), 7.0);
+    expect_same(with(nodes, 7.0), nodes, uniform_pose({-100, 100, -100, 100}, rng), 7.0);
     expect_same(with(nodes, 7.0), nodes, centre, 7.0);
   });
 }
 
 TEST(NearestNodes, AreThoseOfAllLengthsOnALineAndFarFromTheOrigin) {
-  for_each_case(7, 100, [](base::Rng& rng) {
-    const double far = base::uniform01(rng) < 0.5 ? 8.7e9 : 0.0;
+  for_each_case(7, 100, [](Rng& rng) {
+    const double far = uniform01(rng) < 0.5 ? 8.7e9 : 0.0;
     const Bounds line{far - 50, far + 50, -far, -far};
     const std::vector<Pose> nodes = uniform_poses(500, line, rng);
     const NearestNodes all = with(nodes, 7.0);
-    expect_same(all, nodes, geometry::uniform_pose(line, rng), 7.0);
-    expect_same(all, nodes, geometry::uniform_pose({far - 60, far + 60, -far - 30, -far + 30}, rng),
-                7.0);
+    expect_same(all, nodes, uniform_pose(line, rng), 7.0);
+    expect_same(all, nodes, uniform_pose({far - 60, far + 60, -far - 30, -far + 30}, rng), 7.0);
   });
 }
 
 TEST(NearestNodes, HeadingsMayBeAnyAngle) {
-  for_each_case(8, 100, [](base::Rng& rng) {
+  for_each_case(8, 100, [](Rng& rng) {
     std::vector<Pose> nodes = uniform_poses(300, {-20, 20, -20, 20}, rng);
-    for (Pose& node : nodes) node.heading = base::uniform(-30, 30, rng);
-    const Pose sample{base::uniform(-20, 20, rng), base::uniform(-20, 20, rng),
-                      base::uniform(-30, 30, rng)};
+    for (Pose& node : nodes) node.heading = uniform(-30, 30, rng);
+    const Pose sample{uniform(-20, 20, rng), uniform(-20, 20, rng), uniform(-30, 30, rng)};
     expect_same(with(nodes, 7.0), nodes, sample, 7.0);
   });
 }
 
+TEST(NearestNodes, ACopyGrowsOnItsOwn) {
+  NearestNodes first(7.0);
+  first.add({10, 0, 0});
+  NearestNodes second = first;
+  second.add({1, 0, 0});
+  EXPECT_EQ(first.size(), 1U);
+  EXPECT_EQ(first.nearest({0, 0, 0})->length, 10);
+  EXPECT_EQ(second.size(), 2U);
+  EXPECT_EQ(second.nearest({0, 0, 0})->length, 1);
+  first = second;
+  first.add({0, 0, 0});
+  EXPECT_EQ(second.nearest({0, 0, 0})->length, 1);
+  EXPECT_EQ(first.nearest({0, 0, 0})->node, 2);
+}
+
 TEST(NearestNodes, FewLengthsAreComputed) {
-  base::Rng rng(9);
+  Rng rng(9);
   for (const double reach : {50.0, 200.0}) {
     const Bounds box{-reach, reach, -reach, reach};
     const NearestNodes all = with(uniform_poses(5000, box, rng), 7.0);
     std::vector<std::int64_t> solves;
     for (int i = 0; i < 1000; ++i)
-      solves.push_back(all.nearest(geometry::uniform_pose(box, rng))->exact_solves);
+      solves.push_back(all.nearest(uniform_pose(box, rng))->exact_solves);
     std::sort(solves.begin(), solves.end());
     EXPECT_EQ(solves[solves.size() / 2], 1);
     EXPECT_LE(solves.back(), 10);

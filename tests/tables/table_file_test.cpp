@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "tables/table_export.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
@@ -78,9 +79,9 @@ TEST(TableFile, NoticesEveryAlteredByte) {
 }
 
 TEST(TableFile, HeaderNeedsAnIdentifierForAName) {
-  EXPECT_THROW((void)table_to_header(small_table(), ""), InputError);
-  EXPECT_THROW((void)table_to_header(small_table(), "4hlut"), InputError);
-  EXPECT_THROW((void)table_to_header(small_table(), "hlut-4"), InputError);
+  EXPECT_THROW((void)tables::table_to_header(small_table(), ""), InputError);
+  EXPECT_THROW((void)tables::table_to_header(small_table(), "4hlut"), InputError);
+  EXPECT_THROW((void)tables::table_to_header(small_table(), "hlut-4"), InputError);
 }
 
 }  // namespace

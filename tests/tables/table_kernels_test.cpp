@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
-#include "base/random.h"
 #include "simd/bound_kernels.h"
 #include "simd/table_kernels.h"
 #include "support/simd_targets.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -20,10 +20,10 @@ namespace {
 struct Nodes {
   std::vector<float> x, y, heading;
 
-  Nodes(std::size_t count, double reach, base::Rng& rng) {
+  Nodes(std::size_t count, double reach, Rng& rng) {
     const auto draw = [&rng](double limit, double grid) {
-      const double value = base::uniform(-limit, limit, rng);
-      const bool snapped = base::uniform01(rng) < 0.3;
+      const double value = uniform(-limit, limit, rng);
+      const bool snapped = uniform01(rng) < 0.3;
       return static_cast<float>(snapped ? grid * static_cast<double>(static_cast<int>(value / grid))
                                         : value);
     };
@@ -38,8 +38,8 @@ struct Nodes {
 /// Calls `law(nodes, sample, rng)` on every target.
 template <typename Law>
 void with_nodes_on_every_target(Law law) {
-  on_every_target([&law](std::size_t count, base::Rng& rng) {
-    const double reach = base::uniform01(rng) < 0.5 ? 12.0 : 300.0;
+  on_every_target([&law](std::size_t count, Rng& rng) {
+    const double reach = uniform01(rng) < 0.5 ? 12.0 : 300.0;
     const Nodes nodes(count, reach, rng);
     const Nodes sample(1, reach, rng);
     law(nodes, sample, rng);
@@ -48,10 +48,10 @@ void with_nodes_on_every_target(Law law) {
 
 TEST(TableKernels, DistancesHaveTheBitsOfTheScalarOnes) {
   std::vector<float> entries(31 * 31 * 25 * 25);
-  base::Rng entries_rng(12);
-  for (float& entry : entries) entry = static_cast<float>(base::uniform(0.0, 50.0, entries_rng));
-  with_nodes_on_every_target([&entries](const Nodes& nodes, const Nodes& sample, base::Rng& rng) {
-    const auto scale = static_cast<float>(base::uniform(0.5, 2.0, rng));
+  Rng entries_rng(12);
+  for (float& entry : entries) entry = static_cast<float>(uniform(0.0, 50.0, entries_rng));
+  with_nodes_on_every_target([&entries](const Nodes& nodes, const Nodes& sample, Rng& rng) {
+    const auto scale = static_cast<float>(uniform(0.5, 2.0, rng));
     const simd::TableView table{.entries = entries.data(),
                                 .positions = 31,
                                 .headings = 25,
@@ -70,12 +70,12 @@ TEST(TableKernels, DistancesHaveTheBitsOfTheScalarOnes) {
 
 TEST(TableKernels, BoundsHaveTheBitsOfTheScalarOnes) {
   std::vector<simd::BoundEntry> entries(simd::bound_cells);
-  base::Rng entries_rng(13);
+  Rng entries_rng(13);
   for (simd::BoundEntry& entry : entries) {
     entry = {static_cast<std::uint32_t>(entries_rng()), static_cast<std::uint32_t>(entries_rng())};
   }
-  with_nodes_on_every_target([&entries](const Nodes& nodes, const Nodes& sample, base::Rng& rng) {
-    const auto radius = static_cast<float>(base::uniform(0.5, 20.0, rng));
+  with_nodes_on_every_target([&entries](const Nodes& nodes, const Nodes& sample, Rng& rng) {
+    const auto radius = static_cast<float>(uniform(0.5, 20.0, rng));
     const simd::BoundSample to{sample.x[0], sample.y[0], sample.heading[0]};
     const std::size_t count = nodes.x.size();
     std::vector<float> low(count), high(count), vector_low(count), vector_high(count);

@@ -83,10 +83,9 @@ Run::Run(const Task& task, const PlanOptions& options)
       threads_(options.budget.threads),
       budget_(options.budget),
       open_ground_(open_ground_bound(task, rule_)) {
-  const Bounds region = sampling_region(task, region_of(options));
+  const Bounds region = sampling_region(task, planning::region_of(options));
   for (std::size_t i = 0; i < island_count; ++i) {
-    islands_.emplace_back(plans[i].work, task, rule_, region,
-                          base::stream_seed(options.budget.seed, i));
+    islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i));
   }
 }
 
@@ -128,7 +127,7 @@ void Run::round() {
   const Route* best = best_ ? &*best_ : nullptr;
   parallel_for(island_count, best_ ? threads_ : 1,
                [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
-  for (Slice& slice : slices) merge(slice);
+  for (Slice& slice : slices) merge(slice);  // [8]
   ++rounds_;
 }
 
@@ -172,15 +171,16 @@ PlannerAnswer Run::result() const {
 
 }  // namespace
 
+// The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
 PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
   Run run(task, options);
-  run.try_open_ground();
+  run.try_open_ground();  // [1]
   std::optional<PlanStatus> end;
   while (!run.is_optimal() && !end) {
     end = run.budget().exhausted();
-    if (!end) run.round();
+    if (!end) run.round();  // [2] to [8]
   }
-  if (run.is_optimal()) run.tidy(options.budget.seed);
+  if (run.is_optimal()) run.tidy(options.budget.seed);  // [9]
   PlannerAnswer answer = run.result();
   if (!answer.segments) answer.status = *end;
   return answer;

@@ -26,18 +26,18 @@ void Island::prepare() {
   is_prepared_ = true;
   const CostRule& rule = connector_.rule();
   switch (work_) {
-    case Work::refine:
+    case Work::refine:  // [6] has the best route only
       break;
-    case Work::search_from_start:
+    case Work::search_from_start:  // [4]
       ladder_.emplace(task_, rule, Root::start);
       break;
-    case Work::search_from_goal:
+    case Work::search_from_goal:  // [3]
       ladder_.emplace(task_, rule, Root::goal);
       break;
-    case Work::random_trees:
-      attempts_.emplace(task_, rule, region_, base::stream_seed(seed_, 0));
+    case Work::random_trees:  // [2]
+      attempts_.emplace(task_, rule, region_, stream_seed(seed_, 0));
       break;
-    case Work::bound:
+    case Work::bound:  // [7]
       geodesic_.emplace(task_, best_cost_);
       break;
   }
@@ -86,10 +86,10 @@ bool Island::step() {
   if (!candidate_) {
     std::optional<Route> route = search();
     if (!route) return false;
-    candidate_.emplace(connector_, *std::move(route), base::stream_seed(seed_, ++candidates_));
+    candidate_.emplace(connector_, *std::move(route), stream_seed(seed_, ++candidates_));
     trials_ = 0;
   } else {
-    candidate_->step();
+    candidate_->step();  // [5] [6]
     ++trials_;
   }
   const bool won = candidate_->route().cost < best_cost_;
@@ -106,7 +106,7 @@ void Island::take_over(const Route& best) {
   if (best.cost >= best_cost_) return;
   best_cost_ = best.cost;
   if (work_ == Work::refine)
-    candidate_.emplace(connector_, best, base::stream_seed(seed_, ++candidates_));
+    candidate_.emplace(connector_, best, stream_seed(seed_, ++candidates_));
 }
 
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {

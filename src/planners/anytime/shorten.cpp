@@ -23,7 +23,7 @@ bool Shortener::is_stalled() const {
 }
 
 Shortener::Place Shortener::random_place() {
-  double s = base::uniform(0.0, route_.length(), rng_);
+  double s = uniform(0.0, route_.length(), rng_);
   std::size_t leg = 0;
   while (leg + 1 < route_.legs.size() && s > route_.legs[leg].piece.length) {
     s -= route_.legs[leg++].piece.length;
@@ -37,10 +37,10 @@ Pose Shortener::pose_at(const Place& place) const {
 
 // In the vehicle's own frame, at a random scale: what is left to gain shrinks as the route settles.
 Pose Shortener::perturbed(const Pose& pose) {
-  const double scale = std::exp2(base::uniform(-10.0, -0.5, rng_));
+  const double scale = std::exp2(uniform(-10.0, -0.5, rng_));
   const double reach = scale * connector_.radius();
-  const Pose local{base::uniform(-reach, reach, rng_), base::uniform(-reach, reach, rng_),
-                   base::uniform(-scale, scale, rng_)};
+  const Pose local{uniform(-reach, reach, rng_), uniform(-reach, reach, rng_),
+                   uniform(-scale, scale, rng_)};
   return compose(pose, local);
 }
 
@@ -124,7 +124,7 @@ bool Shortener::move_place() {
 }
 
 bool Shortener::step() {
-  const double kind = base::uniform01(rng_);
+  const double kind = uniform01(rng_);
   const bool shorter = kind < 0.3   ? shortcut()
                        : kind < 0.4 ? drop_via()
                        : kind < 0.9 ? move_via()

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "base/random.h"
 #include "search/route.h"
+#include "vandplan/random.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {
@@ -43,7 +43,7 @@ class Shortener {
 
   Connector& connector_;
   Route route_;
-  base::Rng rng_;
+  Rng rng_;
   std::vector<Leg> trial_;  // buffer
   int idle_ = 0;            // trials since the last progress worth the name
   double progress_cost_;    // what the route cost then

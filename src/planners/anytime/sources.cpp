@@ -96,7 +96,7 @@ Attempts::Attempts(const Task& task, const CostRule& rule, const Bounds& region,
 
 void Attempts::next_attempt() {
   const double far_share = far_shares[attempt_ % far_shares.size()];
-  trees_.emplace(task_, region_, connector_, far_share, base::stream_seed(seed_, attempt_));
+  trees_.emplace(task_, region_, connector_, far_share, stream_seed(seed_, attempt_));
   ++attempt_;
   samples_ = 0;
   met_ = false;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/random_pose.h"
+#include "vandplan/random.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -32,21 +32,21 @@ TwoTrees::TwoTrees(const Task& task, const Bounds& region, Connector& connector,
 // Half of them from the region, half from around the middle between the roots, at several scales:
 // most ways around are as far away as the roots are from each other.
 Pose TwoTrees::sample_far() {
-  if (base::uniform01(rng_) < 0.5) return geometry::uniform_pose(region_, rng_);
+  if (uniform01(rng_) < 0.5) return uniform_pose(region_, rng_);
   const Pose& a = sides_[0].tree.pose(0);
   const Pose& b = sides_[1].tree.pose(0);
   const double apart = std::max(std::hypot(a.x - b.x, a.y - b.y), connector_.radius());
-  const double reach = apart * std::exp2(base::uniform(-1.0, 1.5, rng_));
-  const Pose pose = geometry::uniform_pose({-reach, reach, -reach, reach}, rng_);
+  const double reach = apart * std::exp2(uniform(-1.0, 1.5, rng_));
+  const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
   return {(a.x + b.x) / 2 + pose.x, (a.y + b.y) / 2 + pose.y, pose.heading};
 }
 
 // Around one of the two roots, at every scale: narrow places are there.
 Pose TwoTrees::sample_near() {
-  const std::size_t side = base::uniform01(rng_) < 0.5 ? 0 : 1;
+  const std::size_t side = uniform01(rng_) < 0.5 ? 0 : 1;
   const Pose& root = sides_[side].tree.pose(0);
-  const double reach = connector_.radius() * std::exp2(base::uniform(-2.0, 2.5, rng_));
-  const Pose pose = geometry::uniform_pose({-reach, reach, -reach, reach}, rng_);
+  const double reach = connector_.radius() * std::exp2(uniform(-2.0, 2.5, rng_));
+  const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
   return {root.x + pose.x, root.y + pose.y, pose.heading};
 }
 
@@ -192,6 +192,6 @@ bool TwoTrees::step_near() {
   return false;
 }
 
-bool TwoTrees::step() { return base::uniform01(rng_) < far_share_ ? step_far() : step_near(); }
+bool TwoTrees::step() { return uniform01(rng_) < far_share_ ? step_far() : step_near(); }
 
 }  // namespace vandplan::anytime

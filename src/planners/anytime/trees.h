@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "base/random.h"
 #include "search/route.h"
+#include "vandplan/random.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {
@@ -57,7 +57,7 @@ class TwoTrees {
   Connector& connector_;
   Bounds region_;
   double far_share_;
-  base::Rng rng_;
+  Rng rng_;
   std::array<Side, 2> sides_;
   std::size_t turn_ = 0;
   std::vector<Edge> nearest_;  // buffer of `rank`, nearest first

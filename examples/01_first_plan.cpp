@@ -8,19 +8,17 @@ int main() {
   vandplan::Scenario yard;           // metres and radians; the default vehicle is a truck
   yard.bounds = {-50, 50, -50, 50};  // where the rear axle may be
   yard.start = {0, 0, 0};            // x, y, heading
-  yard.goals = {{.pose = {0, 12, 0}}};
+  yard.goal = {0, 12, 0};
   yard.obstacles = {{{-20, 5}, {15, 5}, {15, 7}, {-20, 7}}};
 
-  const vandplan::Problem problem = vandplan::make_problem(yard, 0);
   vandplan::PlanOptions options;
-  options.max_iterations = 10000;  // the same answer every time; or options.time_limit = 0.1
-  const auto result = vandplan::plan(problem, vandplan::default_planner(), options);
+  options.budget.max_iterations = 10000;  // the same answer every time; or time_limit = 0.1
+  const auto result = vandplan::plan(yard, options);
   if (!result.path) return 1;
 
   std::printf("%.2f m, gear changes: %d\n", vandplan::length(result.path->segments),
               vandplan::gear_changes(result.path->segments));
-  for (const auto& point : vandplan::sampled(*result.path, 5.0)) {
-    const vandplan::Pose pose = vandplan::to_scenario(*problem.world, point.pose);
+  for (const auto& [s, pose, curvature, direction] : vandplan::sampled(*result.path, 5.0)) {
     std::printf("x %7.3f  y %7.3f  heading %6.3f\n", pose.x, pose.y, pose.heading);
   }
 }

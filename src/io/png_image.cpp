@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How is a PNG image read?
+#include "io/png_image.h"
 
 #include <png.h>
 
@@ -8,7 +8,6 @@
 #include <csetjmp>
 #include <cstring>
 
-#include "io/image.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {

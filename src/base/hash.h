@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What is the fingerprint of some bytes?
+//
+// FNV-1a, 64 bits (Fowler, Noll, Vo): to tell contents apart, not against malice. Every step is a
+// bijection of the state, so a single altered byte never goes unseen.
+
+#include <cstdint>
+#include <string_view>
+
+namespace vandplan::base {
+
+/// The hash of no bytes.
+inline constexpr std::uint64_t empty_hash = 0xcbf29ce484222325U;
+
+/// The hash of `bytes`, or, with the hash of other bytes as `before`, of those followed by `bytes`.
+[[nodiscard]] constexpr std::uint64_t hash_of(std::string_view bytes,
+                                              std::uint64_t before = empty_hash) noexcept {
+  std::uint64_t hash = before;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  return hash;
+}
+
+}  // namespace vandplan::base

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "io/image_file.h"
+
+#include <array>
+#include <string_view>
+
+#include "io/pgm.h"
+#include "io/png_image.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::io {
+namespace {
+
+/// What a file is that we do not read, from how it begins.
+std::string kind_of(const std::string& bytes) {
+  struct Kind {
+    std::string_view begin, name;
+  };
+  constexpr std::array<Kind, 11> kinds = {{{"BM", "a BMP image"},
+                                           {"\xFF\xD8\xFF", "a JPEG image"},
+                                           {"GIF8", "a GIF image"},
+                                           {"II*", "a TIFF image"},
+                                           {"MM", "a TIFF image"},
+                                           {"RIFF", "a WebP image"},
+                                           {"P1", "a PBM image"},
+                                           {"P4", "a PBM image"},
+                                           {"P3", "a PPM image"},
+                                           {"P6", "a PPM image"},
+                                           {"P7", "a PAM image"}}};
+  for (const Kind& kind : kinds) {
+    if (bytes.starts_with(kind.begin)) return std::string(kind.name);
+  }
+  return bytes.empty() ? "empty" : "no image that can be read";
+}
+
+}  // namespace
+
+Image image_from(const std::string& bytes, const std::string& where, Alpha alpha) {
+  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return image_from_pgm(bytes, where);
+  if (bytes.starts_with("\x89PNG")) return image_from_png(bytes, where, alpha);
+  throw InputError(where, "is " + kind_of(bytes) + ", expected a PGM (P2 or P5) or PNG image");
+}
+
+}  // namespace vandplan::io

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// What does `plan` owe its caller, and what does it make of planners that it does not know?
+
+#include "vandplan/planner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+#include "support/cases.h"
+#include "support/problems.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+PlanOptions iterations(std::int64_t count) {
+  PlanOptions options;
+  options.budget.max_iterations = count;
+  return options;
+}
+
+// ---- one frame ----
+
+Scenario yard() {
+  Scenario scenario;
+  scenario.bounds = {-50, 50, -40, 40};
+  scenario.start = {1.25, -0.5, 0.25};
+  scenario.goal = {30.5, 4.75, -1};
+  scenario.obstacles = {box(14, -8, 16, 8)};
+  return scenario;
+}
+
+constexpr double far_x = 4.5e9;   // [m]
+constexpr double far_y = -1.5e9;  // [m]
+
+Scenario far_yard() { return moved_by(yard(), far_x, far_y); }
+
+// Doubles are a micrometre apart there.
+void expect_moved(const Pose& there, const Pose& here, double tolerance = 1e-6) {
+  EXPECT_NEAR(there.x - far_x, here.x, tolerance);
+  EXPECT_NEAR(there.y - far_y, here.y, tolerance);
+  EXPECT_EQ(there.heading, here.heading);
+}
+
+class OneFrame : public testing::TestWithParam<const char*> {};
+
+TEST_P(OneFrame, APlanFarAwayIsTheSamePlanMoved) {
+  const Planner& planner = planner_named(GetParam());
+  PlanOptions options = iterations(800);
+  if (honours(planner, "keep_tree")) options.planner.set("keep_tree", true);
+  const Problem here = make_problem(yard());
+  const Problem there = make_problem(far_yard());
+  const PlanResult near = plan(here, planner, options);
+  const PlanResult far = plan(there, planner, options);
+  ASSERT_TRUE(near.path && far.path);
+  EXPECT_EQ(near.path->start, yard().start);
+  EXPECT_EQ(far.path->start, far_yard().start);
+  EXPECT_EQ(far.path->segments, near.path->segments);
+  EXPECT_EQ(far.cost, near.cost);
+  EXPECT_EQ(far.lower_bound, near.lower_bound);
+  expect_moved(end_pose(*far.path), end_pose(*near.path), 1e-5);  // summed up over there
+
+  const std::vector<PathPoint> points = sampled(*near.path, 0.5);
+  const std::vector<PathPoint> far_points = sampled(*far.path, 0.5);
+  ASSERT_EQ(far_points.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    expect_moved(far_points[i].pose, points[i].pose, 1e-5);
+  }
+
+  ASSERT_TRUE(near.check && far.check);
+  EXPECT_TRUE(far.check->valid);
+  EXPECT_EQ(far.check->length, near.check->length);
+  EXPECT_EQ(far.check->reverse_length, near.check->reverse_length);
+  EXPECT_EQ(far.check->clearance, near.check->clearance);
+  EXPECT_TRUE(check_path(there, *far.path).valid);
+  EXPECT_FALSE(check_path(here, *far.path).valid);
+
+  ASSERT_EQ(far.tree.has_value(), near.tree.has_value());
+  if (!near.tree) return;
+  EXPECT_EQ(near.tree->poses.front(), yard().start);
+  EXPECT_EQ(far.tree->poses.front(), far_yard().start);
+  EXPECT_EQ(far.tree->parents, near.tree->parents);
+  for (std::size_t i = 0; i < near.tree->poses.size(); ++i) {
+    expect_moved(far.tree->poses[i], near.tree->poses[i]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, OneFrame, testing::Values("anytime", "rrt-opt-bound-goal"),
+                         [](const auto& planner) { return std::to_string(planner.index); });
+
+TEST(OneFrame, TheJudgeSaysWhereInTheScenariosFrame) {
+  const Problem problem = make_problem(far_yard());
+  const PathCheck check = check_path(problem, {far_yard().start, {{0, 30}}});
+  EXPECT_EQ(check.reason, "the footprint hits obstacles[0]");
+  ASSERT_TRUE(check.at);
+  EXPECT_NEAR(check.at->pose.x - far_x, 1.25 + check.at->s * std::cos(0.25), 1e-5);
+  EXPECT_NEAR(check.at->pose.y - far_y, -0.5 + check.at->s * std::sin(0.25), 1e-5);
+}
+
+TEST(OneFrame, StatedPosesAreInTheScenariosFrame) {
+  const Problem problem = make_problem(far_yard());
+  const PlanResult result = plan(problem, iterations(800));
+  ASSERT_TRUE(result.path);
+  PathClaims claims;
+  for (const PathPoint& point : sampled(*result.path, 0.1)) {
+    claims.poses.push_back({point.s, point.pose});
+  }
+  EXPECT_EQ(check_path(problem, *result.path, claims).reason, "");
+  claims.poses[5].pose.x += 1e-3;
+  EXPECT_EQ(check_path(problem, *result.path, claims).reason,
+            "the stated poses[5] is not on the path");
+}
+
+TEST(Plan, AScenarioIsPlannedLikeItsProblem) {
+  const PlanResult result = plan(yard(), iterations(800));
+  ASSERT_TRUE(result.path);
+  EXPECT_EQ(result.path, plan(make_problem(yard()), iterations(800)).path);
+}
+
+// ---- planners of others ----
+
+Problem straight_ahead(std::vector<Polygon> obstacles = {}, const Bounds& bounds = wide_bounds) {
+  return problem_of({0, 0, 0}, {20, 0, 0}, std::move(obstacles), bounds);
+}
+
+/// A planner that always gives the same answer.
+Planner answering(PlannerAnswer answer) {
+  return {.name = "mine",
+          .summary = "knows the answer",
+          .function = [answer](const Task&, const PlanOptions&) { return answer; }};
+}
+
+Planner driving(std::vector<Segment> segments, double lower_bound = 0.0) {
+  return answering(
+      {.status = PlanStatus::solved, .segments = std::move(segments), .lower_bound = lower_bound});
+}
+
+/// Drives straight ahead in as many segments as its option says, and counts its runs.
+Planner straight_planner(const std::shared_ptr<int>& runs) {
+  return {.name = "straight",
+          .summary = "for goals straight ahead",
+          .options = {{.name = "parts",
+                       .summary = "segments of the path",
+                       .standard = std::int64_t{2},
+                       .least = 1,
+                       .most = 9}},
+          .function = [runs](const Task& task, const PlanOptions& options) {
+            ++*runs;
+            const std::int64_t parts = options.planner.integer("parts");
+            const double length =
+                std::hypot(task.goal.x - task.start.x, task.goal.y - task.start.y);
+            PlannerAnswer answer{.status = PlanStatus::solved};
+            answer.segments.emplace(static_cast<std::size_t>(parts),
+                                    Segment{0, length / static_cast<double>(parts)});
+            answer.counters = {{"parts", parts}};
+            return answer;
+          }};
+}
+
+TEST(OwnPlanner, MayHoldStateAndHaveOptionsOfItsOwn) {
+  const auto runs = std::make_shared<int>(0);
+  const Planner planner = straight_planner(runs);
+  PlanResult result = plan(straight_ahead(), planner);
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  EXPECT_EQ(result.path->segments.size(), 2U);
+  EXPECT_EQ(result.cost, 20.0);
+  EXPECT_EQ(counter(result, "parts"), 2);
+  EXPECT_EQ(counter(result, "nodes"), 0);
+
+  PlanOptions options;
+  set_option(options, planner, "parts", "5");
+  result = plan(straight_ahead(), planner, options);
+  EXPECT_EQ(result.path->segments.size(), 5U);
+  EXPECT_EQ(*runs, 2);
+}
+
+TEST(OwnPlanner, ItsOptionsAreCheckedLikeOurs) {
+  const Planner planner = straight_planner(std::make_shared<int>(0));
+  PlanOptions options;
+  EXPECT_THROW(set_option(options, planner, "parts", "10"), InputError);
+  EXPECT_THROW(set_option(options, planner, "part", "3"), InputError);
+  EXPECT_THROW(set_option(options, planner, "max_nodes", "3"), InputError);
+  options.planner.set("parts", std::int64_t{10});
+  EXPECT_THROW((void)plan(straight_ahead(), planner, options), InputError);
+  options = {};
+  options.planner.set("parts", 2.5);
+  EXPECT_THROW((void)plan(straight_ahead(), planner, options), InputError);
+  options = {};
+  options.cost.reverse_weight = 2;  // its properties do not say that it honours prices
+  EXPECT_THROW((void)plan(straight_ahead(), planner, options), InputError);
+}
+
+TEST(OwnPlanner, PricesAreChargedByPlanWhereItHonoursThem) {
+  Planner planner = driving({{0, -1}, {0, 21}});
+  planner.properties.honours_prices = true;
+  PlanOptions options;
+  options.cost = {.reverse_weight = 3, .gear_change_cost = 5, .initial_gear = InitialGear::forward};
+  const PlanResult result = plan(straight_ahead(), planner, options);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_NEAR(result.cost, 21 + 3 + 2 * 5, 1e-12);
+  EXPECT_NEAR(result.check->reverse_length, 1, 1e-12);
+}
+
+TEST(OwnPlanner, IsNotAskedWhatNeedsNoSearch) {
+  const auto runs = std::make_shared<int>(0);
+  const Planner planner = straight_planner(runs);
+  PlanResult result = plan(straight_ahead({box(-1, -1, 1, 1)}), planner);
+  EXPECT_EQ(result.status, PlanStatus::start_in_collision);
+  EXPECT_EQ(result.reason, "the footprint hits obstacles[0]");
+  result = plan(straight_ahead({box(50, 0, 51, 1), box(20, -1, 21, 1)}), planner);
+  EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
+  EXPECT_EQ(result.reason, "the footprint hits obstacles[1]");
+  result = plan(straight_ahead({}, {-5, 19, -5, 5}), planner);
+  EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
+  EXPECT_EQ(result.reason, "the rear axle is 1 m outside the bounds");
+  result = plan(problem_of({1, 2, 3}, {1, 2, 3}, {}), planner);
+  EXPECT_EQ(result.status, PlanStatus::solved);
+  EXPECT_TRUE(result.path->segments.empty());
+  EXPECT_EQ(*runs, 0);
+}
+
+TEST(OwnPlanner, MayProveThatThereIsNoPath) {
+  const PlanResult result =
+      plan(straight_ahead(), answering({.status = PlanStatus::no_path, .iterations = 3}));
+  EXPECT_EQ(result.status, PlanStatus::no_path);
+  EXPECT_FALSE(result.path);
+  EXPECT_FALSE(result.check);
+  EXPECT_EQ(result.reason, "");
+  EXPECT_EQ(result.iterations, 3);
+  EXPECT_EQ(name_of(PlanStatus::no_path), "no_path");
+}
+
+TEST(OwnPlanner, WhatItThrowsComesOut) {
+  const Planner planner{.name = "broken",
+                        .summary = "",
+                        .function = [](const Task&, const PlanOptions&) -> PlannerAnswer {
+                          throw std::runtime_error("broken");
+                        }};
+  EXPECT_THROW((void)plan(straight_ahead(), planner), std::runtime_error);
+}
+
+TEST(OwnPlanner, ARunWithoutALimitIsToldTheDefaultTime) {
+  std::optional<double> told;
+  const Planner planner{
+      .name = "asks", .summary = "", .function = [&](const Task&, const PlanOptions& options) {
+        told = options.budget.time_limit;
+        return PlannerAnswer{.status = PlanStatus::time_limit};
+      }};
+  (void)plan(straight_ahead(), planner, PlanOptions{});
+  EXPECT_EQ(told, default_time_limit);
+  (void)plan(straight_ahead(), planner, iterations(3));
+  EXPECT_EQ(told, std::nullopt);
+}
+
+// ---- paths that the judge rejects ----
+
+void expect_rejected(const PlanResult& result, const std::string& reason) {
+  EXPECT_EQ(result.status, PlanStatus::rejected);
+  EXPECT_EQ(result.reason, reason);
+  EXPECT_FALSE(result.path);
+  EXPECT_EQ(result.cost, 0.0);
+  EXPECT_EQ(result.lower_bound, 0.0);
+  EXPECT_TRUE(result.anytime.empty());
+  ASSERT_TRUE(result.check);
+  EXPECT_FALSE(result.check->valid);
+  EXPECT_EQ(result.check->reason, reason);
+}
+
+TEST(RejectedPath, TurnsTooTight) {
+  const double radius = 6.9;
+  const Problem problem = problem_of({0, 0, 0}, {radius, radius, pi / 2}, {});
+  const PlanResult result = plan(problem, driving({{1 / radius, radius * pi / 2}}));
+  expect_rejected(result,
+                  "curvature 0.1449275362 is tighter than the turning radius of 7 m allows");
+}
+
+TEST(RejectedPath, LeadsThroughAWall) {
+  const PlanResult result = plan(straight_ahead({box(12, -3, 12.1, 3)}), driving({{0, 20}}));
+  expect_rejected(result, "the footprint hits obstacles[0]");
+  ASSERT_TRUE(result.check->at);
+  EXPECT_NEAR(result.check->at->s, 12 - 5.9, 1e-3);
+}
+
+TEST(RejectedPath, LeavesTheBounds) {
+  const PlanResult result = plan(straight_ahead({}, {-1, 21, -5, 5}), driving({{0, 22}, {0, -2}}));
+  expect_rejected(result, "the rear axle is 1 m outside the bounds");
+}
+
+TEST(RejectedPath, EndsBesideTheGoal) {
+  expect_rejected(plan(straight_ahead(), driving({{0, 19.5}})),
+                  "the path ends 0.5 m and 0 rad away");
+}
+
+TEST(RejectedPath, HasANumberThatIsNone) {
+  expect_rejected(plan(straight_ahead(), driving({{0, 10}, {std::nan(""), 10}})),
+                  "segments[1] is not finite");
+}
+
+TEST(RejectedPath, CostsLessThanTheStatedLowerBound) {
+  expect_rejected(plan(straight_ahead(), driving({{0, 20}}, 20.5)),
+                  "the stated bound is 20.5 m, the path costs 20 m");
+}
+
+TEST(RejectedPath, ABoundAboveTheCostByRoundingIsNone) {
+  const PlanResult result = plan(straight_ahead(), driving({{0, 20}}, 20 * (1 + 1e-12)));
+  EXPECT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_EQ(result.lower_bound, 20.0);
+  EXPECT_EQ(plan(straight_ahead(), driving({{0, 20}}, 19)).lower_bound, 19.0);
+}
+
+TEST(RejectedPath, IsNotThere) {
+  const PlanResult result = plan(straight_ahead(), answering({.status = PlanStatus::solved}));
+  EXPECT_EQ(result.status, PlanStatus::rejected);
+  EXPECT_EQ(result.reason, "the planner says solved, and gives no path");
+  EXPECT_FALSE(result.path);
+  const PlanResult contrary =
+      plan(straight_ahead(),
+           answering({.status = PlanStatus::no_path, .segments = std::vector<Segment>{{0, 20}}}));
+  EXPECT_EQ(contrary.status, PlanStatus::rejected);
+  EXPECT_EQ(contrary.reason, "the planner gives a path, and says no_path");
+  EXPECT_FALSE(contrary.path);
+  EXPECT_EQ(name_of(PlanStatus::rejected), "rejected");
+}
+
+// ---- finding planners ----
+
+TEST(Planners, HaveNamesOfTheirOwn) {
+  for (const Planner& planner : planners()) EXPECT_EQ(&planner_named(planner.name), &planner);
+  EXPECT_THROW((void)planner_named("anytim"), InputError);
+}
+
+TEST(Planners, PropertiesSayWhatNamesWouldMean) {
+  const PlannerProperties& printed = planner_named("rrt-bsc-hlut-2").properties;
+  EXPECT_EQ(printed.family, "rrt");
+  EXPECT_EQ(printed.strategy, "bsc");
+  EXPECT_EQ(printed.estimate, "hlut-2");
+  EXPECT_FALSE(printed.tries_goal);
+  EXPECT_EQ(printed.groups, std::vector<std::string>{"thesis"});
+  const PlannerProperties& tried = planner_named("rrt-opt-rs-goal").properties;
+  EXPECT_EQ(tried.strategy, "opt");
+  EXPECT_EQ(tried.estimate, "reeds-shepp");
+  EXPECT_TRUE(tried.tries_goal);
+  EXPECT_TRUE(tried.groups.empty());
+}
+
+}  // namespace
+}  // namespace vandplan
