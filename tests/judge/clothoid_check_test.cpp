@@ -138,7 +138,7 @@ TEST(JudgedClothoidLaw, BoundsAreKeptToTheMicrometre) {
       bulges += check.at->s > 0 && check.at->s < length(path);
     }
   });
-  EXPECT_GT(bulges, cases(3000) / 8);
+  EXPECT_GT(bulges, cases(3000) / 10);
 }
 
 // ---- How closely it looks ----
