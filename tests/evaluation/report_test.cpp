@@ -91,6 +91,21 @@ TEST(Report, TellsOfTheRunsOfOneEnvironmentAndOptionsOnly) {
   EXPECT_THROW(static_cast<void>(make_report(store, campaign)), InputError);
 }
 
+TEST(Report, TellsOfEachPlannerWithTheOptionsItHadLast) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  limit(campaign, 30);
+  run_campaign(campaign, store, {});
+  const std::size_t half = store.runs().size();
+  campaign.settings.push_back({"goal_bias", "0.5"});
+  run_campaign(campaign, store, {});
+  EXPECT_EQ(make_report(store).runs.size(), half);
+  EXPECT_EQ(shared_value(make_report(store), "goal_bias"), "0.5");
+  campaign.settings.back().value = "0.05";
+  EXPECT_EQ(shared_value(make_report(store, campaign), "goal_bias"), "0.05");
+}
+
 TEST(Report, TellsOfWhatAFileHoldsNow) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
