@@ -122,9 +122,9 @@ PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time
   const bool is_solved = answer.status == PlanStatus::solved;
   if (is_solved != answer.segments.has_value()) {
     result.status = PlanStatus::rejected;
-    result.reason = is_solved ? "the planner says solved, and gives no path"
-                              : "the planner gives a path, and says " +
-                                    std::string(name_of(answer.status));
+    result.reason =
+        is_solved ? "the planner says solved, and gives no path"
+                  : "the planner gives a path, and says " + std::string(name_of(answer.status));
   } else if (is_solved) {
     result.path = Path{problem.start(), *std::move(answer.segments)};
   }
