@@ -17,10 +17,14 @@ namespace vandplan {
 using Rng = std::mt19937_64;
 
 /// A number in [0, 1), 53 random bits.
-[[nodiscard]] double uniform01(Rng& rng);
+[[nodiscard]] inline double uniform01(Rng& rng) {
+  return static_cast<double>(rng() >> 11) * 0x1.0p-53;
+}
 
 /// A number in [low, high).
-[[nodiscard]] double uniform(double low, double high, Rng& rng);
+[[nodiscard]] inline double uniform(double low, double high, Rng& rng) {
+  return low + (high - low) * uniform01(rng);
+}
 
 /// A pose whose position is uniform in the box and whose heading is uniform in [-pi, pi).
 [[nodiscard]] Pose uniform_pose(const Bounds& box, Rng& rng);

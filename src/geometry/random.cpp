@@ -6,10 +6,6 @@
 
 namespace vandplan {
 
-double uniform01(Rng& rng) { return static_cast<double>(rng() >> 11) * 0x1.0p-53; }
-
-double uniform(double low, double high, Rng& rng) { return low + (high - low) * uniform01(rng); }
-
 Pose uniform_pose(const Bounds& box, Rng& rng) {
   const double x = uniform(box.x_min, box.x_max, rng);
   const double y = uniform(box.y_min, box.y_max, rng);
