@@ -323,6 +323,8 @@ std::vector<Session> Store::sessions() {
 }
 
 std::vector<RunRecord> Store::runs() {
+  // Somebody may add runs meanwhile: all statements see the store as it is now.
+  const Transaction one_state(database_);
   struct Configuration {
     std::string planner;
     PlanOptions options;

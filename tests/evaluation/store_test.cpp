@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "evaluation/options_json.h"
 #include "support/grids.h"
@@ -126,6 +127,27 @@ TEST(Store, TellsRunsApartByEverythingThatIsPutIn) {
   others[5].options.planner.set("max_parents", std::int64_t{49});
   others[6].region = Region::bounds;
   for (const RunRecord& other : others) EXPECT_FALSE(store.contains(other));
+}
+
+TEST(Store, ReadsOneStateWhileNewSettingsComeIn) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  Store store = Store::create(file);
+  std::thread writer([&] {
+    RunRecord run = solved_run(store, 1);
+    for (std::int64_t i = 1; i <= 400; ++i) {
+      run.options.planner.set("max_parents", i);  // a setting that no run before it had
+      store.add(run);
+    }
+  });
+  std::size_t count = 0;
+  try {
+    Store second = Store::open(file);
+    while (count < 400) count = second.runs().size();
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << error.what() << " after " << count << " runs";
+  }
+  writer.join();
 }
 
 TEST(Store, CanBeReadAndWrittenWhileARunIsBeingAddedElsewhere) {
