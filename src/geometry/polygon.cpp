@@ -5,64 +5,120 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "base/decimal.h"
 #include "base/text.h"
+#include "geometry/orientation.h"
 
 namespace vandplan::geometry {
 namespace {
 
 constexpr double speck = 1e-6;  // what a point grows to on each side [m]
 
+/// Along the sweep: from left to right, on a vertical line upwards.
+bool comes_before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
 struct Side {
   Point from;
   Point to;
   std::size_t index;  // of the corner it begins at
-  Bounds box;
+
+  [[nodiscard]] const Point& first() const { return comes_before(from, to) ? from : to; }
+  [[nodiscard]] const Point& last() const { return comes_before(from, to) ? to : from; }
 };
 
-/// Twice the area of the triangle: positive when it turns left.
-double turn(const Point& a, const Point& b, const Point& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-bool overlap(const Bounds& a, const Bounds& b) {
-  return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
-}
-
-/// Whether two closed segments whose boxes overlap have a point in common.
+/// Whether two closed segments have a point in common.
 bool meet(const Side& a, const Side& b) {
-  const double from = turn(a.from, a.to, b.from);
-  const double to = turn(a.from, a.to, b.to);
-  if ((from > 0 && to > 0) || (from < 0 && to < 0)) return false;
-  const double back_from = turn(b.from, b.to, a.from);
-  const double back_to = turn(b.from, b.to, a.to);
-  return !((back_from > 0 && back_to > 0) || (back_from < 0 && back_to < 0));
+  const bool are_in_line =
+      orientation(a.from, a.to, b.from) == 0 && orientation(a.from, a.to, b.to) == 0;
+  if (are_in_line) return !comes_before(a.last(), b.first()) && !comes_before(b.last(), a.first());
+  return orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) <= 0 &&
+         orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) <= 0;
 }
 
 /// Whether the second of two sides that follow each other runs back along the first.
 bool folds_back(const Side& first, const Side& second) {
-  const double along = (first.to.x - first.from.x) * (second.to.x - second.from.x) +
-                       (first.to.y - first.from.y) * (second.to.y - second.from.y);
-  return along < 0 && turn(first.from, first.to, second.to) == 0;
+  return orientation(first.from, first.to, second.to) == 0 &&
+         comes_before(first.from, first.to) != comes_before(second.from, second.to);
 }
 
 bool clash(const Side& a, const Side& b, std::size_t count) {
   if ((a.index + 1) % count == b.index) return folds_back(a, b);
   if ((b.index + 1) % count == a.index) return folds_back(b, a);
-  return overlap(a.box, b.box) && meet(a, b);
+  return meet(a, b);
 }
 
-std::vector<Side> sides_from_left_to_right(const Polygon& polygon) {
+/// 1 where a side lies above another one that does not begin after it, -1 below, 0 on its line.
+int position(const Side& side, const Side& other) {
+  const int begin = orientation(other.first(), other.last(), side.first());
+  return begin != 0 ? begin : orientation(other.first(), other.last(), side.last());
+}
+
+/// The order in which the sweep crosses sides: from below to above. It is one as long as no two of
+/// them clash.
+struct IsBelow {
+  bool operator()(const Side* a, const Side* b) const {
+    const bool b_is_older = comes_before(b->first(), a->first());
+    const int above = b_is_older ? -position(*a, *b) : position(*b, *a);
+    return above != 0 ? above > 0 : a->index < b->index;
+  }
+};
+
+using Clash = std::optional<std::pair<Side, Side>>;
+
+/// Two sides that share more than a corner. M. I. Shamos and D. Hoey, "Geometric intersection
+/// problems" (1976): before two sides meet they are neighbours among those that a vertical line
+/// crosses, so only neighbours have to be compared.
+Clash find_clash(const std::vector<Side>& sides) {
+  struct Event {
+    Point place;
+    bool is_end;
+    const Side* side;
+  };
+  std::vector<Event> events;
+  events.reserve(2 * sides.size());
+  for (const Side& side : sides) {
+    events.push_back({side.first(), false, &side});
+    events.push_back({side.last(), true, &side});
+  }
+  // What ends in a point is there until all that begins there has come: they touch.
+  std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
+    if (a.place != b.place) return comes_before(a.place, b.place);
+    return a.is_end != b.is_end ? b.is_end : a.side->index < b.side->index;
+  });
+  std::set<const Side*, IsBelow> crossed;
+  std::vector<std::set<const Side*, IsBelow>::iterator> places(sides.size());
+  const auto clashing = [&](auto lower, auto upper) {
+    return lower != crossed.end() && upper != crossed.end() &&
+           clash(**lower, **upper, sides.size());
+  };
+  for (const Event& event : events) {
+    auto& place = places[event.side->index];
+    if (!event.is_end) place = crossed.insert(event.side).first;
+    const auto above = std::next(place);
+    const auto below = place == crossed.begin() ? crossed.end() : std::prev(place);
+    if (!event.is_end) {
+      if (clashing(below, place)) return {{**below, **place}};
+      if (clashing(place, above)) return {{**place, **above}};
+    } else {
+      if (clashing(below, above)) return {{**below, **above}};
+      crossed.erase(place);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Side> sides_of(const Polygon& polygon) {
   std::vector<Side> sides;
   sides.reserve(polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point ends[] = {polygon[i], polygon[(i + 1) % polygon.size()]};
-    sides.push_back({ends[0], ends[1], i, bounding_box(ends)});
+    sides.push_back({polygon[i], polygon[(i + 1) % polygon.size()], i});
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.box.x_min != b.box.x_min ? a.box.x_min < b.box.x_min : a.index < b.index;
-  });
   return sides;
 }
 
@@ -78,7 +134,9 @@ bool is_flat(const Polygon& polygon) {
       [&](const Point& a, const Point& b) { return squared_distance(a) < squared_distance(b); });
   const double limit = 1e-15 * squared_distance(far);
   return std::all_of(polygon.begin(), polygon.end(), [&](const Point& corner) {
-    return std::abs(turn(polygon[0], far, corner)) <= limit;
+    const double area = (far.x - polygon[0].x) * (corner.y - polygon[0].y) -
+                        (far.y - polygon[0].y) * (corner.x - polygon[0].x);
+    return std::abs(area) <= limit;
   });
 }
 
@@ -103,17 +161,13 @@ Polygon cleaned(const Polygon& polygon) {
 
 std::string flaw_of(const Polygon& polygon, const Point& origin) {
   if (is_flat(polygon)) return "has no area, expected corners that are not on one line";
-  // Sides in the order of their left ends: only those that begin before this one ends can meet it.
-  const std::vector<Side> sides = sides_from_left_to_right(polygon);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    for (std::size_t j = i + 1; j < sides.size() && sides[j].box.x_min <= sides[i].box.x_max; ++j) {
-      if (!clash(sides[i], sides[j], sides.size())) continue;
-      return "crosses or touches itself where the sides that begin at " +
-             corner_text(sides[i].from, origin) + " and " + corner_text(sides[j].from, origin) +
-             " meet, expected a simple polygon";
-    }
-  }
-  return {};
+  const Clash clash = find_clash(sides_of(polygon));
+  if (!clash) return {};
+  const auto& [a, b] = *clash;
+  const bool in_order = a.index < b.index;
+  return "crosses or touches itself where the sides that begin at " +
+         corner_text((in_order ? a : b).from, origin) + " and " +
+         corner_text((in_order ? b : a).from, origin) + " meet, expected a simple polygon";
 }
 
 }  // namespace vandplan::geometry

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/orientation.h"
 #include "support/cases.h"
 #include "vandplan/random.h"
 
@@ -94,6 +95,102 @@ TEST(Polygon, ExchangingTwoCornersOfAConvexPolygonCrossesItsSides) {
     std::swap(polygon[0], polygon[1 + rng() % (polygon.size() - 1)]);
     ASSERT_NE(flaw(polygon), "") << as_code(polygon);
   });
+}
+
+// ---- Whole numbers tell exactly who meets whom ----
+
+struct Node {
+  long x, y;
+};
+
+long turn(const Node& a, const Node& b, const Node& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool lies_on(const Node& p, const Node& a, const Node& b) {
+  return turn(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+         std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+}
+
+bool have_common_point(const Node& a, const Node& b, const Node& c, const Node& d) {
+  const auto differ = [](long one, long other) {
+    return (one < 0 && other > 0) || (one > 0 && other < 0);
+  };
+  return lies_on(a, c, d) || lies_on(b, c, d) || lies_on(c, a, b) || lies_on(d, a, b) ||
+         (differ(turn(a, b, c), turn(a, b, d)) && differ(turn(c, d, a), turn(c, d, b)));
+}
+
+bool is_simple(const std::vector<Node>& corners) {
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Node& a = corners[i];
+    const Node& b = corners[(i + 1) % count];
+    const Node& after = corners[(i + 2) % count];
+    // The next side may have no more than the corner in common, nor may this one with it.
+    if (lies_on(after, a, b) || lies_on(a, b, after)) return false;
+    for (std::size_t j = i + 2; j < count; ++j) {
+      if (i == 0 && j + 1 == count) continue;
+      if (have_common_point(a, b, corners[j], corners[(j + 1) % count])) return false;
+    }
+  }
+  return true;
+}
+
+TEST(Polygon, CornersOnASmallGridAgreeWithComparingAllPairs) {
+  int simple = 0;
+  for_each_case(5, 100'000, [&](Rng& rng) {
+    const auto count = static_cast<std::size_t>(uniform(3, 9, rng));
+    const double side = uniform(2, 7, rng);
+    std::vector<Node> nodes;
+    Polygon corners;
+    while (nodes.size() < count) {
+      const Node node{static_cast<long>(uniform(0, side, rng)),
+                      static_cast<long>(uniform(0, side, rng))};
+      const bool repeats = !nodes.empty() && nodes.back().x == node.x && nodes.back().y == node.y;
+      if (repeats) continue;
+      nodes.push_back(node);
+      corners.push_back({static_cast<double>(node.x), static_cast<double>(node.y)});
+    }
+    if (corners.front() == corners.back()) return;
+    const bool is_line = std::all_of(nodes.begin(), nodes.end(), [&](const Node& node) {
+      return turn(nodes[0], nodes[1], node) == 0;
+    });
+    const bool expected = !is_line && is_simple(nodes);
+    simple += expected;
+    ASSERT_EQ(flaw(corners).empty(), expected) << as_code(corners);
+  });
+  EXPECT_GT(simple, 10'000);
+}
+
+TEST(Polygon, OrientationIsRightWherePlainDoublesAreWrong) {
+  const Point q{12, 12};
+  const Point r{24, 24};
+  int wrong = 0;
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) {
+      const Point p{0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53};
+      const int expected = (j > i) - (j < i);
+      ASSERT_EQ(geometry::orientation(q, r, p), expected) << i << ' ' << j;
+      ASSERT_EQ(geometry::orientation(p, q, r), expected) << i << ' ' << j;
+      ASSERT_EQ(geometry::orientation(q, p, r), -expected) << i << ' ' << j;
+      const double area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+      wrong += (area > 0) - (area < 0) != expected;
+    }
+  }
+  EXPECT_GT(wrong, 100);
+}
+
+TEST(Polygon, ManyWideSidesAreNoTrouble) {
+  // Needles that all cross the middle of the star's box: pairs would be five thousand million.
+  Polygon star;
+  for (int i = 0; i < 100'000; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 100'000;
+    const double radius = i % 2 == 0 ? 1 : 100;
+    star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  EXPECT_EQ(flaw(star), "");
+  std::swap(star[40'000], star[60'000]);
+  EXPECT_NE(flaw(star), "");
 }
 
 }  // namespace
