@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "problem/checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -17,7 +18,8 @@ namespace problem {
 namespace {
 
 constexpr double largest_coordinate = 1e12;  // [m]; doubles there are 0.1 mm apart
-constexpr double largest_distance = 1e5;     // [m], start to goal: the poses of a path fill 1 GB
+constexpr double largest_reach = 1e6;        // of a world from its origin [m]; paths close there
+constexpr double largest_distance = 1e5;     // [m], start to goal
 constexpr double largest_heading = 1e6;      // [rad]; wrapped to better than 1e-9
 constexpr double largest_length = 1e6;       // of a vehicle [m]
 constexpr double smallest_length = 1e-6;     // of a vehicle, where it may not be zero [m]
@@ -46,6 +48,15 @@ void check_range(double low, double high, const std::string& where) {
               "], expected the smaller number first");
 }
 
+/// Whether something reaches further from the origin of its world than is supported.
+void require_in_reach(const Point& local, const std::string& where, const char* what) {
+  const double distance = std::max(std::abs(local.x), std::abs(local.y));
+  if (distance <= largest_reach) return;
+  throw InputError(where, std::string(what) + " " + base::shortest_text(std::round(distance)) +
+                              " m from the start, expected at most " +
+                              base::shortest_text(largest_reach) + " m along each axis");
+}
+
 Polygon local_polygon(const Polygon& polygon, const Point& origin, const std::string& where) {
   Polygon local;
   local.reserve(polygon.size());
@@ -53,6 +64,7 @@ Polygon local_polygon(const Polygon& polygon, const Point& origin, const std::st
     require_within(corner.x, largest_coordinate, where);
     require_within(corner.y, largest_coordinate, where);
     local.push_back(local_point(corner, origin));
+    require_in_reach(local.back(), where, "has a corner");
   }
   require(local.size() >= 3, where,
           "has " + std::to_string(local.size()) + " corner" + (local.size() == 1 ? "" : "s") +
@@ -71,9 +83,21 @@ void require_within(double value, double limit, const std::string& where) {
                               base::shortest_text(-limit) + " and " + base::shortest_text(limit));
 }
 
-void check_bounds(const Bounds& bounds) {
+Bounds local_bounds(const Bounds& bounds, const Point& origin) {
   check_range(bounds.x_min, bounds.x_max, "bounds.x");
   check_range(bounds.y_min, bounds.y_max, "bounds.y");
+  const Point low = local_point({bounds.x_min, bounds.y_min}, origin);
+  const Point high = local_point({bounds.x_max, bounds.y_max}, origin);
+  const auto cut = [](double value) { return std::clamp(value, -largest_reach, largest_reach); };
+  return {cut(low.x), cut(high.x), cut(low.y), cut(high.y)};
+}
+
+OccupancyGrid local_map(const OccupancyGrid& map, const Point& origin) {
+  check_map(map);
+  OccupancyGrid local = map;
+  local.origin = local_pose(map.origin, origin);
+  for (const Point& corner : outline(local)) require_in_reach(corner, "map", "has a corner");
+  return local;
 }
 
 void check_pose(const Pose& pose, const std::string& where) {

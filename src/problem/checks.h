@@ -15,9 +15,6 @@ namespace vandplan::problem {
 /// A number between -limit and limit; not a NaN.
 void require_within(double value, double limit, const std::string& where);
 
-/// Bounds in the scenario's frame; errors name "bounds.x" or "bounds.y".
-void check_bounds(const Bounds& bounds);
-
 /// A pose in the scenario's frame; errors name `where` and the coordinate.
 void check_pose(const Pose& pose, const std::string& where);
 
@@ -27,10 +24,18 @@ void check_distance(const Pose& start, const Pose& goal, const std::string& wher
 /// How far a goal counts in a row of goals [m].
 void check_row_distance(double distance, const std::string& where);
 
-/// Polygons of the scenario's frame in the frame of `origin`, cleaned and simple; errors name
-/// `name[i]`.
+/// Bounds of the scenario's frame in the frame of `origin`, cut to the largest world that is
+/// supported: 10^6 m from the origin along each axis. Errors name "bounds.x" or "bounds.y".
+[[nodiscard]] Bounds local_bounds(const Bounds& bounds, const Point& origin);
+
+/// Polygons of the scenario's frame in the frame of `origin`, cleaned, simple, and no further from
+/// it than the largest world reaches; errors name `name[i]`.
 [[nodiscard]] std::vector<Polygon> local_polygons(const std::vector<Polygon>& polygons,
                                                   const Point& origin, const std::string& name);
+
+/// A map of the scenario's frame in the frame of `origin`, no further from it than the largest
+/// world reaches; errors name "map.resolution", "map.origin" or "map".
+[[nodiscard]] OccupancyGrid local_map(const OccupancyGrid& map, const Point& origin);
 
 /// A point of the scenario's frame in the frame of `origin`, exact on the decimals that were
 /// written.

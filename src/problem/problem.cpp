@@ -15,17 +15,11 @@ namespace {
 
 /// The surroundings in the frame of `origin`, cleaned. Throws InputError naming what is wrong.
 Surroundings checked(const Surroundings& given, const Point& origin) {
-  problem::check_bounds(given.bounds);
-  const Point low = problem::local_point({given.bounds.x_min, given.bounds.y_min}, origin);
-  const Point high = problem::local_point({given.bounds.x_max, given.bounds.y_max}, origin);
-  Surroundings local{.bounds = {low.x, high.x, low.y, high.y},
+  Surroundings local{.bounds = problem::local_bounds(given.bounds, origin),
                      .obstacles = problem::local_polygons(given.obstacles, origin, "obstacles"),
                      .kerbs = problem::local_polygons(given.kerbs, origin, "kerbs"),
-                     .map = given.map};
-  if (local.map) {
-    check_map(*local.map);
-    local.map->origin = problem::local_pose(local.map->origin, origin);
-  }
+                     .map = {}};
+  if (given.map) local.map = problem::local_map(*given.map, origin);
   return local;
 }
 
@@ -68,11 +62,8 @@ std::shared_ptr<const void> World::kept(
 void check_scenario(const Scenario& scenario) {
   check_vehicle(scenario.vehicle);
   problem::check_pose(scenario.start, "start");
-  problem::check_bounds(scenario.bounds);
-  const Point origin = problem::local_origin({scenario.start.x, scenario.start.y});
-  (void)problem::local_polygons(scenario.obstacles, origin, "obstacles");
-  (void)problem::local_polygons(scenario.kerbs, origin, "kerbs");
-  if (scenario.map) check_map(*scenario.map);
+  (void)checked(surroundings(scenario),
+                problem::local_origin({scenario.start.x, scenario.start.y}));
   check_poses(scenario.start, scenario.goal);
 }
 

@@ -85,6 +85,7 @@ TEST(MakeProblem, CollisionAndBoundsAreForThePlannerToSay) {
 TEST(ToLocal, IsUndoneByToScenario) {
   for_each_case(1, 20'000, [](Rng& rng) {
     Scenario scenario = yard();
+    scenario.obstacles = {};  // too far away, most of the time
     const double size = std::pow(10.0, uniform(-2, 11.9, rng));
     scenario.start = uniform_pose({-size, size, -size, size}, rng);
     scenario.goal = scenario.start;
@@ -93,6 +94,44 @@ TEST(ToLocal, IsUndoneByToScenario) {
     ASSERT_EQ(to_scenario(*problem.world(), local), scenario.start) << as_code(scenario.start);
     ASSERT_EQ(to_local(*problem.world(), scenario.start), local) << as_code(scenario.start);
   });
+}
+
+TEST(MakeProblem, CutsBoundsToAMillionMetresAroundTheStart) {
+  Scenario scenario = yard();
+  scenario.start = {3e9, -7, 0};
+  scenario.goal = scenario.start;
+  scenario.obstacles = {};
+  scenario.bounds = {-1e12, 3e9 + 5, -1e12, 1e12};
+  const Bounds& bounds = make_problem(scenario).world()->local().bounds;
+  EXPECT_EQ(bounds, (Bounds{-1e6, 5, -1e6, 1e6}));
+  scenario.bounds = {0, 1, -1e12, 1e12};  // far from the start: nothing is left but a border
+  const Problem nowhere = make_problem(scenario);
+  EXPECT_FALSE(nowhere.task().checker->is_free(nowhere.task().start));
+}
+
+std::string fault_of(const Scenario& scenario) {
+  try {
+    (void)make_problem(scenario);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(MakeProblem, NamesWhatIsFurtherThanAMillionMetresFromTheStart) {
+  Scenario scenario = yard();
+  scenario.obstacles.push_back({{0, 0}, {1, 0}, {1, -1e6}});
+  scenario.start = {0, 0, 0};
+  EXPECT_NO_THROW((void)make_problem(scenario));
+  scenario.obstacles.back()[2].y = -1000001;
+  EXPECT_EQ(fault_of(scenario),
+            "obstacles[1]: has a corner 1000001 m from the start, expected at most 1e+06 m along "
+            "each axis");
+  scenario.obstacles.pop_back();
+  scenario.map = OccupancyGrid{.origin = {6e5, 0, 0}, .resolution = 3e5, .columns = 2, .rows = 1};
+  scenario.map->cells = std::make_shared<const std::vector<Cell>>(2);
+  EXPECT_EQ(fault_of(scenario),
+            "map: has a corner 1200000 m from the start, expected at most 1e+06 m along each axis");
 }
 
 TEST(SamplingRegion, SceneIsWhatThereIsPlusTwentyMetresCutToTheBounds) {
