@@ -24,18 +24,43 @@ bool holds(const Bounds& outer, const Bounds& inner) {
          inner.y_max <= outer.y_max;
 }
 
+/// The furthest point of a footprint from its rear axle [m].
+double reach_of(const Footprint& body) {
+  const double x = std::max(body.rear, body.front);
+  return std::sqrt(x * x + body.half_width * body.half_width);
+}
+
+/// Sides that a sweep touches while a part of its segment is driven. A long way is halved: the box
+/// around all of it holds much that is not near.
+struct AlongTheWay {
+  const Obstacles& obstacles;
+  const PlacedSegment& placed;
+  const Sweep& sweep;
+  double reach;  // of the footprint, inflated [m]
+
+  [[nodiscard]] bool is_crossed(double begin, double end) const noexcept {
+    const double half = (end - begin) / 2;
+    const double around = half + reach;
+    const Point axle = placed.at(begin + half).position;
+    const Bounds box{axle.x - around, axle.x + around, axle.y - around, axle.y + around};
+    if (half <= 4 * reach) {
+      return obstacles.any_near(box, [&](const Sides& s) { return sweep.touches(s); });
+    }
+    return obstacles.any_near(box, [](const Sides&) { return true; }) &&
+           (is_crossed(begin, begin + half) || is_crossed(begin + half, end));
+  }
+};
+
 /// Whether a footprint touches a side of polygons on its way.
 bool is_crossed(const Obstacles& obstacles, const Footprint& footprint,
                 const PlacedSegment& placed) noexcept {
   if (obstacles.is_empty()) return false;
   const Sweep sweep(footprint, placed);
+  const double reach = reach_of(footprint) + 1e-3;  // more than it is inflated by
+  if (placed.length > 16 * reach && obstacles.are_many()) {
+    return AlongTheWay{obstacles, placed, sweep, reach}.is_crossed(0, placed.length);
+  }
   return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });  // [2]
-}
-
-/// The furthest point of a footprint from its rear axle [m].
-double reach_of(const Footprint& body) {
-  const double x = std::max(body.rear, body.front);
-  return std::sqrt(x * x + body.half_width * body.half_width);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace {
 constexpr double block = 0.4;          // side of blocks of edge cells, about [m]
 constexpr double field_block = 0.8;    // side of the blocks of the coarse field, about [m]
 constexpr double longest_piece = 1.5;  // of a segment whose cells are looked for at once [m]
+constexpr double longest_part = 50.0;  // that is not halved first [m]
 
 /// How often cells of that side are doubled to come near to a length; at least once.
 int doublings(double side, double wanted) {
@@ -48,14 +49,18 @@ class GridObstacles::Search {
   Search(const GridObstacles& grid, const Footprint& body, const PlacedSegment& placed)
       : grid_(grid), body_(body), placed_(placed), sweep_(body, placed) {}
 
-  /// [2] Piece by piece, so that the rectangles around them hold little that is not near.
+  /// [2] Long parts are halved, and left out where they keep outside of the frame.
   [[nodiscard]] bool finds_any(const Part& part) const {
-    const double count = std::max(1.0, std::ceil((part.end - part.begin) / longest_piece));
-    const double length = (part.end - part.begin) / count;
-    for (double i = 0; i < count; ++i) {
-      if (finds_in(around(part.begin + (i + 0.5) * length, length / 2))) return true;
+    const double length = part.end - part.begin;
+    if (length <= longest_part) return finds_in_pieces(part);
+    const double middle = part.begin + length / 2;
+    const Bounds box = around(middle, length / 2).box();
+    const double side = grid_.side_;
+    if (box.x_max < 0 || box.x_min > grid_.cells_.columns() * side || box.y_max < 0 ||
+        box.y_min > grid_.cells_.rows() * side) {
+      return false;
     }
-    return false;
+    return finds_any({part.begin, middle}) || finds_any({middle, part.end});
   }
 
  private:
@@ -98,6 +103,17 @@ class GridObstacles::Search {
             axle.heading,
             (body_.front + body_.rear) / 2 + along + 2 * end_margin,
             body_.half_width + aside + 2 * end_margin};
+  }
+
+  /// So short that the rectangles around them hold little that is not near, or few cells.
+  [[nodiscard]] bool finds_in_pieces(const Part& part) const {
+    const double piece = std::max(longest_piece, 2 * grid_.side_);
+    const double count = std::max(1.0, std::ceil((part.end - part.begin) / piece));
+    const double length = (part.end - part.begin) / count;
+    for (double i = 0; i < count; ++i) {
+      if (finds_in(around(part.begin + (i + 0.5) * length, length / 2))) return true;
+    }
+    return false;
   }
 
   /// [3] Through blocks of cells.

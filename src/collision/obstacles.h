@@ -19,6 +19,8 @@ class Obstacles {
   explicit Obstacles(std::span<const Polygon> polygons);
 
   [[nodiscard]] bool is_empty() const noexcept { return sides_.empty(); }
+  /// Whether a box that holds them all is worth cutting.
+  [[nodiscard]] bool are_many() const noexcept { return sides_.size() > 256; }
 
   /// Calls `visit(sides)` for sides that may meet the box until it returns true; says whether it
   /// did.

@@ -19,6 +19,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double straight_enough = 0.1e-3;
 // A corner this close to the edge of the swept area counts as covered [m].
 constexpr double slack = 1e-6;
+// Sides that reach further from the start of the segment are cut before they are tested [m].
+constexpr double far_away = 1e4;
 
 double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
@@ -187,7 +189,17 @@ bool Sweep::touches(const Sides& sides) const noexcept {
     x[i] = dx * s.forward.x + dy * s.forward.y;
     y[i] = dx * s.left.x + dy * s.left.y;
   }
-  if (turns_) return touches_turning(x, y);  // [3] [5]
+  if (turns_) {
+    double furthest = 0.0;
+    for (std::size_t i = 0; i < 5; ++i) {
+      furthest = std::max({furthest, std::abs(x[i]), std::abs(y[i])});
+    }
+    if (furthest <= far_away) return touches_turning(x, y);  // [3] [5]
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (touches_far_side({x[i], y[i]}, {x[i + 1], y[i + 1]})) return true;
+    }
+    return false;
+  }
   bool touched = false;
   for (std::size_t i = 0; i < 4; ++i) {  // [4]
     touched |= first_.meets({x[i], y[i]}, {x[i + 1], y[i + 1]});
@@ -293,6 +305,27 @@ bool Sweep::covers(const Point& p) const noexcept {
 bool Sweep::touches_side(const Point& a, const Point& b) const noexcept {
   return first_.meets(a, b) || first_.meets(from_end(a), from_end(b)) || covers(a) ||
          crosses_arc(a, b);
+}
+
+/// Levels grow with the square of the distance: of a side that reaches far away only the part in a
+/// square around the area counts.
+bool Sweep::touches_far_side(const Point& a, const Point& b) const noexcept {
+  const double reach = std::max({first_.front, first_.back}) + first_.half_width;
+  const double most = std::min(segment_.length, 2 / segment_.curvature) + reach + 1.0;
+  double begin = 0.0;
+  double end = 1.0;
+  const auto cut = [&](double from, double step) {
+    const double low = (-most - from) / step;
+    const double high = (most - from) / step;
+    begin = std::max(begin, std::min(low, high));
+    end = std::min(end, std::max(low, high));
+    return step != 0 || std::abs(from) <= most;
+  };
+  const Point d{b.x - a.x, b.y - a.y};
+  if (!cut(a.x, d.x) || !cut(a.y, d.y) || begin > end) return false;
+  const Point first{a.x + begin * d.x, a.y + begin * d.y};
+  const Point last{a.x + end * d.x, a.y + end * d.y};
+  return touches_side(begin > 0 ? first : a, end < 1 ? last : b);
 }
 
 bool Sweep::touches_turning(const std::array<double, 5>& x,

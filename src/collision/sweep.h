@@ -93,6 +93,7 @@ class Sweep {
   [[nodiscard]] bool touches_turning(const std::array<double, 5>& x,
                                      const std::array<double, 5>& y) const noexcept;
   [[nodiscard]] bool touches_side(const Point& a, const Point& b) const noexcept;
+  [[nodiscard]] bool touches_far_side(const Point& a, const Point& b) const noexcept;
 
   const PlacedSegment& segment_;
   bool turns_;        // else the area is the rectangle `first_`

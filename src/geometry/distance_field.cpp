@@ -127,6 +127,7 @@ std::vector<std::uint16_t> least_in_blocks(const std::vector<std::uint16_t>& cor
 DistanceField::DistanceField(const BlockedCells& cells, int coarseness)
     : last_x_(cells.columns() - 0.5),
       last_y_(cells.rows() - 0.5),
+      outside_is_free_(cells.is_blocked(0, 0) ? 0.0 : 1.0),
       columns_(static_cast<std::size_t>(cells.columns()) + 1),
       squares_(corner_squares(cells.blocked())) {
   build_blocks(cells, coarseness);
