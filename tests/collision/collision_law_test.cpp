@@ -129,6 +129,67 @@ TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
   EXPECT_GT(barely_rejected * 16, rejected / 8);
 }
 
+/// A wedge or a wall that begins near the origin or passes it, with one or two corners far away.
+Polygon far_wedge(Rng& rng) {
+  const auto any_where = [&](double most) {
+    const double angle = uniform(-pi, pi, rng);
+    const double distance = any_size(most / 1e3, most, rng);
+    return Point{distance * std::cos(angle), distance * std::sin(angle)};
+  };
+  const Point near = any_where(10);
+  const Point far = any_where(3e6);
+  if (chance(0.5, rng)) return {near, any_where(10), far};
+  const double back = -uniform(0.1, 1, rng);  // the wall's other end, beyond the origin
+  const Point aside = any_where(1e3);
+  return {far, {near.x + back * far.x, near.y + back * far.y}, {far.x + aside.x, far.y + aside.y}};
+}
+
+/// As everything, seen from so near that it is that many times smaller.
+Case shrunk(Case c, double by) {
+  Vehicle& v = c.vehicle;
+  v = {v.wheelbase / by, v.front_overhang / by, v.rear_overhang / by, v.width / by, 1e-3 / by};
+  c.path.start = {c.path.start.x / by, c.path.start.y / by, c.path.start.heading};
+  for (Segment& segment : c.path.segments) {
+    segment = {segment.curvature * by, segment.length / by, segment.curvature_rate * by * by};
+  }
+  return c;
+}
+
+TEST(CollisionLaw, SidesMayEndFarAway) {
+  constexpr int count = 20000;
+  int accepted = 0;
+  int rejected = 0;
+  for_each_case(4, count, [&](Rng& rng) {
+    Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
+    if (chance(0.3, rng)) c = shrunk(c, any_size(1, 100, rng));
+    const Footprint body = footprint(c.vehicle);
+    const Pose near = pose_at(c.path, uniform(0, length(c.path.segments), rng));
+    Polygon wedge;
+    Gap gap{.distance = 0.0, .on_body = {}, .on_obstacle = {}};
+    for (int i = 0; i < 20 && gap.distance == 0; ++i) {
+      wedge = moved(far_wedge(rng), near.x + uniform(-20, 20, rng), near.y + uniform(-20, 20, rng));
+      gap = least_gap(body, std::span(&wedge, 1), c.path, 1e-3);
+    }
+    if (gap.distance > 0) {
+      const double part = 1 - uniform(-2e-3, 4e-3, rng) / gap.distance;
+      wedge = moved(wedge, part * (gap.on_body.x - gap.on_obstacle.x),
+                    part * (gap.on_body.y - gap.on_obstacle.y));
+    }
+    c.obstacles = {wedge};
+    const CollisionChecker checker(body, c.bounds, c.obstacles);
+    if (checker.is_free(c.path.start, c.path.segments)) {
+      EXPECT_FALSE(comes_within(0, body, c.obstacles, c.path)) << described(c);
+      ++accepted;
+    } else {
+      EXPECT_TRUE(comes_within(CollisionChecker::tolerance, body, c.obstacles, c.path))
+          << described(c);
+      ++rejected;
+    }
+  });
+  EXPECT_GT(accepted, cases(count) / 5);
+  EXPECT_GT(rejected, cases(count) / 5);
+}
+
 bool judged_within(const Path& path, const Bounds& bounds) {
   const Vehicle vehicle{.min_turning_radius = 1e-3};
   return check_path(problem_of_path({.bounds = bounds}, path, vehicle), path, {}).valid;
@@ -183,7 +244,9 @@ TEST(CollisionLaw, ManyObstaclesAreHitExactlyIfOneOfThemIs) {
       each.push_back(std::make_unique<CollisionChecker>(body, bounds, std::span(&obstacle, 1)));
     }
     for (int i = 0; i < 30; ++i) {
-      const Path path = any_edge(around, rng);
+      Path path = any_edge(around, rng);
+      Segment& first = path.segments[0];
+      if (first.curvature_rate == 0 && chance(0.3, rng)) first.length *= any_size(1, 100, rng);
       const bool free = all.is_free(path.start, path.segments);
       EXPECT_EQ(free, std::all_of(each.begin(), each.end(),
                                   [&](const auto& checker) {

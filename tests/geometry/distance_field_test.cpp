@@ -74,6 +74,17 @@ TEST(DistanceField, KnowsRoughlyHowFarItIsBeyond255Cells) {
   }
 }
 
+TEST(DistanceField, OutsideItIsAtLeastAsFarAsTheFrameUnlessThatIsBlocked) {
+  OccupancyGrid grid = grid_of({"#."}, 1);
+  grid.unknown_is_free = true;
+  const geometry::DistanceField free{geometry::BlockedCells(grid), 2};
+  EXPECT_NEAR(free.at_least({1e9, 0.5}), 1e9 - 4, 0.5);
+  EXPECT_NEAR(free.at_least({1, -1e9}), 1e9, 0.5);
+  grid.unknown_is_free = false;
+  const geometry::DistanceField blocked{geometry::BlockedCells(grid), 2};
+  EXPECT_EQ(blocked.at_least({1e9, 0.5}), 0);
+}
+
 TEST(DistanceField, BoundsDistancesEverywhere) {
   for_each_case(2, 60, [](Rng& rng) {
     const geometry::BlockedCells cells(any_grid(rng));
