@@ -87,9 +87,14 @@ int answer(int argc, char** argv) {
   } catch (const InputError& error) {
     return complain(error.what(), exit_status::bad_input);
   } catch (const std::system_error& error) {
-    if (std::ferror(stdout) == 0) return complain(error.what(), exit_status::failed);
-    return complain("standard output: cannot write: " + error.code().message(),
-                    exit_status::bad_input);
+    if (std::ferror(stdout) != 0) {
+      return complain("standard output: cannot write: " + error.code().message(),
+                      exit_status::bad_input);
+    }
+    const bool lacks_room = error.code() == std::errc::not_enough_memory ||
+                            error.code() == std::errc::resource_unavailable_try_again;  // a thread
+    if (lacks_room) throw std::bad_alloc();
+    return complain(error.what(), exit_status::failed);
   } catch (const std::exception& error) {
     return complain(error.what(), exit_status::failed);
   }
