@@ -177,7 +177,7 @@ TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
   const double nan = std::nan("");
   const double infinity = HUGE_VAL;
   const auto last = static_cast<double>(table.entries().size() - 1);
-  for (const double heading : {nan, infinity, 1e30}) {
+  for (const double heading : {nan, -nan, infinity, 1e30}) {
     const double length = table.distance({1, 1, heading}, {0, 0, heading}, 7.0);
     EXPECT_TRUE(length >= 0.0 && length <= last) << length;
   }
@@ -193,7 +193,7 @@ TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideInBatches) {
   const HeuristicTable table = numbered_table({.extent = 2.0, .step = 1.0, .heading_cells = 4});
   const float nan = std::nanf("");
   const std::vector<float> x(19, 1.0F);
-  for (const float odd : {nan, HUGE_VALF, 1e30F}) {
+  for (const float odd : {nan, -nan, HUGE_VALF, 1e30F, -1e30F}) {
     std::vector<float> some = x;
     for (std::size_t i = 0; i < some.size(); i += 2) some[i] = odd;
     std::vector<float> out(x.size());
@@ -212,7 +212,7 @@ TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideInBatches) {
 
 TEST(LengthBounds, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
   const double nan = std::nan("");
-  for (const double odd : {nan, HUGE_VAL, 1e30, -1e30}) {
+  for (const double odd : {nan, -nan, HUGE_VAL, 1e30, -1e30}) {
     (void)length_bounds({odd, 1, 0}, {0, 0, 0}, 7.0);
     (void)length_bounds({1, 1, odd}, {0, 0, 0}, 7.0);
     (void)length_bounds({1, 1, 0}, {0, 0, 0}, odd);
