@@ -52,7 +52,8 @@ void write(Scenario scenario, const ConvertArguments& arguments) {
   const std::string what =
       scenario.map ? fmt::format("{} x {} cells", scenario.map->columns, scenario.map->rows)
                    : fmt::format("{} obstacles", scenario.obstacles.size());
-  fmt::print("{}: {}, written to {}\n", printable(scenario.name), what, arguments.output);
+  fmt::print("{}: {}, written to {}\n", printable(scenario.name), what,
+             printable(arguments.output));
 }
 
 /// What all formats have.

@@ -50,7 +50,7 @@ void run(const DrawArguments& arguments) {
     print(json);
   } else {
     fmt::print("{}: {}drawn to {}\n", printable(name), what.empty() ? "" : what + " ",
-               arguments.output);
+               printable(arguments.output));
   }
 }
 

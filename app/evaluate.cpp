@@ -14,8 +14,10 @@
 #include "interrupt.h"
 #include "option_flags.h"
 #include "progress_bar.h"
+#include "standard_streams.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
+#include "wording.h"
 
 namespace vandplan::app {
 namespace {
@@ -58,7 +60,7 @@ std::vector<std::string> scenario_files(const std::string& path) {
   std::ranges::sort(maps);
   if (files.empty()) throw InputError(path, "holds no scenario (*.yaml)");
   for (const std::string& map : maps)
-    fmt::print(stderr, "{}: skipped, a map and no scenario\n", map);
+    say(fmt::format("{}: skipped, a map and no scenario\n", printable(map)));
   return files;
 }
 
@@ -137,7 +139,8 @@ void show(const EvaluateArguments& arguments, const Comparison& comparison) {
     print(object);
     return;
   }
-  fmt::print("{}\nMore: {} (in a browser), {}, {}\n", headline, page, text, gallery);
+  fmt::print("{}\nMore: {} (in a browser), {}, {}\n", headline, printable(page), printable(text),
+             printable(gallery));
   if (missing > 0) fmt::print("{} runs are missing; --resume does them.\n", missing);
 }
 
@@ -146,14 +149,14 @@ Comparison report_again(const EvaluateArguments& arguments) {
   Store store = store_in(arguments.output);
   for (const std::string& file : arguments.merged) {
     Store other = Store::open(file);
-    fmt::print(stderr, "{}: {} new runs\n", file, store.merge(other));
+    say(fmt::format("{}: {} new runs\n", printable(file), store.merge(other)));
   }
   return write_report(make_report(store), arguments.output);
 }
 
 Comparison run_and_report(const EvaluateArguments& arguments) {
   const Campaign campaign = campaign_of(arguments);
-  fmt::print(stderr, "{}", explain_runs(campaign));
+  say(explain_runs(campaign));
   expect_new_store(arguments);
   ProgressBar bar;
   const auto report = [&](const Progress& now) { bar.show(now); };

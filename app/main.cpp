@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <new>
+#include <stdexcept>
 #include <system_error>
 
 #include "commands.h"
+#include "standard_streams.h"
 #include "vandplan/input_error.h"
 #include "vandplan/version.h"
 #include "wording.h"
@@ -22,8 +25,14 @@ constexpr AddCommand commands[] = {add_plan,  add_check, add_draw,    add_evalua
 /// Says on one line what is wrong.
 int complain(std::string problem, int status) {
   std::replace(problem.begin(), problem.end(), '\n', ' ');
-  fmt::print(stderr, "vandplan: {}\n", printable(problem));
+  say(fmt::format("vandplan: {}\n", printable(problem)));
   return status;
+}
+
+/// Needs no memory itself.
+int complain_of_memory() noexcept {
+  say("vandplan: out of memory\n");
+  return exit_status::bad_input;
 }
 
 int run(int argc, char** argv) {
@@ -49,36 +58,56 @@ int run(int argc, char** argv) {
 constexpr auto replace_bad_text = nlohmann::ordered_json::error_handler_t::replace;
 
 void print(const nlohmann::ordered_json& object) {
-  fmt::print("{}\n", object.dump(2, ' ', false, replace_bad_text));
+  fmt::print("{}\n", base::json_text(object.dump(2, ' ', false, replace_bad_text)));
 }
 
 void print_line(const nlohmann::ordered_json& object) {
-  fmt::print("{}\n", object.dump(-1, ' ', false, replace_bad_text));
+  fmt::print("{}\n", base::json_text(object.dump(-1, ' ', false, replace_bad_text)));
 }
 
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
-    fmt::print(stderr, "vandplan: warning: {}\n", printable(warning));
+    say(fmt::format("vandplan: warning: {}\n", printable(warning)));
   }
 }
 
-}  // namespace vandplan::app
+namespace {
 
-int main(int argc, char** argv) {
-  using namespace vandplan;
-  using namespace vandplan::app;
+/// What `main` answers, unless memory runs out.
+int answer(int argc, char** argv) {
   try {
     const int status = run(argc, argv);
     if (std::fflush(stdout) == 0) return status;
     return complain(fmt::format("standard output: cannot write: {}", std::strerror(errno)),
                     exit_status::bad_input);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::length_error&) {  // more than a container could ever hold
+    throw std::bad_alloc();
   } catch (const InputError& error) {
     return complain(error.what(), exit_status::bad_input);
   } catch (const std::system_error& error) {
-    if (std::ferror(stdout) == 0) return complain(error.what(), exit_status::failed);
-    return complain("standard output: cannot write: " + error.code().message(),
-                    exit_status::bad_input);
+    if (std::ferror(stdout) != 0) {
+      return complain("standard output: cannot write: " + error.code().message(),
+                      exit_status::bad_input);
+    }
+    const bool lacks_room = error.code() == std::errc::not_enough_memory ||
+                            error.code() == std::errc::resource_unavailable_try_again;  // a thread
+    if (lacks_room) throw std::bad_alloc();
+    return complain(error.what(), exit_status::failed);
   } catch (const std::exception& error) {
     return complain(error.what(), exit_status::failed);
+  }
+}
+
+}  // namespace
+}  // namespace vandplan::app
+
+int main(int argc, char** argv) {
+  vandplan::app::open_standard_streams();
+  try {
+    return vandplan::app::answer(argc, argv);
+  } catch (const std::bad_alloc&) {  // of the run, or of the complaint
+    return vandplan::app::complain_of_memory();
   }
 }

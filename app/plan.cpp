@@ -78,6 +78,14 @@ void check_outputs(const PlanArguments& arguments) {
   if (arguments.picture) expect_picture(*arguments.picture);
 }
 
+/// Piece by piece: the poses of a long path are many.
+void write_results(const std::string& output, const ScenarioFile& file,
+                   const std::vector<ResultRecord>& records) {
+  FileWriter writer(output);
+  vandplan::write_results(file, records, [&](std::string_view piece) { writer.write(piece); });
+  writer.commit();
+}
+
 int run(const PlanArguments& arguments) {
   const Planner& planner = planner_named(arguments.planner);
   PlanOptions options = complete(planner, options_for(planner, arguments.options));
@@ -92,12 +100,10 @@ int run(const PlanArguments& arguments) {
                       {*arguments.poses, arguments.output, jobs, arguments.json});
   }
   const std::vector<ResultRecord> records = plan_goals(read, planner, options);
-  const bool wants_json = arguments.output || arguments.json;
-  const std::string json = wants_json ? results_to_json(read.file, records) : "";
-  if (arguments.output) write_file(*arguments.output, json);
+  if (arguments.output) write_results(*arguments.output, read.file, records);
   if (arguments.picture) write_picture(*arguments.picture, read.file, records);
   if (arguments.json) {
-    fmt::print("{}", json);
+    write_results("-", read.file, records);
   } else {
     print_summary(read.file, records);
   }

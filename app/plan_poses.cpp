@@ -52,8 +52,9 @@ class Results {
     ResultRecord record = pattern_;
     record.result = std::move(result);
     record.result.tree.reset();
-    const std::string line = result_to_json_line(pair, problem, record);
-    for (FileWriter& output : outputs_) output.write(line);
+    write_result_line(pair, problem, record, [this](std::string_view piece) {
+      for (FileWriter& output : outputs_) output.write(piece);
+    });
   }
 
   void commit() {

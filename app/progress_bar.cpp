@@ -6,7 +6,8 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include "standard_streams.h"
 
 namespace vandplan::app {
 namespace {
@@ -27,7 +28,7 @@ std::string text_of(const Progress& progress) {
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
-  if (drawn_) fmt::print(stderr, "\n");
+  if (drawn_) say("\n");
 }
 
 void ProgressBar::show(const Progress& progress) {
@@ -36,13 +37,12 @@ void ProgressBar::show(const Progress& progress) {
   if (progress.elapsed < next_ && !finished_) return;
   next_ = progress.elapsed + (terminal_ ? redraw_interval : line_interval);
   if (!terminal_) {
-    fmt::print(stderr, "{}\n", text_of(progress));
+    say(text_of(progress) + "\n");
     return;
   }
   const int filled = width * (progress.kept + progress.done) / progress.total;
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\033[K", "", filled, "", width - filled,
-             text_of(progress));
-  std::fflush(stderr);
+  say(fmt::format("\r[{:#<{}}{:.<{}}] {}\033[K", "", filled, "", width - filled,
+                  text_of(progress)));
   drawn_ = true;
 }
 

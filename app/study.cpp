@@ -7,12 +7,15 @@
 #include <cmath>
 #include <memory>
 
+#include "base/escape.h"
 #include "commands.h"
 #include "gnuplot.h"
+#include "standard_streams.h"
 #include "study_summary.h"
 #include "table_source.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/input_error.h"
+#include "wording.h"
 
 namespace vandplan::app {
 namespace {
@@ -41,13 +44,14 @@ void report(const Study& study, const StudyArguments& arguments) {
     json["files"] = names;
     print(json);
   } else {
-    fmt::print("{}written: {}\n", summary_of(study), fmt::join(names, " "));
+    fmt::print("{}written: {}\n", summary_of(study),
+               printable(fmt::format("{}", fmt::join(names, " "))));
   }
   if (has_pictures) return;
-  fmt::print(stderr,
-             "vandplan: no pictures, because gnuplot is not installed (Debian: apt install "
-             "gnuplot-nox); once it is: cd '{}' && gnuplot {}\n",
-             arguments.folder, files.script.name);
+  say(
+      fmt::format("vandplan: no pictures, because gnuplot is not installed (Debian: apt install "
+                  "gnuplot-nox); once it is: cd {} && gnuplot {}\n",
+                  base::shell_file(arguments.folder), files.script.name));
 }
 
 // ---- options ----

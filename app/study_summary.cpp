@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/escape.h"
+
 namespace vandplan::app {
 namespace {
 
@@ -75,10 +77,11 @@ std::string summary_of(const AccuracyStudy& study) {
     const auto& [least, largest, mean, percentiles] = estimate.metres;
     text += fmt::format(
         "  {:<22} {:9.1f} % {:7.1f} % {:6.3f} {:7.3f} {:7.3f} {:7.3f} {:11.2f} {:9.2f} {:10.2f}\n",
-        estimate.name, 100 * estimate.within_a_tenth, 100 * estimate.over, estimate.relative.mean,
-        percentile_of(estimate.relative, 5), percentile_of(estimate.relative, 50),
-        percentile_of(estimate.relative, 95), percentile_of(estimate.metres, 5),
-        percentile_of(estimate.metres, 95), -least > largest ? least : largest);
+        base::printable(estimate.name), 100 * estimate.within_a_tenth, 100 * estimate.over,
+        estimate.relative.mean, percentile_of(estimate.relative, 5),
+        percentile_of(estimate.relative, 50), percentile_of(estimate.relative, 95),
+        percentile_of(estimate.metres, 5), percentile_of(estimate.metres, 95),
+        -least > largest ? least : largest);
   }
   return text;
 }

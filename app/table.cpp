@@ -15,6 +15,7 @@
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/table_file.h"
+#include "wording.h"
 
 namespace vandplan::app {
 
@@ -83,7 +84,8 @@ void build(const BuildArguments& arguments) {
     json.update(json_of(head));
     print(json);
   } else {
-    fmt::print("{}: {}  built in        {:.3f} s\n", arguments.output, text_of(head), time.count());
+    fmt::print("{}: {}  built in        {:.3f} s\n", printable(arguments.output), text_of(head),
+               time.count());
   }
 }
 
@@ -113,8 +115,8 @@ int check_of_lengths(const TableSource& source, const CheckArguments& arguments)
                  {"good", good}};
     print(json);
   } else {
-    fmt::print("{}: checksum fits; {} of {} entries compared with exact lengths\n", source.name,
-               check.compared, source.head.entries);
+    fmt::print("{}: checksum fits; {} of {} entries compared with exact lengths\n",
+               printable(source.name), check.compared, source.head.entries);
     fmt::print(
         "worst difference {:.2g} m, from x {} m, y {} m, heading {:.4f} rad to heading {:.4f} "
         "rad\n",
@@ -141,7 +143,7 @@ int check_of_bounds(const TableSource& source, const CheckArguments& arguments) 
            {"gap_95", check.gap_95},
            {"good", good}});
   } else {
-    fmt::print("{}: checksum fits; {} the table of this library\n", source.name,
+    fmt::print("{}: checksum fits; {} the table of this library\n", printable(source.name),
                same ? "is" : "IS NOT");
     fmt::print(
         "{} random pairs: {} exact lengths outside of the library's bounds\n"
@@ -211,8 +213,8 @@ void export_table(const ExportArguments& arguments) {
     json["entries"] = source.head.entries;
     print(json);
   } else {
-    fmt::print("{}: {} entries written to {}{}\n", source.name, source.head.entries,
-               arguments.output,
+    fmt::print("{}: {} entries written to {}{}\n", printable(source.name), source.head.entries,
+               printable(arguments.output),
                format == "header" ? fmt::format(", namespace {}, array entries", name) : "");
   }
 }
@@ -264,7 +266,7 @@ void add_table_info(CLI::App& table) {
       object.update(json_of(source.head));
       print(object);
     } else {
-      fmt::print("{}: {}", source.name, text_of(source.head));
+      fmt::print("{}: {}", printable(source.name), text_of(source.head));
     }
   });
 }

@@ -33,14 +33,6 @@ std::string with_unit(double value, std::span<const Unit> units) {
   return fmt::format("{:.{}f} {}", count, decimals, units[i].name);
 }
 
-/// Whether a control character of ASCII, or of those from U+0080 to U+009F, begins at a place.
-bool is_control(std::string_view text, std::size_t i) {
-  const auto byte = static_cast<unsigned char>(text[i]);
-  if (byte < 0x20 || byte == 0x7F) return true;
-  const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
-  return byte == 0xC2 && next >= 0x80 && next < 0xA0;
-}
-
 }  // namespace
 
 std::string metres_text(double metres) { return with_unit(metres, length_units); }
@@ -63,19 +55,6 @@ std::string path_text(const PathCheck& check) {
 std::string no_path_text(const PlanResult& result) {
   const std::string text = fmt::format("no path: {}", name_of(result.status));
   return result.reason.empty() ? text : fmt::format("{} ({})", text, printable(result.reason));
-}
-
-std::string printable(std::string_view text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (!is_control(text, i)) {
-      result += text[i];
-    } else {
-      if (static_cast<unsigned char>(text[i]) == 0xC2) ++i;
-      result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
-    }
-  }
-  return result;
 }
 
 }  // namespace vandplan::app

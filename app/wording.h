@@ -7,10 +7,13 @@
 #include <string>
 #include <string_view>
 
+#include "base/escape.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 
 namespace vandplan::app {
+
+using base::printable;
 
 /// "35.120 m", "45.2 mm", "0 m": the unit that fits, three digits at least.
 [[nodiscard]] std::string metres_text(double metres);
@@ -27,8 +30,5 @@ namespace vandplan::app {
 
 /// "no path: goal_in_collision (the footprint hits obstacles[3])" of a result without a path.
 [[nodiscard]] std::string no_path_text(const PlanResult& result);
-
-/// A text from a file as a terminal may have it: control characters are written as "\x1b".
-[[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace vandplan::app

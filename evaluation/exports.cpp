@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/escape.h"
 #include "evaluation/methods.h"
 #include "evaluation/options_json.h"
 #include "evaluation/report_json.h"
@@ -20,14 +21,6 @@ namespace vandplan::evaluation {
 namespace {
 
 using Json = OrderedJson;
-
-// A field of CSV (RFC 4180).
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char character : text) field += character == '"' ? "\"\"" : std::string(1, character);
-  return field + "\"";
-}
 
 std::string csv_line(const RunRecord& run, const StoredScenario& scenario,
                      const Environment& environment) {
@@ -45,14 +38,14 @@ std::string csv_line(const RunRecord& run, const StoredScenario& scenario,
   };
   return fmt::format(
       "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-      quoted(scenario.name), run.goal, quoted(run.planner), name_of(run.region),
-      run.options.budget.seed, name_of(result.status), quoted(result.reason),
+      base::csv_cell(scenario.name), run.goal, base::csv_cell(run.planner), name_of(run.region),
+      run.options.budget.seed, name_of(result.status), base::csv_cell(result.reason),
       when_solved(result.cost), when_solved(result.path ? gear_changes(result.path->segments) : 0),
       result.anytime.empty() ? "" : fmt::format("{}", result.anytime.front().time),
       result.time_total, result.iterations, counted("nodes"), counted("exact_solves"),
       counted("edge_checks"), measured("ranking"), measured("steering"), measured("checking"),
-      run.jobs, run.started, quoted(options_to_json(run.options)), quoted(environment.processor),
-      environment.executable);
+      run.jobs, run.started, base::csv_cell(options_to_json(run.options)),
+      base::csv_cell(environment.processor), environment.executable);
 }
 
 Json run_json(const RunRecord& run) {

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <set>
 
+#include "base/escape.h"
 #include "evaluation/report.h"
 #include "vandplan/draw.h"
 
 namespace vandplan::evaluation {
 namespace {
+
+using base::printable;
 
 constexpr int cell_width = 360;  // [pixels]
 
@@ -50,11 +53,12 @@ std::string gallery_png(const Report& report) {
     const RunRecord* const best = best_run(report, index);
     const Scenario& scenario =
         drawn.emplace_back(scenario_at(report.scenarios[index], best == nullptr ? 0 : best->goal));
-    Drawing drawing{.scenario = &scenario, .caption = scenario.name + ": no path"};
+    Drawing drawing{.scenario = &scenario, .caption = printable(scenario.name + ": no path")};
     if (best != nullptr) {
       drawing.path = &*best->result.path;
-      drawing.caption = fmt::format("{}: {:.1f} m", scenario.name, final_cost(*best));
-      if (planners.size() > 1) drawing.caption += ", " + best->planner;
+      std::string caption = fmt::format("{}: {:.1f} m", scenario.name, final_cost(*best));
+      if (planners.size() > 1) caption += ", " + best->planner;
+      drawing.caption = printable(caption);
     }
     sheet.drawings.push_back(std::move(drawing));
   }

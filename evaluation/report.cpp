@@ -9,8 +9,10 @@
 #include <optional>
 #include <utility>
 
+#include "base/escape.h"
 #include "evaluation/methods.h"
 #include "evaluation/options_json.h"
+#include "evaluation/report_json.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::evaluation {
@@ -78,11 +80,12 @@ Report make_report(Store& store, std::vector<RunRecord> runs, const Choice& choi
   return report;
 }
 
-// An option on the command line.
-std::string flag(const std::string& name, std::string value) {
-  std::erase(value, '"');
+// An option on the command line; `json` is its value.
+std::string flag(const std::string& name, const std::string& json) {
+  const bool is_word = json.starts_with('"');
+  const std::string value = is_word ? OrderedJson::parse(json).get<std::string>() : json;
   if (name == "max_iterations") return " --max-iterations " + value;
-  return fmt::format(" --set {}={}", name, value);
+  return " --set " + base::shell_word(name + "=" + value);
 }
 
 }  // namespace
@@ -124,7 +127,8 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
     }
   std::string command =
       fmt::format("{}{} --planner {} --seed {}", is_ours ? "vandplan plan " : "(your own planner) ",
-                  report.files[run.scenario].file, run.planner, run.options.budget.seed);
+                  base::shell_file(report.files[run.scenario].file), base::shell_word(run.planner),
+                  run.options.budget.seed);
   for (const auto& [name, value] : option_values(shown)) {
     const auto standard = defaults.find(name);
     if (name == "profile" || (standard != defaults.end() && standard->second == value)) continue;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/escape.h"
+#include "base/text.h"
 #include "evaluation/methods.h"
 #include "evaluation/pooled.h"
 #include "evaluation/report.h"
@@ -14,6 +16,8 @@
 
 namespace vandplan::evaluation {
 namespace {
+
+using base::markdown;
 
 constexpr const char* none = "-";
 
@@ -66,7 +70,7 @@ std::string matrix(const Report& report, Region region, CellText cell) {
   std::vector<std::vector<std::string>> cells;  // of each scenario, in the order of the planners
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     if (scenario.region != region) continue;
-    scenarios.push_back(short_name(report.scenarios[scenario.scenario].scenario.name));
+    scenarios.push_back(markdown(short_name(report.scenarios[scenario.scenario].scenario.name)));
     std::vector<std::string>& row = cells.emplace_back(planners.size());
     for (const MethodSummary& method : scenario.methods) {
       const auto known = std::ranges::find(planners, method.planner);
@@ -76,6 +80,7 @@ std::string matrix(const Report& report, Region region, CellText cell) {
       row[at] = cell(method, is_row(report, scenario));
     }
   }
+  for (std::string& planner : planners) planner = markdown(planner);
   const bool planners_down = planners.size() >= scenarios.size();
   const std::vector<std::string>& down = planners_down ? planners : scenarios;
   std::vector<std::string> head = planners_down ? scenarios : planners;
@@ -103,7 +108,7 @@ std::string scenario_table(const ScenarioSummary& scenario, bool row) {
   TextTable table({"planner", "solved", "first [ms]", "at 10 ms", "at 100 ms", "tree full",
                    "at the end", "nodes", "iterations", "time [ms]", "rank/steer/check [%]"});
   for (const MethodSummary& method : scenario.methods)
-    table.add({method.planner,
+    table.add({markdown(method.planner),
                fmt::format("{}/{} [{:.0f}, {:.0f} %]", method.solved, method.runs,
                            100.0 * method.solved_interval.low, 100.0 * method.solved_interval.high),
                with_interval(method.first_time, time_text), cost(method.cost_at_10ms.median),
@@ -121,7 +126,8 @@ std::string row_table(const ScenarioSummary& scenario) {
     head.push_back(fmt::format("{:.0f} m", goal.distance));
   TextTable table(head);
   for (const MethodSummary& method : scenario.methods) {
-    std::vector<std::string> cells = {method.planner, fmt::format("{:.0f}", method.furthest)};
+    std::vector<std::string> cells = {markdown(method.planner),
+                                      fmt::format("{:.0f}", method.furthest)};
     for (const GoalSummary& goal : method.goals) cells.push_back(cost_text(goal.cost));
     cells.resize(head.size());
     table.add(std::move(cells));
@@ -153,8 +159,8 @@ std::string twin_table(const ScenarioSummary& scenario) {
   if (scenario.twins.empty()) return "";
   TextTable table({"against its Euclid twin", "cost", "first solution", "whole run"});
   for (const TwinComparison& twins : scenario.twins)
-    table.add({twins.planner, comparison_text(twins.cost), comparison_text(twins.first_time),
-               comparison_text(twins.time_total)});
+    table.add({markdown(twins.planner), comparison_text(twins.cost),
+               comparison_text(twins.first_time), comparison_text(twins.time_total)});
   return table.markdown();
 }
 
@@ -169,7 +175,7 @@ std::string pooled_table(const Report& report, Region region) {
   };
   for (const Pooled& found : planners) {
     const PairedComparison::Verdict verdict = found.verdict;
-    table.add({found.planner, share(found.solved, found.runs),
+    table.add({markdown(found.planner), share(found.solved, found.runs),
                share(found.twin_solved, found.twin_runs), std::to_string(found.pairs),
                share(found.cheaper, found.pairs),
                share(found.pairs - found.cheaper - found.dearer, found.pairs),
@@ -190,7 +196,8 @@ std::string jobs_text(const Report& report) {
 std::string options_text(const ReportOptions& options) {
   std::string text = "Options: `" + shared_options_json(options).dump() + "`.\n";
   for (const ReportOptions::Own& own : options.differing)
-    text += fmt::format("`{}` is {} for {}.\n", own.name, own.value, fmt::join(own.planners, ", "));
+    text += fmt::format("`{}` is {} for {}.\n", own.name, markdown(own.value),
+                        markdown(base::joined(own.planners)));
   return text;
 }
 
@@ -198,16 +205,18 @@ std::string rejected_text(const Report& report) {
   std::string text;
   for (const OrderedJson& rejected : rejected_json(report.runs))
     text += fmt::format("{} paths of {} were rejected by the judge, the first because {}.\n",
-                        rejected.at("runs").get<int>(), rejected.at("planner").get<std::string>(),
-                        rejected.at("reason").get<std::string>());
+                        rejected.at("runs").get<int>(),
+                        markdown(rejected.at("planner").get<std::string>()),
+                        markdown(rejected.at("reason").get<std::string>()));
   return text;
 }
 
 std::string circumstances(const Report& report) {
   const Environment& here = report.environment;
-  std::string text = fmt::format("{} runs, {}, vandplan {} ({}, {}) on {} ({} cores), {}.\n",
-                                 report.runs.size(), jobs_text(report), here.version, here.compiler,
-                                 here.build_type, here.processor, here.cores, here.system);
+  std::string text =
+      fmt::format("{} runs, {}, vandplan {} ({}, {}) on {} ({} cores), {}.\n", report.runs.size(),
+                  jobs_text(report), here.version, here.compiler, here.build_type,
+                  markdown(here.processor), here.cores, markdown(here.system));
   text += options_text(report.options);
   text += rejected_text(report);
   const OrderedJson harness = harness_json(report.sessions);
@@ -263,7 +272,8 @@ std::string claims(const Report& report) {
     text += fmt::format("- {}, region {}, \"{}\": **{}**. {}. {}\n",
                         finding.where.setting == GoalSetting::sampled ? "As printed" : "Goal tried",
                         name_of(finding.where.region), finding.claim,
-                        finding.holds ? "confirmed" : "not confirmed", finding.found, finding.why);
+                        finding.holds ? "confirmed" : "not confirmed", markdown(finding.found),
+                        markdown(finding.why));
   return text;
 }
 
@@ -275,11 +285,12 @@ bool has_region(const Report& report, Region region) {
 
 std::string headline_markdown(const Report& report) {
   std::string text = "# Comparison of planners\n\n";
-  for (const std::string& verdict : verdicts(report.findings)) text += "- " + verdict + "\n";
+  for (const std::string& verdict : verdicts(report.findings))
+    text += "- " + markdown(verdict) + "\n";
   for (const Region region : {Region::bounds, Region::scene})
     if (has_region(report, region))
       text += fmt::format("- Samples from the {}: {}\n", name_of(region),
-                          headline(report.summary, region));
+                          markdown(headline(report.summary, region)));
   text += "\n" + circumstances(report);
   for (const Region region : {Region::bounds, Region::scene}) {
     if (!has_region(report, region)) continue;
@@ -298,10 +309,10 @@ std::string report_markdown(const Report& report) {
   std::string text = headline_markdown(report);
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     const bool row = is_row(report, scenario);
-    text += fmt::format("\n## {}, samples from the {}\n\n{}{}\n",
-                        report.scenarios[scenario.scenario].scenario.name, name_of(scenario.region),
-                        row ? "Costs per metre of the goal's distance.\n\n" : "",
-                        scenario_table(scenario, row));
+    text += fmt::format(
+        "\n## {}, samples from the {}\n\n{}{}\n",
+        markdown(report.scenarios[scenario.scenario].scenario.name), name_of(scenario.region),
+        row ? "Costs per metre of the goal's distance.\n\n" : "", scenario_table(scenario, row));
     if (row) text += row_table(scenario) + "\n";
     text += twin_table(scenario);
   }

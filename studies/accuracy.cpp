@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/escape.h"
 #include "studies/percentile.h"
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
@@ -91,7 +92,7 @@ Accuracy accuracy_of(const NamedEstimate& estimate, const std::vector<Case>& cas
 
 std::string histogram_csv(const AccuracyStudy& study) {
   std::string csv = "low,high";
-  for (const Accuracy& estimate : study.estimates) csv += "," + estimate.name;
+  for (const Accuracy& estimate : study.estimates) csv += "," + base::csv_cell(estimate.name);
   csv += "\n";
   for (int bin = 0; bin <= 2 * bins_of_unity; ++bin) {
     const double low = static_cast<double>(bin - bins_of_unity) / bins_of_unity;

@@ -6,9 +6,11 @@
 // Format: docs/formats.md. Everything is in the scenario's frame.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "vandplan/planner.h"
@@ -36,13 +38,29 @@ struct ResultRecord {
 /// The largest distance among the goals of a row that have a path [m].
 [[nodiscard]] std::optional<double> furthest_reached(const std::vector<ResultRecord>& records);
 
+/// The most poses that a result file states, all its paths together: it goes without any if they
+/// would be more, which takes some 200 km.
+inline constexpr std::size_t most_written_poses = 2'000'000;
+/// The most nodes of search trees in a result file, all together: it goes without any if they would
+/// be more.
+inline constexpr std::size_t most_written_nodes = 10'000'000;
+
+/// Takes a text in, piece by piece.
+using TextSink = std::function<void(std::string_view piece)>;
+
 /// Result file as JSON text: one record for `goal:`, a row of records for `goals:`.
 [[nodiscard]] std::string results_to_json(const ScenarioFile& file,
                                           const std::vector<ResultRecord>& records);
+/// Hands out the text of `results_to_json` while it is made: a long one is never held as a whole.
+void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& records,
+                   const TextSink& sink);
 
 /// One of many results, for the pair of poses with that number, as one line of JSON.
 [[nodiscard]] std::string result_to_json_line(std::size_t pair, const Problem& problem,
                                               const ResultRecord& record);
+/// Hands out the text of `result_to_json_line` while it is made.
+void write_result_line(std::size_t pair, const Problem& problem, const ResultRecord& record,
+                       const TextSink& sink);
 
 /// Reads a result file written by us or by others. As many records as the scenario has goals.
 /// Throws InputError "file:line: what is wrong".

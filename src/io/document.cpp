@@ -95,7 +95,7 @@ std::string in_file(const std::string& where, int line) {
 }  // namespace
 
 std::string Document::prefix_for(const Node& node) const {
-  std::string path = path_between(root_, &node).value_or("");
+  std::string path = path_ + path_between(root_, &node).value_or("");
   if (path.starts_with('.')) path.erase(0, 1);
   return path.empty() ? "" : path + ": ";
 }
@@ -202,6 +202,8 @@ void NodeBuilder::begin(Node::Kind kind, int line) {
   Node node;
   node.kind = kind;
   node.line = line;
+  began_.push_back(values_);
+  count(line);
   open_.push_back(std::move(node));
 }
 
@@ -219,31 +221,46 @@ void NodeBuilder::end() {
                                   " is given again, expected it once (" + "first on line " +
                                   std::to_string((*twin)->line) + ")");
   }
-  add(std::move(node));
+  const std::size_t before = began_.back();
+  began_.pop_back();
+  add(std::move(node), before);
+}
+
+void NodeBuilder::count(int line) { expect_room(++values_, line); }
+
+void NodeBuilder::expect_room(std::size_t values, int line) const {
+  if (values <= most_values) return;
+  fail(line, "has more than " + std::to_string(most_values) + " values, expected no more");
 }
 
 void NodeBuilder::scalar(std::string text, bool is_quoted, int line) {
+  count(line);
   Node node;
   node.kind = Node::Kind::scalar;
   node.is_quoted = is_quoted;
   node.line = line;
   node.text = std::move(text);
-  add(std::move(node));
+  add(std::move(node), values_ - 1);
 }
 
 void NodeBuilder::nothing(int line) {
+  count(line);
   const bool has_key = !open_.empty() && open_.back().keys.size() > open_.back().items.size();
   Node node;
   node.line = has_key ? open_.back().keys.back().line : line;
-  add(std::move(node));
+  add(std::move(node), values_ - 1);
 }
 
-void NodeBuilder::add(Node node) {
+void NodeBuilder::add(Node node, std::size_t before) {
   if (open_.empty()) {
     root_ = std::move(node);
     return;
   }
   Node& parent = open_.back();
+  if (parent.kind == Node::Kind::list && take_ && take_(open_, node)) {
+    values_ = before;
+    return;
+  }
   if (parent.kind != Node::Kind::map || parent.keys.size() > parent.items.size()) {
     parent.items.push_back(std::move(node));
   } else if (node.kind == Node::Kind::scalar) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -35,8 +36,9 @@ struct Node {
 /// A text as a tree of nodes.
 class Document {
  public:
-  /// `where` is the name of the file.
-  Document(std::string where, Node root) : where_(std::move(where)), root_(std::move(root)) {}
+  /// `where` is the name of the file, `path` that of the root: "path.poses[5]" if it is a part.
+  Document(std::string where, Node root, std::string path = "")
+      : where_(std::move(where)), root_(std::move(root)), path_(std::move(path)) {}
 
   [[nodiscard]] const Node& root() const { return root_; }
 
@@ -72,12 +74,23 @@ class Document {
 
   std::string where_;
   Node root_;
+  std::string path_;
 };
 
-/// Puts a tree together from what a parser comes across.
+/// The most values that a text may have, keys among them: what a tree of them takes is far more
+/// than their text.
+inline constexpr std::size_t most_values = 4'000'000;
+
+/// Whether somebody keeps this element of a list, so that the tree needs not: `open` are the nodes
+/// that it is in, the root first and the list last. Those nodes are not whole yet.
+using TakeElement = std::function<bool(const std::vector<Node>& open, Node& element)>;
+
+/// Puts a tree together from what a parser comes across. Throws InputError for more than
+/// `most_values` that nobody takes.
 class NodeBuilder {
  public:
-  explicit NodeBuilder(std::string where) : where_(std::move(where)) {}
+  explicit NodeBuilder(std::string where, TakeElement take = {})
+      : where_(std::move(where)), take_(std::move(take)) {}
 
   void begin(Node::Kind kind, int line);
   void end();
@@ -88,12 +101,19 @@ class NodeBuilder {
   /// The root; nothing if there was none.
   [[nodiscard]] Node finish() { return std::move(root_); }
   [[noreturn]] void fail(int line, const std::string& problem) const;
+  /// Throws InputError if so many values are too many.
+  void expect_room(std::size_t values, int line) const;
 
  private:
-  void add(Node node);
+  /// `before` is how many values there were before it.
+  void add(Node node, std::size_t before);
+  void count(int line);
 
   std::string where_;
-  std::vector<Node> open_;  // the root first
+  TakeElement take_;
+  std::vector<Node> open_;          // the root first
+  std::vector<std::size_t> began_;  // how many values there were before each of them
+  std::size_t values_ = 0;
   Node root_;
 };
 
@@ -102,6 +122,13 @@ inline constexpr std::size_t largest_text = std::size_t{64} << 20;
 
 [[nodiscard]] Document parse_yaml(const std::string& text, const std::string& where);
 /// `first_line` is the number of the text's first line in its file.
-[[nodiscard]] Document parse_json(std::string_view text, const std::string& where, int first_line);
+[[nodiscard]] Document parse_json(std::string_view text, const std::string& where, int first_line,
+                                  const TakeElement& take);
+/// Text that comes in pieces: each is valid until the next one is asked for, the last one is empty.
+using NextPiece = std::function<std::string_view()>;
+
+/// Reads text that may be longer than memory has room for, as long as somebody takes most of it.
+[[nodiscard]] Document parse_json(const NextPiece& next, const std::string& where, int first_line,
+                                  const TakeElement& take);
 
 }  // namespace vandplan::io

@@ -62,10 +62,27 @@ std::string folder_of(const std::string& file) {
   return slash == 0 ? "/" : file.substr(0, slash);
 }
 
-/// The file that `file` names, behind all symbolic links; itself if it does not exist yet.
+/// What the symbolic link `file` holds, seen from where we are; empty if it is no link.
+std::string link_of(const std::string& file) {
+  char buffer[PATH_MAX];
+  const ssize_t size = ::readlink(file.c_str(), buffer, sizeof buffer);
+  if (size <= 0) return "";
+  const std::string target(buffer, static_cast<std::size_t>(size));
+  return target.starts_with('/') ? target : folder_of(file) + "/" + target;
+}
+
+/// The file that `file` names, behind all symbolic links. It need not exist yet: as with a shell's
+/// `>`, a link to nothing says where to make it.
 std::string target_of(const std::string& file) {
   char resolved[PATH_MAX];
-  return ::realpath(file.c_str(), resolved) != nullptr ? resolved : file;
+  std::string target = file;
+  for (int links = 0; links < 40; ++links) {
+    if (::realpath(target.c_str(), resolved) != nullptr) return resolved;
+    const std::string next = errno == ENOENT ? link_of(target) : "";
+    if (next.empty()) return target;
+    target = next;
+  }
+  return target;
 }
 
 /// Creates an empty file beside `file` and returns its name; -1 in `descriptor` if that fails.
@@ -96,6 +113,7 @@ void expect_writable(const std::string& file) {
   const std::string folder = folder_of(target) + "/.";
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (!exists && errno != ENOENT) cannot(file, "write");  // links in a circle, for example
   if (exists && S_ISDIR(old.st_mode)) fail(file, "write", EISDIR);
   if (exists && ::access(target.c_str(), W_OK) != 0) cannot(file, "write");
   // A file is replaced by one that is written beside it.

@@ -4,8 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "vandplan/input_error.h"
-#include "vandplan/occupancy_grid.h"
 
 namespace vandplan::io {
 
@@ -14,6 +15,23 @@ void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::stri
   if (columns >= 1 && rows >= 1 && columns <= most && rows <= most / columns) return;
   throw InputError(where, fmt::format("is {} x {} pixels, expected at least one and at most {}",
                                       columns, rows, most));
+}
+
+void check_image_bytes(const ImageShape& shape, std::size_t bytes, double least, const char* kind,
+                       const std::string& where) {
+  if (static_cast<double>(bytes) >= least) return;
+  throw InputError(
+      where, fmt::format("holds {} bytes for {} x {} pixels, expected a whole {} image", bytes,
+                         shape.columns, shape.rows, kind));
+}
+
+void turn_over(std::vector<Cell>& cells, std::int32_t columns) {
+  const auto size = static_cast<std::ptrdiff_t>(columns);
+  auto low = cells.begin();
+  for (auto high = cells.end(); high - low > size; low += size) {
+    high -= size;
+    std::swap_ranges(low, low + size, high);
+  }
 }
 
 }  // namespace vandplan::io

@@ -36,9 +36,10 @@ std::string kind_of(const std::string& bytes) {
 
 }  // namespace
 
-Image image_from(const std::string& bytes, const std::string& where, Alpha alpha) {
-  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return image_from_pgm(bytes, where);
-  if (bytes.starts_with("\x89PNG")) return image_from_png(bytes, where, alpha);
+void read_image(const std::string& bytes, const std::string& where, Alpha alpha,
+                const TakeRow& take_row) {
+  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return read_pgm(bytes, where, take_row);
+  if (bytes.starts_with("\x89PNG")) return read_png(bytes, where, alpha, take_row);
   throw InputError(where, "is " + kind_of(bytes) + ", expected a PGM (P2 or P5) or PNG image");
 }
 

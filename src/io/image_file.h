@@ -9,8 +9,9 @@
 
 namespace vandplan::io {
 
-/// Reads the bytes of a PGM (P2, P5) or PNG file. Throws InputError, `where` standing for the file,
-/// if it is neither, broken, or has more than `most_map_cells` pixels.
-[[nodiscard]] Image image_from(const std::string& bytes, const std::string& where, Alpha alpha);
+/// Hands out the rows of a PGM (P2, P5) or PNG file. Throws InputError, `where` standing for the
+/// file, if it is neither, broken, or has more than `most_map_cells` pixels.
+void read_image(const std::string& bytes, const std::string& where, Alpha alpha,
+                const TakeRow& take_row);
 
 }  // namespace vandplan::io

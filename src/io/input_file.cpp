@@ -3,6 +3,7 @@
 #include "io/input_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -20,11 +21,35 @@ constexpr std::size_t chunk = std::size_t{1} << 16;  // read at a time [bytes]
   throw InputError(name, "is too large, expected at most " + std::to_string(largest) + " bytes");
 }
 
+/// Whether a name stands for a descriptor that whoever called us has opened.
+bool is_open_already(const std::string& file) {
+  return file == "/dev/stdin" || file.starts_with("/dev/fd/") || file.starts_with("/proc/self/fd/");
+}
+
+/// Throws InputError for what reading, or opening alone, might wait for.
+void expect_regular(const std::string& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return;                  // opening says why
+  if (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)) return;  // reading says what it is
+  const char* const kind = S_ISFIFO(status.st_mode)   ? "a pipe"
+                           : S_ISSOCK(status.st_mode) ? "a socket"
+                                                      : "a device";
+  throw InputError(file,
+                   std::string("is ") + kind + ", expected a regular file; - is standard input");
+}
+
+int opened(const std::string& file) {
+  if (file == "-") return STDIN_FILENO;
+  if (is_open_already(file)) return ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  expect_regular(file);
+  // Should a pipe have come in its place, nobody waits.
+  return ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+}
+
 }  // namespace
 
 InputFile::InputFile(const std::string& file)
-    : name_(file == "-" ? "standard input" : file),
-      descriptor_(file == "-" ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : name_(file == "-" ? "standard input" : file), descriptor_(opened(file)) {
   if (descriptor_ < 0) throw InputError(name_, std::string("cannot open: ") + std::strerror(errno));
 }
 
@@ -41,8 +66,12 @@ bool InputFile::append_to(std::string& content, std::size_t largest) {
   } while (count < 0 && errno == EINTR);
   if (count < 0) throw InputError(name_, std::string("cannot read: ") + std::strerror(errno));
   content.resize(used + static_cast<std::size_t>(count));
-  if (content.size() > largest) refuse(name_, largest);
+  expect_at_most(content.size(), largest);
   return count > 0;
+}
+
+void InputFile::expect_at_most(std::size_t size, std::size_t largest) const {
+  if (size > largest) refuse(name_, largest);
 }
 
 std::optional<std::string> LineReader::next(std::size_t largest) {
@@ -57,20 +86,29 @@ std::optional<std::string> LineReader::next(std::size_t largest) {
   if (is_last && buffer_.empty()) return std::nullopt;
   const std::size_t length = (is_last ? buffer_.size() : end) - used_;
   if (length > largest) refuse(name() + ":" + std::to_string(number_ + 1), largest);
-  std::string line = buffer_.substr(used_, length);
-  used_ += length + (is_last ? 0 : 1);
-  if (used_ == buffer_.size()) buffer_.erase(0, std::exchange(used_, 0));
   ++number_;
+  const std::size_t after = used_ + length + (is_last ? 0 : 1);
+  if (used_ == 0 && length > chunk) {  // a long line is not held twice
+    std::string line = std::exchange(buffer_, buffer_.substr(after));
+    line.resize(length);
+    return line;
+  }
+  std::string line = buffer_.substr(used_, length);
+  used_ = after;
+  if (used_ == buffer_.size()) buffer_.erase(0, std::exchange(used_, 0));
   return line;
 }
 
-void LineReader::rest(std::string& content, std::size_t largest) {
-  content.append(buffer_, used_);
-  buffer_.clear();
-  used_ = 0;
-  if (content.size() > largest) refuse(name(), largest);
-  while (file_.append_to(content, largest)) {
+std::string_view LineReader::next_piece(std::size_t largest) {
+  if (used_ == buffer_.size() || handed_out_ > 0) {
+    buffer_.clear();
+    used_ = 0;
+    (void)file_.append_to(buffer_, chunk);
   }
+  const std::string_view piece = std::string_view(buffer_).substr(std::exchange(used_, 0));
+  handed_out_ += piece.size();
+  file_.expect_at_most(handed_out_, largest);
+  return piece;
 }
 
 }  // namespace vandplan::io

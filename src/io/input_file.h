@@ -6,13 +6,15 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace vandplan::io {
 
 /// A file that is open for reading; "-" is standard input.
 class InputFile {
  public:
-  /// Throws InputError if the file cannot be opened.
+  /// Throws InputError if the file cannot be opened, or is one that reading might wait for: pipes
+  /// and devices are read under the names of open descriptors alone, "/dev/stdin" and "/dev/fd/3".
   explicit InputFile(const std::string& file);
   ~InputFile();
   InputFile(const InputFile&) = delete;
@@ -23,6 +25,8 @@ class InputFile {
   /// Appends the next bytes to `content`; false at the end. Throws InputError if they cannot be
   /// read, or if `content` would become larger than `largest` bytes.
   bool append_to(std::string& content, std::size_t largest);
+  /// Throws InputError if that is more than `largest` bytes.
+  void expect_at_most(std::size_t size, std::size_t largest) const;
 
  private:
   std::string name_;
@@ -42,12 +46,14 @@ class LineReader {
   [[nodiscard]] std::optional<std::string> next(std::size_t largest);
   /// The number of the line that `next` handed out last, from 1.
   [[nodiscard]] int number() const noexcept { return number_; }
-  /// Appends all that is left to `content`. Throws InputError as `InputFile::append_to` does.
-  void rest(std::string& content, std::size_t largest);
+  /// The next piece of all that is left, which stays valid until the next call; empty at the end.
+  /// Throws InputError if it cannot be read, or if all pieces have more than `largest` bytes.
+  [[nodiscard]] std::string_view next_piece(std::size_t largest);
 
  private:
   InputFile file_;
-  std::string buffer_;  // read, and from `used_` on not handed out yet
+  std::size_t handed_out_ = 0;  // in pieces
+  std::string buffer_;          // read, and from `used_` on not handed out yet
   std::size_t used_ = 0;
   int number_ = 0;
 };

@@ -2,23 +2,45 @@
 // Copyright (c) 2026, the Vändplan authors
 // How does JSON text become a document?
 
-#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "io/document.h"
 
 namespace vandplan::io {
 namespace {
 
-/// Where the parser reads.
-struct Cursor {
-  const char* at;
-  int line = 1;
+/// Where the parser reads, and what it has passed.
+class Cursor {
+ public:
+  Cursor(const NextPiece& next, int line) : next_(next), piece_(next()), line_(line) {}
+
+  [[nodiscard]] bool is_at_end() const { return piece_.empty(); }
+  [[nodiscard]] const char& character() const { return piece_.front(); }
+  void advance() {
+    last_ = piece_.front();
+    if (last_ == '\n') ++line_;
+    ++passed_;
+    piece_.remove_prefix(1);
+    if (piece_.empty()) piece_ = next_();
+  }
+
+  [[nodiscard]] int line() const { return line_; }
+  /// Of what stands before the last character that was passed.
+  [[nodiscard]] int line_before() const { return line_ - (last_ == '\n' ? 1 : 0); }
+  [[nodiscard]] std::size_t passed() const { return passed_; }
+
+ private:
+  const NextPiece& next_;
+  std::string_view piece_;  // what is left of it
+  int line_;
+  std::size_t passed_ = 0;  // characters
+  char last_ = '\0';
 };
 
-/// Counts the lines as the parser goes through the text.
-class LineCounter {
+/// The characters under a cursor, as the parser wants them.
+class Characters {
  public:
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -26,28 +48,28 @@ class LineCounter {
   using pointer = const char*;
   using reference = const char&;
 
-  LineCounter(const char* at, Cursor* cursor) : at_(at), cursor_(cursor) {}
-  const char& operator*() const { return *at_; }
-  LineCounter& operator++() {
-    if (*at_ == '\n') ++cursor_->line;
-    cursor_->at = ++at_;
+  /// Without a cursor it is the end.
+  explicit Characters(Cursor* cursor = nullptr) : cursor_(cursor) {}
+  const char& operator*() const { return cursor_->character(); }
+  Characters& operator++() {
+    cursor_->advance();
     return *this;
   }
-  bool operator==(const LineCounter& other) const { return at_ == other.at_; }
-  bool operator!=(const LineCounter& other) const { return at_ != other.at_; }
+  bool operator==(const Characters& other) const { return is_at_end() == other.is_at_end(); }
+  bool operator!=(const Characters& other) const { return !(*this == other); }
 
  private:
-  const char* at_;
+  [[nodiscard]] bool is_at_end() const { return cursor_ == nullptr || cursor_->is_at_end(); }
+
   Cursor* cursor_;
 };
 
 class Events : public nlohmann::json_sax<nlohmann::json> {
  public:
-  Events(NodeBuilder& builder, const Cursor& cursor, std::string_view text)
-      : builder_(builder), cursor_(cursor), text_(text), first_line_(cursor.line) {}
+  Events(NodeBuilder& builder, const Cursor& cursor) : builder_(builder), cursor_(cursor) {}
 
-  bool null() override { return builder_.nothing(cursor_.line), true; }
-  bool boolean(bool value) override { return scalar(value ? "true" : "false", cursor_.line); }
+  bool null() override { return builder_.nothing(cursor_.line()), true; }
+  bool boolean(bool value) override { return scalar(value ? "true" : "false", cursor_.line()); }
   bool number_integer(number_integer_t value) override {
     return scalar(std::to_string(value), line_of_number());
   }
@@ -58,16 +80,16 @@ class Events : public nlohmann::json_sax<nlohmann::json> {
     return scalar(text, line_of_number());
   }
   bool string(string_t& value) override {
-    return builder_.scalar(std::move(value), true, cursor_.line), true;
+    return builder_.scalar(std::move(value), true, cursor_.line()), true;
   }
   bool binary(binary_t&) override { return false; }
   bool key(string_t& value) override { return string(value); }
   bool start_object(std::size_t) override {
-    return builder_.begin(Node::Kind::map, cursor_.line), true;
+    return builder_.begin(Node::Kind::map, cursor_.line()), true;
   }
   bool end_object() override { return builder_.end(), true; }
   bool start_array(std::size_t) override {
-    return builder_.begin(Node::Kind::list, cursor_.line), true;
+    return builder_.begin(Node::Kind::list, cursor_.line()), true;
   }
   bool end_array() override { return builder_.end(), true; }
   bool parse_error(std::size_t position, const std::string&,
@@ -79,9 +101,8 @@ class Events : public nlohmann::json_sax<nlohmann::json> {
     const bool has_place = message.find("parse error at line") != std::string_view::npos;
     const std::size_t begin = has_place ? message.find(": ") + 2 : message.find("] ") + 2;
     const std::string reason(message.substr(begin, message.find(';') - begin));
-    const auto end = text_.begin() + static_cast<std::ptrdiff_t>(
-                                         std::min(position == 0 ? 0 : position - 1, text_.size()));
-    const auto line = first_line_ + static_cast<int>(std::count(text_.begin(), end, '\n'));
+    // The parser has read one character more than it could use, but for the end.
+    const int line = position > cursor_.passed() ? cursor_.line() : cursor_.line_before();
     builder_.fail(line, "is not JSON (" + reason + "), expected a result file");
   }
 
@@ -90,25 +111,26 @@ class Events : public nlohmann::json_sax<nlohmann::json> {
     return builder_.scalar(std::move(text), false, line), true;
   }
   /// The parser sees the end of a number by reading one character more.
-  [[nodiscard]] int line_of_number() const {
-    return cursor_.line - (cursor_.at[-1] == '\n' ? 1 : 0);
-  }
+  [[nodiscard]] int line_of_number() const { return cursor_.line_before(); }
 
   NodeBuilder& builder_;
   const Cursor& cursor_;
-  std::string_view text_;
-  int first_line_;
 };
 
 }  // namespace
 
-Document parse_json(std::string_view text, const std::string& where, int first_line) {
-  NodeBuilder builder(where);
-  Cursor cursor{text.data(), first_line};
-  Events events(builder, cursor, text);
-  (void)nlohmann::json::sax_parse(LineCounter(text.data(), &cursor),
-                                  LineCounter(text.data() + text.size(), &cursor), &events);
+Document parse_json(const NextPiece& next, const std::string& where, int first_line,
+                    const TakeElement& take) {
+  NodeBuilder builder(where, take);
+  Cursor cursor(next, first_line);
+  Events events(builder, cursor);
+  (void)nlohmann::json::sax_parse(Characters(&cursor), Characters(), &events);
   return {where, builder.finish()};
+}
+
+Document parse_json(std::string_view text, const std::string& where, int first_line,
+                    const TakeElement& take) {
+  return parse_json([&text] { return std::exchange(text, {}); }, where, first_line, take);
 }
 
 }  // namespace vandplan::io

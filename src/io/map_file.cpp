@@ -11,6 +11,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
+#include <utility>
 
 #include "io/document.h"
 #include "io/image_file.h"
@@ -97,33 +99,43 @@ Cell cell_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
   return cell_between(rule, static_cast<double>(part) / white);
 }
 
-io::Image image_of(const Document& file, const std::string& map, Mode mode) {
+/// The cells of an image as it comes, the top row first.
+struct Cells {
+  std::int32_t columns = 0;
+  std::int32_t rows = 0;
+  std::vector<Cell> cells;
+  std::vector<Cell> cell_of_brightness;  // few brightnesses, many pixels
+
+  void take(const Rule& rule, const io::ImageShape& shape,
+            std::span<const std::uint32_t> brightness) {
+    if (cell_of_brightness.empty()) {
+      columns = shape.columns;
+      rows = shape.rows;
+      for (std::uint32_t i = 0; i <= shape.white; ++i) {
+        cell_of_brightness.push_back(cell_of(rule, i, shape.white));
+      }
+    }
+    for (const std::uint32_t pixel : brightness) {
+      cells.push_back(pixel == io::transparent_pixel ? Cell::unknown : cell_of_brightness[pixel]);
+    }
+  }
+};
+
+Cells cells_from(const Document& file, const std::string& map, const Rule& rule) {
   const Node& node = file.at(file.root(), "image");
   if (file.text(node).empty()) file.fail(node, "is empty, expected the name of a PGM or PNG image");
   const std::filesystem::path path = std::filesystem::path(map).parent_path() / file.text(node);
-  const io::Alpha alpha = mode == Mode::raw ? io::Alpha::ignored : io::Alpha::marked;
+  const io::Alpha alpha = rule.mode == Mode::raw ? io::Alpha::ignored : io::Alpha::marked;
+  Cells cells;
   try {
-    return io::image_from(read_file(path.string(), largest_image), path.string(), alpha);
+    io::read_image(read_file(path.string(), largest_image), path.string(), alpha,
+                   [&](const io::ImageShape& shape, std::span<const std::uint32_t> brightness) {
+                     cells.take(rule, shape, brightness);
+                   });
   } catch (const InputError& error) {
     file.fail(node, error.what());
   }
-}
-
-std::vector<Cell> cells_of(const io::Image& image, const Rule& rule) {
-  // Few brightnesses, many pixels.
-  std::vector<Cell> cell_of_brightness;
-  for (std::uint32_t i = 0; i <= image.white; ++i) {
-    cell_of_brightness.push_back(cell_of(rule, i, image.white));
-  }
-  std::vector<Cell> cells;
-  cells.reserve(image.pixels.size());
-  const auto columns = static_cast<std::size_t>(image.columns);
-  for (std::size_t row = static_cast<std::size_t>(image.rows); row-- > 0;) {  // the top one last
-    for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
-      const std::uint32_t pixel = image.pixels[i];
-      cells.push_back(pixel == io::Image::transparent ? Cell::unknown : cell_of_brightness[pixel]);
-    }
-  }
+  io::turn_over(cells.cells, cells.columns);
   return cells;
 }
 
@@ -171,11 +183,10 @@ OccupancyGrid read_map(const std::string& name) {
     file.fail(origin, fmt::format("has {} elements, expected [x, y, yaw]", place.size()));
   }
   grid.origin = {file.number(place[0]), file.number(place[1]), file.number(place[2])};
-  const Rule rule = rule_from(file);
-  const io::Image image = image_of(file, name, rule.mode);
-  grid.columns = image.columns;
-  grid.rows = image.rows;
-  grid.cells = std::make_shared<const std::vector<Cell>>(cells_of(image, rule));
+  Cells cells = cells_from(file, name, rule_from(file));
+  grid.columns = cells.columns;
+  grid.rows = cells.rows;
+  grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells.cells));
   try {
     check_map(grid);
   } catch (const InputError& error) {  // its keys begin with "map."

@@ -7,13 +7,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
+#include <optional>
+#include <string_view>
 
 #include "base/trigonometry.h"
 #include "io/document.h"
+#include "io/image.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
@@ -27,21 +30,43 @@ using namespace io;
   throw InputError(fmt::format("{}:{}", file, line), problem);
 }
 
-/// The lines of a file, without their ends.
-std::vector<std::string> lines_of(const std::string& file) {
-  std::istringstream text(read_file(file, largest_text));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    lines.push_back(line);
-  }
-  return lines;
-}
+/// The lines of a text, one after the other.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {}
 
-std::vector<std::string> words_of(const std::string& line) {
-  std::istringstream text(line);
-  std::vector<std::string> words;
-  for (std::string word; text >> word;) words.push_back(word);
+  /// The next line without its end; none after the last one.
+  std::optional<std::string_view> next() {
+    if (rest_.empty()) return std::nullopt;
+    const std::size_t end = rest_.find('\n');
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    ++number_;
+    return line;
+  }
+  /// The number of the line that `next` handed out last, from 1.
+  [[nodiscard]] std::size_t number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  std::size_t number_ = 0;
+};
+
+using Words = std::vector<std::string>;
+
+/// The words of a line, of which ten are more than any line may have; none where there is no line.
+Words words_of(std::optional<std::string_view> line) {
+  constexpr std::string_view blanks = " \t\v\f\r";
+  Words words;
+  std::string_view rest = line.value_or("");
+  while (words.size() < 10) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    if (rest.empty()) break;
+    const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
+    words.emplace_back(word);
+    rest.remove_prefix(word.size());
+  }
   return words;
 }
 
@@ -52,49 +77,51 @@ std::int32_t whole_number(const std::string& word, std::int32_t least, std::int3
   return is_good && value >= least && value <= most ? value : least - 1;
 }
 
-/// "height 256": the number behind the word.
-std::int32_t size_from(const std::vector<std::string>& lines, std::size_t line, const char* name,
-                       const std::string& file) {
-  const std::vector<std::string> words =
-      line < lines.size() ? words_of(lines[line]) : std::vector<std::string>{};
+/// "height 256": the number behind the word on the next line.
+std::int32_t size_from(Lines& lines, const char* name, const std::string& file) {
+  const Words words = words_of(lines.next());
   const std::int32_t size =
       words.size() == 2 && words[0] == name ? whole_number(words[1], 1, 100000) : 0;
-  if (size < 1) fail(file, line + 1, fmt::format("is no size, expected {} and 1 to 100000", name));
+  if (size < 1) {
+    fail(file, name == std::string_view("height") ? 2 : 3,
+         fmt::format("is no size, expected {} and 1 to 100000", name));
+  }
   return size;
 }
 
 OccupancyGrid read_movingai_map(const std::string& file, double resolution) {
-  const std::vector<std::string> lines = lines_of(file);
-  if (lines.empty() || words_of(lines[0]) != std::vector<std::string>{"type", "octile"}) {
+  const std::string text = read_file(file, largest_text);
+  Lines lines(text);
+  if (words_of(lines.next()) != Words{"type", "octile"}) {
     fail(file, 1, "is no map that can be read, expected \"type octile\"");
   }
   OccupancyGrid grid{.resolution = resolution, .unknown_is_free = false};
-  grid.rows = size_from(lines, 1, "height", file);
-  grid.columns = size_from(lines, 2, "width", file);
+  grid.rows = size_from(lines, "height", file);
+  grid.columns = size_from(lines, "width", file);
   const auto columns = static_cast<std::size_t>(grid.columns);
   const auto rows = static_cast<std::size_t>(grid.rows);
   if (std::int64_t{grid.rows} * grid.columns > most_map_cells) {
     fail(file, 2, fmt::format("is too large, expected at most {} cells", most_map_cells));
   }
-  if (lines.size() < 4 || lines[3] != "map") fail(file, 4, "is no \"map\", expected that word");
-  if (lines.size() < 4 + rows) {
-    fail(file, lines.size(), fmt::format("is the last line, expected {} rows of cells", rows));
-  }
+  if (lines.next() != "map") fail(file, 4, "is no \"map\", expected that word");
   std::vector<Cell> cells;
-  cells.reserve(columns * rows);
-  for (std::size_t row = rows; row-- > 0;) {  // the first one has the largest y
-    const std::string& line = lines[4 + row];
-    if (line.size() != columns) {
-      fail(file, 5 + row, fmt::format("has {} cells, expected {}", line.size(), columns));
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::optional<std::string_view> line = lines.next();
+    if (!line) {
+      fail(file, lines.number(), fmt::format("is the last line, expected {} rows of cells", rows));
     }
-    for (const char c : line) {
+    if (line->size() != columns) {
+      fail(file, lines.number(), fmt::format("has {} cells, expected {}", line->size(), columns));
+    }
+    for (const char c : *line) {
       const bool is_free = c == '.' || c == 'G' || c == 'S';
       if (!is_free && c != '@' && c != 'O' && c != 'T' && c != 'W') {
-        fail(file, 5 + row, fmt::format("has a cell \"{}\", expected one of .GS@OTW", c));
+        fail(file, lines.number(), fmt::format("has a cell \"{}\", expected one of .GS@OTW", c));
       }
       cells.push_back(is_free ? Cell::free : Cell::occupied);
     }
   }
+  turn_over(cells, grid.columns);
   grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
   return grid;
 }
@@ -104,20 +131,26 @@ std::vector<std::int32_t> cells_of_problem(const MovingAiProblem& problem,
                                            const OccupancyGrid& grid) {
   const std::string& file = problem.problems;
   const auto number = static_cast<std::size_t>(problem.number);
-  const std::vector<std::string> lines = lines_of(file);
-  if (lines.empty() || words_of(lines[0]).empty() || words_of(lines[0])[0] != "version") {
+  const std::string text = read_file(file, largest_text);
+  Lines lines(text);
+  const Words version = words_of(lines.next());
+  if (version.empty() || version[0] != "version") {
     fail(file, 1, "is no list of problems, expected \"version 1\"");
   }
-  if (number >= lines.size() || words_of(lines[number]).empty()) {
+  Words words;
+  while (lines.number() <= number) {
+    const std::optional<std::string_view> line = lines.next();
+    words = words_of(line);
+    if (line && (lines.number() <= number || !words.empty())) continue;
     throw InputError(
-        file, fmt::format("has {} problems, expected at least {}", lines.size() - 1, number));
+        file, fmt::format("has {} problems, expected at least {}", lines.number() - 1, number));
   }
-  const std::vector<std::string> words = words_of(lines[number]);
   if (words.size() != 9) {
-    fail(file, number + 1,
-         fmt::format("has {} columns, expected bucket, map, width, height, start x, y, goal x, y, "
-                     "length",
-                     words.size()));
+    fail(
+        file, number + 1,
+        fmt::format("has {}{} columns, expected bucket, map, width, height, start x, y, goal x, y, "
+                    "length",
+                    words.size() < 10 ? "" : "at least ", words.size()));
   }
   const std::string map = std::filesystem::path(problem.map).filename().string();
   if (std::filesystem::path(words[1]).filename() != map) {

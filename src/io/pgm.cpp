@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <string_view>
+#include <vector>
 
 #include "vandplan/input_error.h"
 
@@ -66,27 +67,44 @@ class Reader {
   std::size_t at_ = 2;  // behind the magic number
 };
 
-void read_binary(Reader& reader, std::uint64_t greatest, Image& image) {
+void read_binary(Reader& reader, const ImageShape& shape, const TakeRow& take_row) {
   const std::string_view raster = reader.raster();
-  const std::size_t width = greatest < 256 ? 1 : 2;
-  const std::size_t needed = image.pixels.size() * width;
+  const auto columns = static_cast<std::size_t>(shape.columns);
+  const std::size_t width = shape.white < 256 ? 1 : 2;
+  const std::size_t needed = columns * static_cast<std::size_t>(shape.rows) * width;
   if (raster.size() < needed) {
     reader.fail(fmt::format("ends after {} of {} bytes of pixels", raster.size(), needed),
                 "a whole PGM image");
   }
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(raster[k]); };
-    const std::uint32_t value = width == 1 ? byte(i) : byte(2 * i) * 256U + byte(2 * i + 1);
-    if (value > greatest) {
-      reader.fail(fmt::format("has a pixel of {}", value), fmt::format("at most {}", greatest));
+  std::vector<std::uint32_t> row(columns);
+  for (std::size_t at = 0; at < needed; at += columns * width) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      const auto byte = [&](std::size_t k) {
+        return static_cast<unsigned char>(raster[at + width * i + k]);
+      };
+      row[i] = width == 1 ? byte(0) : byte(0) * 256U + byte(1);
+      if (row[i] > shape.white) {
+        reader.fail(fmt::format("has a pixel of {}", row[i]),
+                    fmt::format("at most {}", shape.white));
+      }
     }
-    image.pixels[i] = value;
+    take_row(shape, row);
+  }
+}
+
+void read_decimal(Reader& reader, const ImageShape& shape, const TakeRow& take_row) {
+  std::vector<std::uint32_t> row(static_cast<std::size_t>(shape.columns));
+  for (std::int32_t i = 0; i < shape.rows; ++i) {
+    for (std::uint32_t& pixel : row) {
+      pixel = static_cast<std::uint32_t>(reader.number("pixel", shape.white));
+    }
+    take_row(shape, row);
   }
 }
 
 }  // namespace
 
-Image image_from_pgm(const std::string& bytes, const std::string& where) {
+void read_pgm(const std::string& bytes, const std::string& where, const TakeRow& take_row) {
   Reader reader(bytes, where);
   constexpr std::uint64_t largest_side = INT64_MAX;
   const std::uint64_t columns = reader.number("width", largest_side);
@@ -94,21 +112,15 @@ Image image_from_pgm(const std::string& bytes, const std::string& where) {
   check_image_size(columns, rows, where);
   const std::uint64_t greatest = reader.number("greatest value", 65535);
   if (greatest == 0) reader.fail("has a greatest value of 0", "1 to 65535");
-  // A pixel takes a byte at least: no memory for a size that the file cannot have.
-  if (bytes.size() < columns * rows) {
-    reader.fail(fmt::format("holds {} bytes for {} x {} pixels", bytes.size(), columns, rows),
-                "a whole PGM image");
-  }
-  Image image{static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
-              static_cast<std::uint32_t>(greatest), std::vector<std::uint32_t>(columns * rows)};
+  const ImageShape shape{static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
+                         static_cast<std::uint32_t>(greatest)};
+  // A pixel takes a byte at least.
+  check_image_bytes(shape, bytes.size(), static_cast<double>(columns * rows), "PGM", where);
   if (bytes[1] == '5') {
-    read_binary(reader, greatest, image);
+    read_binary(reader, shape, take_row);
   } else {
-    for (std::uint32_t& pixel : image.pixels) {
-      pixel = static_cast<std::uint32_t>(reader.number("pixel", greatest));
-    }
+    read_decimal(reader, shape, take_row);
   }
-  return image;
 }
 
 }  // namespace vandplan::io

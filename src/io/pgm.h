@@ -9,8 +9,8 @@
 
 namespace vandplan::io {
 
-/// Reads the bytes of a PGM file that begin with P2 or P5. Throws InputError, `where` standing for
-/// the file, if it is broken or has more than `most_map_cells` pixels.
-[[nodiscard]] Image image_from_pgm(const std::string& bytes, const std::string& where);
+/// Hands out the rows of a PGM file, whose bytes begin with P2 or P5. Throws InputError, `where`
+/// standing for the file, if it is broken or has more than `most_map_cells` pixels.
+void read_pgm(const std::string& bytes, const std::string& where, const TakeRow& take_row);
 
 }  // namespace vandplan::io

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstring>
+#include <vector>
 
 #include "vandplan/input_error.h"
 
@@ -31,20 +32,32 @@ class PngFile {
     png_set_read_fn(png_, this, take);
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_read_info(png_, info_);
-    png_set_expand(png_);  // palettes to colours, transparent colours to opacity, to 8 bits
-    png_set_interlace_handling(png_);
-    png_read_update_info(png_, info_);
     columns = png_get_image_width(png_, info_);
     rows = png_get_image_height(png_, info_);
+    pixel_bits = png_get_bit_depth(png_, info_) * png_get_channels(png_, info_);
+    return true;
+  }
+
+  /// Once the header is known to be good.
+  bool begin() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_set_expand(png_);  // palettes to colours, transparent colours to opacity, to 8 bits
+    passes = png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
     channels = png_get_channels(png_, info_);
     depth = png_get_bit_depth(png_, info_);
     row_size = png_get_rowbytes(png_, info_);
     return true;
   }
 
-  bool read_rows(png_bytepp places) {
+  bool read_row(png_bytep row) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_image(png_, places);
+    png_read_row(png_, row, nullptr);
+    return true;
+  }
+
+  bool end() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_read_end(png_, nullptr);
     return true;
   }
@@ -53,6 +66,8 @@ class PngFile {
 
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
+  int pixel_bits = 0;  // as they stand in the file
+  int passes = 0;      // over all rows: an interlaced image has several
   int channels = 0;
   int depth = 0;  // bits of a channel
   std::size_t row_size = 0;
@@ -95,32 +110,46 @@ std::uint32_t brightness(const PngFile& file, const png_byte* bytes, Alpha alpha
   const bool has_opacity = file.channels % 2 == 0;
   if (!has_opacity || alpha == Alpha::ignored) return sum;
   const std::uint32_t opacity = channel(file.channels - 1);
-  return opacity == (1U << file.depth) - 1 ? sum : Image::transparent;
+  return opacity == (1U << file.depth) - 1 ? sum : transparent_pixel;
+}
+
+/// Deflate makes no more than 1032 bytes of one.
+void check_bytes(const PngFile& file, const ImageShape& shape, std::size_t bytes,
+                 const std::string& where) {
+  const double pixels = static_cast<double>(file.columns) * static_cast<double>(file.rows);
+  check_image_bytes(shape, bytes, pixels * file.pixel_bits / 8 / 1032, "PNG", where);
 }
 
 }  // namespace
 
-Image image_from_png(const std::string& bytes, const std::string& where, Alpha alpha) {
+void read_png(const std::string& bytes, const std::string& where, Alpha alpha,
+              const TakeRow& take_row) {
   PngFile file(bytes);
   if (!file.read_header()) fail(file, where);
   check_image_size(file.columns, file.rows, where);
-  std::vector<png_byte> raster(file.row_size * file.rows);
-  std::vector<png_bytep> places(file.rows);
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = raster.data() + i * file.row_size;
-  if (!file.read_rows(places.data())) fail(file, where);
-  Image image{static_cast<std::int32_t>(file.columns),
-              static_cast<std::int32_t>(file.rows),
-              3 * ((1U << file.depth) - 1),
-              {}};
-  image.pixels.reserve(std::size_t{file.columns} * file.rows);
-  const std::size_t step =
+  ImageShape shape{static_cast<std::int32_t>(file.columns), static_cast<std::int32_t>(file.rows)};
+  check_bytes(file, shape, bytes.size(), where);
+  if (!file.begin()) fail(file, where);
+  shape.white = 3 * ((1U << file.depth) - 1);
+  const auto step =
       static_cast<std::size_t>(file.channels) * static_cast<std::size_t>(file.depth / 8);
-  for (const png_byte* row : places) {
-    for (std::size_t x = 0; x < file.columns; ++x) {
-      image.pixels.push_back(brightness(file, row + x * step, alpha));
+  std::vector<std::uint32_t> row(file.columns);
+  const auto hand_out = [&](const png_byte* pixels) {
+    for (std::size_t x = 0; x < row.size(); ++x)
+      row[x] = brightness(file, pixels + x * step, alpha);
+    take_row(shape, row);
+  };
+  // The rows of an interlaced image are whole after its last pass; else one after the other is.
+  const bool at_once = file.passes > 1;
+  std::vector<png_byte> raster(file.row_size * (at_once ? file.rows : 1));
+  for (int pass = 0; pass < file.passes; ++pass) {
+    for (std::size_t i = 0; i < file.rows; ++i) {
+      png_byte* const place = raster.data() + (at_once ? i * file.row_size : 0);
+      if (!file.read_row(place)) fail(file, where);
+      if (pass + 1 == file.passes) hand_out(place);
     }
   }
-  return image;
+  if (!file.end()) fail(file, where);
 }
 
 }  // namespace vandplan::io

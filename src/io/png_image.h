@@ -9,8 +9,9 @@
 
 namespace vandplan::io {
 
-/// Reads the bytes of a PNG file. Throws InputError, `where` standing for the file, if it is broken
-/// or has more than `most_map_cells` pixels.
-[[nodiscard]] Image image_from_png(const std::string& bytes, const std::string& where, Alpha alpha);
+/// Hands out the rows of a PNG file. Throws InputError, `where` standing for the file, if it is
+/// broken or has more than `most_map_cells` pixels.
+void read_png(const std::string& bytes, const std::string& where, Alpha alpha,
+              const TakeRow& take_row);
 
 }  // namespace vandplan::io

@@ -31,19 +31,21 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Between commas, without blanks and quotation marks.
+/// Between commas, without blanks and quotation marks; not more than one more than there are
+/// columns.
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
-  while (true) {
+  while (cells.size() <= columns.size()) {
     const std::size_t comma = line.find(',');
     std::string_view cell = trimmed(line.substr(0, comma));
     if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') {
       cell = trimmed(cell.substr(1, cell.size() - 2));
     }
     cells.push_back(cell);
-    if (comma == std::string_view::npos) return cells;
+    if (comma == std::string_view::npos) break;
     line.remove_prefix(comma + 1);
   }
+  return cells;
 }
 
 bool read_number(std::string_view text, double& value) {
@@ -71,7 +73,10 @@ bool is_header(const std::vector<std::string_view>& cells, const std::string& wh
 
 PosePair pair_from(const std::vector<std::string_view>& cells, const std::string& where) {
   if (cells.size() != columns.size()) {
-    throw InputError(where, fmt::format("has {} value{}, expected {}", cells.size(),
+    const std::string count = cells.size() > columns.size()
+                                  ? fmt::format("more than {}", columns.size())
+                                  : fmt::format("{}", cells.size());
+    throw InputError(where, fmt::format("has {} value{}, expected {}", count,
                                         cells.size() == 1 ? "" : "s", all_columns));
   }
   std::array<double, 6> values{};

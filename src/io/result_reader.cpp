@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "io/document.h"
 #include "io/input_file.h"
+#include "io/result_lists.h"
 #include "vandplan/input_error.h"
 #include "vandplan/result_file.h"
 
@@ -20,17 +21,16 @@ namespace {
 
 using namespace io;
 
+// What is read of a result [bytes]: more than `plan` writes.
+constexpr std::size_t largest_result = std::size_t{2} << 30;
+constexpr std::size_t largest_result_line = std::size_t{512} << 20;
+
 PlanStatus status_from(const Document& file, const Node& node) {
   for (const PlanStatus status : plan_statuses()) {
     if (file.text(node) == name_of(status)) return status;
   }
   file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node),
                               base::joined(plan_statuses(), name_of)));
-}
-
-Pose pose_from(const Document& file, const Node& node) {
-  return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
-          file.number(file.at(node, "heading"))};
 }
 
 double curvature_from(const Document& file, const Node& node, double radius) {
@@ -77,34 +77,21 @@ std::vector<CostSample> anytime_from(const Document& file, const Node& node) {
   return samples;
 }
 
-TreeSnapshot tree_from(const Document& file, const Node& node) {
-  TreeSnapshot tree;
-  for (const Node& pose : file.list(file.at(node, "poses"), "a list of poses")) {
-    const std::vector<Node>& items = file.list(pose, "a pose [x, y, heading]");
-    if (items.size() != 3) {
-      file.fail(pose,
-                fmt::format("has {} elements, expected a pose [x, y, heading]", items.size()));
-    }
-    tree.poses.push_back({file.number(items[0]), file.number(items[1]), file.number(items[2])});
-  }
+/// The tree, whose lists were taken before.
+TreeSnapshot tree_from(const Document& file, const Node& node, TreeSnapshot tree) {
+  (void)file.list(file.at(node, "poses"), "a list of poses");
   const Node& parents = file.at(node, "parents");
-  if (file.list(parents, "a list of nodes").size() != tree.poses.size()) {
+  (void)file.list(parents, "a list of nodes");
+  if (tree.parents.size() != tree.poses.size()) {
     file.fail(parents, fmt::format("has {} elements, expected one for each of the {} poses",
-                                   parents.items.size(), tree.poses.size()));
-  }
-  for (const Node& item : parents.items) {
-    const std::int64_t parent = file.integer(item);
-    const auto index = static_cast<std::int64_t>(tree.parents.size());
-    if (parent >= index || (index > 0 && parent < 0)) {
-      file.fail(item, fmt::format("is {}, expected a node before node {}", parent, index));
-    }
-    tree.parents.push_back(index == 0 ? -1 : static_cast<std::int32_t>(parent));
+                                   tree.parents.size(), tree.poses.size()));
   }
   return tree;
 }
 
 /// What is worth knowing but may be missing.
-void read_statistics(const Document& file, const Node& node, PlanResult& result) {
+void read_statistics(const Document& file, const Node& node, PlanResult& result,
+                     ResultLists& lists) {
   if (const Node* const cost = file.find(node, "cost")) result.cost = file.number(*cost);
   if (const Node* const time = file.find(node, "time")) {
     if (const Node* const total = file.find(*time, "total")) {
@@ -120,21 +107,9 @@ void read_statistics(const Document& file, const Node& node, PlanResult& result)
   if (const Node* const anytime = file.find(node, "anytime")) {
     result.anytime = anytime_from(file, *anytime);
   }
-  if (const Node* const tree = file.find(node, "tree")) result.tree = tree_from(file, *tree);
-}
-
-StatedPose stated_pose(const Document& file, const Node& node) {
-  StatedPose stated{.s = file.number(file.at(node, "s")), .pose = pose_from(file, node)};
-  if (const Node* const curvature = file.find(node, "curvature")) {
-    stated.curvature = file.number(*curvature);
+  if (const Node* const tree = file.find(node, "tree")) {
+    result.tree = tree_from(file, *tree, std::move(lists.tree));
   }
-  if (const Node* const direction = file.find(node, "direction")) {
-    const std::int64_t sign = file.integer(*direction);
-    if (sign != 1 && sign != -1)
-      file.fail(*direction, fmt::format("is {}, expected 1 or -1", sign));
-    stated.direction = static_cast<int>(sign);
-  }
-  return stated;
 }
 
 /// What the cost depends on; the defaults where a file does not say.
@@ -179,7 +154,7 @@ std::optional<StatedCost> cost_from(const Document& file, const Node& node,
   return stated;
 }
 
-PathClaims claims_from(const Document& file, const Node& node) {
+PathClaims claims_from(const Document& file, const Node& node, ResultLists& lists) {
   PathClaims claims;
   if (const Node* const length = file.find(node, "length")) claims.length = file.number(*length);
   if (const Node* const changes = file.find(node, "gear_changes")) {
@@ -190,13 +165,14 @@ PathClaims claims_from(const Document& file, const Node& node) {
     claims.gear_changes = static_cast<int>(count);
   }
   if (const Node* const poses = file.find(file.at(node, "path"), "poses")) {
-    for (const Node& pose : file.list(*poses, "a list of poses"))
-      claims.poses.push_back(stated_pose(file, pose));
+    (void)file.list(*poses, "a list of poses");
+    claims.poses = std::move(lists.poses);
   }
   return claims;
 }
 
-ResultRecord record_from(const Document& file, const Node& node, double radius) {
+ResultRecord record_from(const Document& file, const Node& node, double radius,
+                         ResultLists& lists) {
   ResultRecord record;
   if (const Node* const name = file.find(node, "scenario")) record.scenario = file.text(*name);
   if (const Node* const name = file.find(node, "planner")) record.planner = file.text(*name);
@@ -217,13 +193,13 @@ ResultRecord record_from(const Document& file, const Node& node, double radius) 
   }
   if (result.status == PlanStatus::solved) {
     result.path = path_from(file, file.at(node, "path"), radius);
-    record.claims = claims_from(file, node);
+    record.claims = claims_from(file, node, lists);
     if (const Node* const options = file.find(node, "options")) {
       read_cost_rule(file, *options, record.options);
     }
     record.claims.cost = cost_from(file, node, record);
   }
-  read_statistics(file, node, result);
+  read_statistics(file, node, result, lists);
   return record;
 }
 
@@ -234,14 +210,15 @@ void expect_format(const Document& file, const Node& node) {
 }
 
 /// The result of a file that holds one, or one for each goal of a row.
-std::vector<ResultRecord> records_from(const Document& file, const ScenarioFile& scenario) {
+std::vector<ResultRecord> records_from(const Document& file, const ScenarioFile& scenario,
+                                       ListTaker& lists) {
   const Node& root = file.root();
   expect_format(file, root);
   const double radius = scenario.scenario.vehicle.min_turning_radius;
   const Node* const goals = file.find(root, "goals");
   if (!scenario.is_row()) {
     if (goals != nullptr) file.fail(*goals, "is a row, expected the scenario's one goal");
-    return {record_from(file, root, radius)};
+    return {record_from(file, root, radius, lists.of(ListTaker::alone))};
   }
   const std::vector<Node>& items = file.list(file.at(root, "goals"), "a list of results");
   if (items.size() != scenario.size()) {
@@ -249,7 +226,9 @@ std::vector<ResultRecord> records_from(const Document& file, const ScenarioFile&
                                   scenario.size()));
   }
   std::vector<ResultRecord> records;
-  for (const Node& item : items) records.push_back(record_from(file, item, radius));
+  for (const Node& item : items) {
+    records.push_back(record_from(file, item, radius, lists.of(records.size())));
+  }
   if (const Node* const furthest = file.find(root, "furthest")) {
     StatedFurthest stated;
     if (furthest->kind != Node::Kind::nothing) stated.distance = file.number(*furthest);
@@ -258,7 +237,22 @@ std::vector<ResultRecord> records_from(const Document& file, const ScenarioFile&
   return records;
 }
 
-PairRecord pair_record_from(const Document& file, double radius) {
+/// A line with the result for a pair.
+struct PairLine {
+  Document document;
+  ListTaker lists;
+};
+
+PairLine pair_line_from(const std::string& line, const std::string& name, int number) {
+  ListTaker lists(name);
+  Document document = parse_json(line, name, number, [&](const auto& open, Node& element) {
+    return lists.take(open, element);
+  });
+  return {std::move(document), std::move(lists)};
+}
+
+PairRecord pair_record_from(PairLine line, double radius) {
+  const Document& file = line.document;
   const Node& root = file.root();
   expect_format(file, root);
   PairRecord record;
@@ -269,7 +263,7 @@ PairRecord pair_record_from(const Document& file, double radius) {
   } catch (const InputError& error) {
     file.fail(error.where(), error.problem());
   }
-  record.record = record_from(file, root, radius);
+  record.record = record_from(file, root, radius, line.lists.of(ListTaker::alone));
   return record;
 }
 
@@ -278,11 +272,12 @@ bool is_blank(const std::string& line) {
 }
 
 /// A line that is an object with "pair"; none if it is anything else.
-std::optional<Document> document_of_pair(const std::string& line, const std::string& name,
-                                         int number) {
+std::optional<PairLine> first_pair_from(const std::string& line, const std::string& name,
+                                        int number) {
   try {
-    Document document = parse_json(line, name, number);
-    if (document.find(document.root(), "pair") != nullptr) return document;
+    PairLine pair = pair_line_from(line, name, number);
+    const Document& document = pair.document;
+    if (document.find(document.root(), "pair") != nullptr) return pair;
   } catch (const InputError&) {  // the first line of a longer text
   }
   return std::nullopt;
@@ -295,19 +290,21 @@ struct ResultReader::State {
 
   LineReader lines;
   const ScenarioFile& scenario;
-  std::string head = {};  ///< what was read of a file without pairs
+  std::string head = {};  ///< the first line of a file without pairs that is not blank
+  int first_line = 1;     ///< the number of that
   bool has_pairs = false;
-  std::optional<Document> first = {};  ///< the first pair, until it is asked for
+  std::optional<PairLine> first = {};  ///< the first pair, until it is asked for
 };
 
 ResultReader::ResultReader(const std::string& file, const ScenarioFile& scenario)
     : state_(std::make_unique<State>(file, scenario)) {
   State& state = *state_;
-  while (const std::optional<std::string> line = state.lines.next(largest_text)) {
-    state.head += *line + '\n';
+  while (std::optional<std::string> line = state.lines.next(largest_result_line)) {
     if (is_blank(*line)) continue;
-    state.first = document_of_pair(*line, state.lines.name(), state.lines.number());
+    state.first = first_pair_from(*line, state.lines.name(), state.lines.number());
     state.has_pairs = state.first.has_value();
+    if (!state.has_pairs) state.head = *std::move(line) + '\n';
+    state.first_line = state.lines.number();
     break;
   }
 }
@@ -320,21 +317,27 @@ std::optional<PairRecord> ResultReader::next() {
   LineReader& lines = state_->lines;
   const double radius = state_->scenario.scenario.vehicle.min_turning_radius;
   if (state_->first) {
-    const PairRecord record = pair_record_from(*state_->first, radius);
-    state_->first.reset();
-    return record;
+    return pair_record_from(*std::exchange(state_->first, std::nullopt), radius);
   }
-  while (const std::optional<std::string> line = lines.next(largest_text)) {
+  while (const std::optional<std::string> line = lines.next(largest_result_line)) {
     if (is_blank(*line)) continue;
-    return pair_record_from(parse_json(*line, lines.name(), lines.number()), radius);
+    return pair_record_from(pair_line_from(*line, lines.name(), lines.number()), radius);
   }
   return std::nullopt;
 }
 
 std::vector<ResultRecord> ResultReader::all() {
-  std::string text = std::move(state_->head);
-  state_->lines.rest(text, largest_text);
-  return records_from(parse_json(text, state_->lines.name(), 1), state_->scenario);
+  LineReader& lines = state_->lines;
+  ListTaker lists(lines.name());
+  bool is_begun = false;
+  const auto next = [&]() -> std::string_view {
+    if (!std::exchange(is_begun, true) && !state_->head.empty()) return state_->head;
+    state_->head.clear();
+    return lines.next_piece(largest_result);
+  };
+  const auto take = [&](const auto& open, Node& element) { return lists.take(open, element); };
+  const Document document = parse_json(next, lines.name(), state_->first_line, take);
+  return records_from(document, state_->scenario, lists);
 }
 
 std::vector<ResultRecord> read_results(const std::string& file, const ScenarioFile& scenario) {

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
+#include "base/escape.h"
 #include "vandplan/result_file.h"
 #include "vandplan/version.h"
 
@@ -47,24 +50,80 @@ Json json_of(const PathPoint& point) {
   return json;
 }
 
-Json poses_of(const Path& path) {
-  Json json = Json::array();
-  for (const PathPoint& point : sampled(path, pose_distance)) json.push_back(json_of(point));
-  return json;
+/// Which long lists the records of a file state.
+struct Extent {
+  bool poses = true;
+  bool trees = true;
+};
+
+Extent extent_of(std::span<const ResultRecord> records) {
+  double poses = 0.0;  // that `sampled` has, at most
+  std::size_t nodes = 0;
+  for (const ResultRecord& record : records) {
+    if (record.result.tree) nodes += record.result.tree->poses.size();
+    if (!record.result.path) continue;
+    poses += 1.0;
+    for (const Segment& segment : record.result.path->segments) {
+      poses += std::max(1.0, std::ceil(std::abs(segment.length) / pose_distance));
+    }
+  }
+  return {poses <= static_cast<double>(most_written_poses), nodes <= most_written_nodes};
 }
 
-Json json_of(const Path& path, double radius) {
+/// The records of a file as JSON, but for the lists that may be long: their places stay open.
+class Results {
+ public:
+  explicit Results(std::span<const ResultRecord> records) : extent_(extent_of(records)) {}
+
+  using Add = std::function<void(const Json& element)>;
+  struct LongList {
+    bool is_flat;                         ///< its elements go on one line
+    std::function<void(const Add&)> all;  ///< adds the elements one after the other
+  };
+
+  Json json_of_record(const Vehicle& vehicle, const ResultRecord& record);
+  /// The list of an open place; they follow one another as the places do.
+  const LongList& next_list() { return lists_.at(next_++); }
+
+ private:
+  Json json_of_path(const Path& path, double radius);
+  Json json_of_tree(const TreeSnapshot& tree);
+  Json open_place(LongList list) {
+    lists_.push_back(std::move(list));
+    return Json::value_t::discarded;
+  }
+
+  Extent extent_;
+  std::vector<LongList> lists_;
+  std::size_t next_ = 0;
+};
+
+Json Results::json_of_path(const Path& path, double radius) {
   Json segments = Json::array();
-  for (const Segment& segment : path.segments) segments.push_back(json_of(segment, radius));
-  Json json = {{"start", json_of(path.start)}, {"segments", segments}};
-  json["poses"] = poses_of(path);  // by far the most of a file: not to be copied
+  for (const Segment& segment : path.segments) {
+    segments.push_back(json_of(segment, radius));
+  }
+  Json json = {{"start", json_of(path.start)}, {"segments", std::move(segments)}};
+  if (!extent_.poses) return json;
+  json["poses"] = open_place({false, [&path](const Add& add) {
+                                for (const PathPoint& point : sampled(path, pose_distance)) {
+                                  add(json_of(point));
+                                }
+                              }});
   return json;
 }
 
-Json json_of(const TreeSnapshot& tree) {
-  Json poses = Json::array();
-  for (const Pose& pose : tree.poses) poses.push_back({pose.x, pose.y, pose.heading});
-  return {{"poses", poses}, {"parents", tree.parents}};
+Json Results::json_of_tree(const TreeSnapshot& tree) {
+  Json json;
+  json["poses"] = open_place({false, [&tree](const Add& add) {
+                                for (const Pose& pose : tree.poses) {
+                                  add({pose.x, pose.y, pose.heading});
+                                }
+                              }});
+  json["parents"] = open_place({true, [&tree](const Add& add) {
+                                  for (const std::int32_t parent : tree.parents) add(parent);
+                                }});
+  return json;
 }
 
 Json time_of(const PlanResult& result) {
@@ -109,7 +168,7 @@ Json heading_of(const ResultRecord& record) {
           {"seed", record.options.budget.seed}};
 }
 
-Json json_of(const Vehicle& vehicle, const ResultRecord& record) {
+Json Results::json_of_record(const Vehicle& vehicle, const ResultRecord& record) {
   const PlanResult& result = record.result;
   Json json = heading_of(record);
   if (record.distance) json["distance"] = *record.distance;
@@ -135,8 +194,8 @@ Json json_of(const Vehicle& vehicle, const ResultRecord& record) {
   json["nodes"] = counter(result, "nodes");
   json["counters"] = counters_of(result);
   json["anytime"] = anytime_of(result);
-  if (result.path) json["path"] = json_of(*result.path, vehicle.min_turning_radius);
-  if (result.tree) json["tree"] = json_of(*result.tree);
+  if (result.path) json["path"] = json_of_path(*result.path, vehicle.min_turning_radius);
+  if (result.tree && extent_.trees) json["tree"] = json_of_tree(*result.tree);
   json["options"] = options_of(record.options);
   json["build"] = build_of(build_info());
   return json;
@@ -144,31 +203,96 @@ Json json_of(const Vehicle& vehicle, const ResultRecord& record) {
 
 /// Whether it goes on one line: nothing in it holds anything.
 bool is_flat(const Json& json) {
-  return std::none_of(json.begin(), json.end(),
-                      [](const Json& item) { return item.is_structured() && !item.empty(); });
+  return std::none_of(json.begin(), json.end(), [](const Json& item) {
+    return item.is_discarded() || (item.is_structured() && !item.empty());
+  });
 }
 
-/// One line for whatever is flat, else one line per element.
-void write(const Json& json, const std::string& indent, std::string& text) {
-  if (!json.is_structured() || json.empty()) {
-    text += json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return;
+std::string text_of_scalar(const Json& json) {
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.is_string() ? base::json_text(text) : text;
+}
+
+/// Hands out JSON as it comes: one line for whatever is flat, else one line per element; or all of
+/// it on one line.
+class Writer {
+ public:
+  enum class Layout { lines, one_line };
+
+  Writer(Results& results, Layout layout, const TextSink& sink)
+      : results_(results), is_compact_(layout == Layout::one_line), sink_(sink) {}
+
+  void write_all(const Json& json) {
+    write(json, "");
+    text_ += '\n';
+    sink_(text_);
   }
-  const bool flat = is_flat(json);
-  const std::string inner = indent + "  ";
-  text += json.is_object() ? '{' : '[';
-  bool first = true;
-  for (const auto& item : json.items()) {
-    if (!first) text += flat ? ", " : ",";
-    if (!flat) text += '\n' + inner;
-    if (json.is_object()) {
-      text += Json(item.key()).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
+
+ private:
+  /// The brackets around elements, and what is between these.
+  struct Frame {
+    bool is_flat;
+    std::string indent;
+    bool is_begun = false;
+  };
+
+  void write(const Json& json, const std::string& indent) {
+    if (!json.is_structured() || json.empty()) {
+      text_ += text_of_scalar(json);
+      return;
     }
-    write(item.value(), inner, text);
-    first = false;
+    Frame frame{is_flat(json), indent};
+    text_ += json.is_object() ? '{' : '[';
+    for (const auto& [key, value] : json.items()) {
+      begin_element(frame);
+      if (json.is_object()) text_ += text_of_scalar(Json(key)) + (is_compact_ ? ":" : ": ");
+      if (value.is_discarded()) {
+        write(results_.next_list(), indent + "  ");
+      } else {
+        write(value, indent + "  ");
+      }
+    }
+    end(frame, json.is_object() ? '}' : ']');
   }
-  if (!flat) text += '\n' + indent;
-  text += json.is_object() ? '}' : ']';
+
+  void write(const Results::LongList& list, const std::string& indent) {
+    Frame frame{list.is_flat, indent};
+    text_ += '[';
+    list.all([&](const Json& element) {
+      begin_element(frame);
+      write(element, indent + "  ");
+      if (text_.size() < most_kept) return;
+      sink_(text_);
+      text_.clear();
+    });
+    end(frame, ']');
+  }
+
+  void begin_element(Frame& frame) {
+    const bool has_lines = !frame.is_flat && !is_compact_;
+    if (std::exchange(frame.is_begun, true)) text_ += has_lines || is_compact_ ? "," : ", ";
+    if (has_lines) text_.append("\n").append(frame.indent).append("  ");
+  }
+
+  void end(const Frame& frame, char bracket) {
+    if (frame.is_begun && !frame.is_flat && !is_compact_) text_.append("\n").append(frame.indent);
+    text_ += bracket;
+  }
+
+  static constexpr std::size_t most_kept = std::size_t{1} << 16;  // [bytes]
+
+  Results& results_;
+  bool is_compact_;
+  const TextSink& sink_;
+  std::string text_;
+};
+
+/// What `write` hands out, in one piece.
+template <class Write>
+std::string collected(const Write& write) {
+  std::string text;
+  write([&text](std::string_view piece) { text += piece; });
+  return text;
 }
 
 }  // namespace
@@ -181,32 +305,44 @@ std::optional<double> furthest_reached(const std::vector<ResultRecord>& records)
   return furthest;
 }
 
-std::string results_to_json(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
+void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& records,
+                   const TextSink& sink) {
   assert(!records.empty());
   const Vehicle& vehicle = file.scenario.vehicle;
+  Results results(records);
   Json json;
   if (file.is_row()) {
     json = heading_of(records.front());
     json["goals"] = Json::array();
-    for (const ResultRecord& record : records) json["goals"].push_back(json_of(vehicle, record));
+    for (const ResultRecord& record : records) {
+      json["goals"].push_back(results.json_of_record(vehicle, record));
+    }
     const std::optional<double> furthest = furthest_reached(records);
     json["furthest"] = furthest ? Json(*furthest) : Json();
   } else {
-    json = json_of(vehicle, records.front());
+    json = results.json_of_record(vehicle, records.front());
   }
-  std::string text;
-  write(json, "", text);
-  return text + '\n';
+  Writer(results, Writer::Layout::lines, sink).write_all(json);
+}
+
+std::string results_to_json(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
+  return collected([&](const TextSink& sink) { write_results(file, records, sink); });
+}
+
+void write_result_line(std::size_t pair, const Problem& problem, const ResultRecord& record,
+                       const TextSink& sink) {
+  Results results({&record, 1});
+  Json json = {{"pair", pair}};
+  json["start"] = json_of(problem.start());
+  json["goal"] = json_of(problem.goal());
+  Json result = results.json_of_record(problem.vehicle(), record);
+  for (auto& [key, value] : result.get_ref<Json::object_t&>()) json[key] = std::move(value);
+  Writer(results, Writer::Layout::one_line, sink).write_all(json);
 }
 
 std::string result_to_json_line(std::size_t pair, const Problem& problem,
                                 const ResultRecord& record) {
-  Json json = {{"pair", pair}};
-  json["start"] = json_of(problem.start());
-  json["goal"] = json_of(problem.goal());
-  Json result = json_of(problem.vehicle(), record);
-  for (auto& [key, value] : result.get_ref<Json::object_t&>()) json[key] = std::move(value);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return collected([&](const TextSink& sink) { write_result_line(pair, problem, record, sink); });
 }
 
 }  // namespace vandplan

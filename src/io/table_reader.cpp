@@ -2,34 +2,24 @@
 // Copyright (c) 2026, the Vändplan authors
 // How is a table file read, however large it is?
 
-#include <filesystem>
-#include <fstream>
-
+#include "io/input_file.h"
 #include "vandplan/files.h"
 #include "vandplan/table_file.h"
 
 namespace vandplan {
-namespace {
-
-constexpr std::size_t largest = table_file_head_size + (std::size_t{1} << 31);
-
-// How large the file may be; throws InputError for a head that is not ours.
-std::size_t promised_size(const std::string& file) {
-  std::string start(table_file_head_size, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(stream.gcount()));
-  return table_file_head(start, file).bytes;
-}
-
-}  // namespace
 
 std::string read_table_file(const std::string& file) {
-  // What can be read once only, a pipe for example, cannot be looked at first.
-  std::error_code error;
-  const bool twice = file != "-" && std::filesystem::is_regular_file(file, error);
-  std::string bytes = read_file(file, twice ? promised_size(file) : largest);
-  check_table_file(bytes, file == "-" ? "standard input" : file);
+  io::InputFile input(file);
+  std::string bytes;
+  constexpr std::size_t any = std::size_t{1} << 20;
+  while (bytes.size() < table_file_head_size && input.append_to(bytes, any)) {
+  }
+  // A head that is not ours ends it before more is read.
+  const std::size_t promised = table_file_head(bytes, input.name()).bytes;
+  input.expect_at_most(bytes.size(), promised);
+  while (input.append_to(bytes, promised)) {
+  }
+  check_table_file(bytes, input.name());
   return bytes;
 }
 

@@ -44,7 +44,8 @@ class Values {
   /// A whole number that what is left of the file has room for.
   std::size_t count(const std::string& name) {
     const double value = number(name);
-    if (value < 0 || value != std::floor(value) || value > static_cast<double>(rest().size())) {
+    if (!(value >= 0 && value == std::floor(value) &&
+          value <= static_cast<double>(rest().size()))) {
       fail(name, fmt::format("{}", value), "a whole number that the rest of the file has room for");
     }
     return static_cast<std::size_t>(value);
@@ -73,6 +74,9 @@ class Values {
 
   std::string_view next(const std::string& name) {
     const std::string_view left = rest();
+    if (read_ == most_values) {
+      throw InputError(where(), fmt::format("has more than {} values, expected no more", read_));
+    }
     if (left.empty()) {
       throw InputError(where(), fmt::format("ends after value {}, expected {}", read_, name));
     }
@@ -103,9 +107,10 @@ Pose pose_from(Values& values, const std::string& name) {
 }
 
 std::vector<Polygon> obstacles_from(Values& values) {
-  std::vector<std::size_t> counts(values.count("number of obstacles"));
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    counts[i] = values.count(fmt::format("number of corners of obstacle {}", i));
+  const std::size_t count = values.count("number of obstacles");
+  std::vector<std::size_t> counts;
+  for (std::size_t i = 0; i < count; ++i) {
+    counts.push_back(values.count(fmt::format("number of corners of obstacle {}", i)));
   }
   std::vector<Polygon> obstacles;
   for (std::size_t i = 0; i < counts.size(); ++i) {

@@ -12,37 +12,25 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/escape.h"
 #include "io/document.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {
 namespace {
 
-/// Length of the UTF-8 character that a text begins with, 0 if it is none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  // Overlong forms, surrogates, and what lies beyond Unicode.
-  const bool is_wrong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
-                        (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F);
-  return is_wrong ? 0 : length;
-}
-
-/// Throws at what YAML forbids and the parser would take for an end of the file or worse.
+/// Throws at what YAML forbids and the parser would take for an end of the file or worse, and where
+/// there must be too many values: the parser may keep all of a line before it tells of the first.
 void check_characters(std::string_view text, const NodeBuilder& builder) {
   int line = 1;
+  std::size_t values = 0;  // at least, in lists and maps with brackets
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     const bool is_control = (c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t') || c == 127;
-    const std::size_t length = is_control ? 0 : character_length(text.substr(i));
+    const std::size_t length = is_control ? 0 : base::character_length(text.substr(i));
     if (length == 0) builder.fail(line, "is not a text file, expected YAML in UTF-8");
     if (c == '\n') ++line;
+    if (c == ',' || c == '[' || c == '{') builder.expect_room(++values, line);
     i += length;
   }
 }

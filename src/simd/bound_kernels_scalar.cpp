@@ -29,9 +29,11 @@ struct Place {
   float across;
 };
 
+// NaN is in the first one: the order of arguments sees to that.
 Place place(float coordinate, int cells) noexcept {
   const float scaled = coordinate * static_cast<float>(cells);
-  const int cell = std::min(static_cast<int>(scaled), cells - 1);
+  const auto cell =
+      static_cast<int>(std::min(static_cast<float>(cells - 1), std::max(0.0F, scaled)));
   return {cell, scaled - static_cast<float>(cell)};
 }
 

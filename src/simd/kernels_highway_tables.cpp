@@ -42,15 +42,21 @@ Floats mirrored_in_y(Floats heading) {
   return hn::IfThenElse(hn::Gt(mirrored, set(pi)), hn::Sub(mirrored, set(2 * pi)), mirrored);
 }
 
+/// Between two whole numbers: what NaN became, too.
+Ints between(Ints value, int least, int most) {
+  return hn::Min(hn::Max(value, set(least)), set(most));
+}
+
 Ints nearest_heading(const TableView& table, Floats heading) {
-  return whole(hn::Add(hn::Mul(hn::Add(heading, set(pi)), set(table.cells_per_radian)), set(0.5F)));
+  const Floats cell = hn::Mul(hn::Add(heading, set(pi)), set(table.cells_per_radian));
+  return between(whole(hn::Add(cell, set(0.5F))), 0, table.headings - 1);
 }
 
 Floats table_distance(const TableView& table, Floats dx, Floats dy, Floats node, Floats sample) {
   const Floats zero = hn::Zero(F());
   const Floats x = hn::Mul(hn::Abs(dx), set(table.to_table));
   const Floats y = hn::Mul(hn::Abs(dy), set(table.to_table));
-  const auto outside = hn::Or(hn::Ge(x, set(table.extent)), hn::Ge(y, set(table.extent)));
+  const auto inside = hn::And(hn::Lt(x, set(table.extent)), hn::Lt(y, set(table.extent)));
   const Floats euclid = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
   const auto below = hn::Lt(dy, zero);
   const auto behind = hn::Lt(dx, zero);
@@ -64,9 +70,9 @@ Floats table_distance(const TableView& table, Floats dx, Floats dy, Floats node,
   Ints cell = hn::Add(hn::Mul(ix, set(table.positions)), iy);
   cell = hn::Add(hn::Mul(cell, headings), nearest_heading(table, node));
   cell = hn::Add(hn::Mul(cell, headings), nearest_heading(table, sample));
-  cell = hn::IfThenZeroElse(hn::RebindMask(I(), outside), cell);
+  cell = hn::IfThenElseZero(hn::RebindMask(I(), inside), cell);
   const Floats entry = hn::GatherIndex(F(), table.entries, cell);
-  return hn::IfThenElse(outside, euclid, hn::Mul(entry, set(table.from_table)));
+  return hn::IfThenElse(inside, hn::Mul(entry, set(table.from_table)), euclid);
 }
 
 void many_table_distances(const TableView& table, const float* x, const float* y,
@@ -101,7 +107,7 @@ struct Place {
 /// Where a coordinate in [0, 1] lies among so many cells.
 Place place(Floats coordinate, int cells) {
   const Floats scaled = hn::Mul(coordinate, set(static_cast<float>(cells)));
-  const Ints cell = hn::Min(whole(scaled), set(cells - 1));
+  const Ints cell = between(whole(scaled), 0, cells - 1);
   return {cell, hn::Sub(scaled, real(cell))};
 }
 

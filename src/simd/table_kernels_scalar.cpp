@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,8 +17,10 @@ float mirrored_in_y(float heading) noexcept {
   return mirrored > pi ? mirrored - 2 * pi : mirrored;
 }
 
+// A heading that is none, or far out, has one of the two ends: the order of arguments sees to NaN.
 int nearest_heading(const TableView& table, float heading) noexcept {
-  return static_cast<int>((heading + pi) * table.cells_per_radian + 0.5F);
+  const float cell = (heading + pi) * table.cells_per_radian + 0.5F;
+  return static_cast<int>(std::min(static_cast<float>(table.headings - 1), std::max(0.0F, cell)));
 }
 
 }  // namespace
@@ -34,8 +37,8 @@ float table_distance(const TableView& table, float dx, float dy, float heading_n
                      float heading_sample) noexcept {
   const float x = std::abs(dx) * table.to_table;
   const float y = std::abs(dy) * table.to_table;
-  if (x >= table.extent || y >= table.extent) return std::sqrt(dx * dx + dy * dy);  // [2]
-  if (dy < 0.0F) {                                                                  // [3]
+  if (!(x < table.extent && y < table.extent)) return std::sqrt(dx * dx + dy * dy);  // [2]
+  if (dy < 0.0F) {                                                                   // [3]
     heading_node = -heading_node;
     heading_sample = -heading_sample;
   }

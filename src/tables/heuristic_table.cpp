@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "simd/table_kernels.h"
+#include "tables/table_options.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -26,13 +27,19 @@ void require(bool holds, const char* where, double given, const char* expected) 
     throw InputError(where, "is " + base::shortest_text(given) + ", expected " + expected);
 }
 
+// Lengths of vehicles are from a micrometre to 1000 km, and quotients of two such fit a float.
+void require_length(const char* where, double given) {
+  require(given > 0.0, where, given, "more than 0 m");
+  require(given >= 1e-6 && given <= 1e6, where, given, "0.000001 to 1000000 m");
+}
+
 // Grid points along x and along y. Throws InputError if an option is out of range.
 int checked_positions(const HeuristicTableOptions& options) {
   const auto& [extent, step, heading_cells, radius] = options;
-  require(std::isfinite(extent) && extent > 0.0, "extent", extent, "more than 0 m");
-  require(std::isfinite(step) && step > 0.0, "step", step, "more than 0 m");
+  require_length("extent", extent);
+  require_length("step", step);
   require(heading_cells >= 1, "heading_cells", heading_cells, "at least 1");
-  require(std::isfinite(radius) && radius > 0.0, "turning_radius", radius, "more than 0 m");
+  require_length("turning_radius", radius);
   const double cells = std::round(extent / step);
   require(cells >= 1.0 && std::abs(cells * step - extent) <= 1e-9 * extent, "extent", extent,
           "a multiple of the step");
@@ -64,6 +71,10 @@ simd::TableView view_of(const HeuristicTable& table, double radius) {
 }
 
 }  // namespace
+
+std::size_t tables::checked_entries(const HeuristicTableOptions& options) {
+  return entry_count(checked_positions(options), options.heading_cells + 1);
+}
 
 HeuristicTableOptions thesis_table_options(int number) {
   static constexpr std::array<HeuristicTableOptions, 4> tables{{

@@ -3,7 +3,11 @@
 // Bad input of every kind ends with exit status 2, one line on stderr and nothing written.
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "support/process.h"
 #include "support/yard.h"
@@ -129,6 +133,38 @@ TEST_F(BadInput, FolderInsteadOfAFile) {
   EXPECT_EQ(complaint({"plan", folder_.path()}), folder_.path() + ": cannot read: Is a directory");
 }
 
+TEST_F(BadInput, PipesAreNotWaitedFor) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string problem = pipe + ": is a pipe, expected a regular file; - is standard input";
+  EXPECT_EQ(complaint({"plan", pipe}), problem);
+  EXPECT_EQ(complaint({"check", scenario_, pipe}), problem);
+  EXPECT_EQ(complaint_of_plan({"--poses", pipe}), problem);
+  EXPECT_EQ(complaint({"table", "info", pipe}), problem);
+  EXPECT_EQ(complaint({"convert", "tpcap", pipe, "-o", folder_ / "a.yaml"}), problem);
+  write_content(scenario_, yard() + "map: m.yaml\n");
+  write_content(folder_ / "m.yaml",
+                "image: pipe\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n"
+                "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  EXPECT_EQ(complaint_of_plan({}), (folder_ / "m.yaml") + ":1: image: " + problem);
+}
+
+TEST_F(BadInput, ATableWithARadiusOutOfRange) {
+  // 2 x 2 positions and 3 x 3 headings; the checksum fits.
+  std::string table = "vp-table\x04\x03\x02\x01\x01";
+  table += std::string(3, '\0') + "reeds-shepp-4d  metre radian    ";
+  const auto append = [&table](std::uint64_t word) {
+    for (int i = 0; i < 64; i += 8) table += static_cast<char>(word >> i & 0xFFU);
+  };
+  for (const double length : {1e200, 1.0, 1.0}) append(std::bit_cast<std::uint64_t>(length));
+  append(2);   // steps of a full turn
+  append(36);  // entries
+  append(0);
+  write_content(folder_ / "t.table", table + std::string(144, '\0'));
+  EXPECT_EQ(complaint({"table", "info", folder_ / "t.table"}),
+            (folder_ / "t.table") + ": turning_radius: is 1e+200, expected 0.000001 to 1000000 m");
+}
+
 TEST_F(BadInput, StandardInputIsNamed) {
   EXPECT_EQ(complaint({"plan", "-"}), "standard input:1: is empty, expected keys and values");
 }
@@ -191,6 +227,25 @@ TEST_F(BadInput, FullStandardOutput) {
   EXPECT_EQ(
       complaint({"plan", scenario_, "--max-iterations", "50", "--json"}, {.output = "/dev/full"}),
       problem);
+}
+
+TEST_F(BadInput, LackOfMemoryIsSaidInOneLine) {
+  if (!memory_can_be_limited) GTEST_SKIP() << "AddressSanitizer needs more";
+  for (const rlim_t memory : {60'000'000, 100'000'000, 200'000'000}) {
+    EXPECT_EQ(complaint({"plan", scenario_, "--planner", "rrt-bsc-euc", "--max-nodes", "10000000",
+                         "--max-iterations", "1"},
+                        {.memory = memory}),
+              "out of memory");
+  }
+}
+
+TEST_F(BadInput, NobodyIsThereToHearAComplaint) {
+  for (const ProcessOptions& options :
+       {ProcessOptions{.closed = {2}}, ProcessOptions{.closed = {0, 1, 2}},
+        ProcessOptions{.error = "/dev/full"}}) {
+    const Outcome outcome = run_vandplan({"plan", folder_ / "none.yaml"}, options);
+    EXPECT_EQ(outcome.status, 2);
+  }
 }
 
 // ---- the command line ----

@@ -349,5 +349,67 @@ TEST(PlanCommandOnThesisScenarios, EveryOneIsReadAndPlanned) {
   }
 }
 
+// ---- streams and files ----
+
+TEST_F(PlanCommand, WithClosedStreamsTheResultIsTheResult) {
+  const std::string file = folder_ / "result.json";
+  for (const std::vector<int>& closed : {std::vector<int>{1}, {0}, {2}, {0, 1, 2}, {1, 2}}) {
+    std::filesystem::remove(file);
+    const Outcome outcome = run_vandplan(
+        {"plan", scenario_, "--max-iterations", "100", "--output", file}, {.closed = closed});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(Json::parse(content_of(file)).at("status"), "solved");
+  }
+}
+
+TEST_F(PlanCommand, WarningsThatCannotBePrintedStopNothing) {
+  write_content(scenario_, replaced(yard(), "heading: 0}\nobst", "heading: 12.5663706}\nobst"));
+  const Outcome outcome =
+      run_vandplan({"plan", scenario_, "--max-iterations", "300"}, {.error = "/dev/full"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.out.find("solved"), std::string::npos);
+}
+
+TEST_F(PlanCommand, ALinkToNothingIsWrittenThrough) {
+  std::filesystem::create_symlink("target.json", folder_ / "link.json");
+  const std::string link = folder_ / "link.json";
+  EXPECT_EQ(plan({"--max-iterations", "100", "--output", link}).status, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(Json::parse(content_of(folder_ / "target.json")).at("status"), "solved");
+}
+
+TEST_F(PlanCommand, AScenarioComesThroughAPipeThatIsOpen) {
+  for (const std::string name : {"-", "/dev/stdin"}) {
+    const Outcome outcome =
+        run_vandplan({"plan", name, "--max-iterations", "100"}, {.input = scenario_});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+}
+
+// ---- far goals ----
+
+// The result is larger than any other file of text may be, and no more of it is held than needs be.
+TEST_F(PlanCommand, ThePathToAFarGoalIsWrittenAndCheckedInLittleMemory) {
+  write_content(scenario_,
+                "name: far\nvehicle: tpcap-car\nbounds: {x: [-1e5, 1e5], y: [-1e5, 1e5]}\n"
+                "start: {x: 0, y: 0, heading: 0}\ngoal: {x: 60000, y: 12, heading: 0}\n"
+                "obstacles: []\n");
+  ProcessOptions options;
+  if (memory_can_be_limited) options.memory = 400'000'000;
+  const std::string poses = folder_ / "poses.csv";
+  write_content(poses, "0,0,0,60000,12,0\n");
+  for (const bool is_line : {false, true}) {
+    const std::string file = folder_ / (is_line ? "result.jsonl" : "result.json");
+    std::vector<std::string> call = {"plan", scenario_, "--max-iterations", "50", "--output", file};
+    if (is_line) call.insert(call.end(), {"--poses", poses, "--jobs", "1"});
+    const Outcome planned = run_vandplan(call, options);
+    ASSERT_EQ(planned.status, 0) << planned.err;
+    EXPECT_GT(std::filesystem::file_size(file), std::uintmax_t{64} << 20);
+    const Outcome checked = run_vandplan({"check", scenario_, file}, options);
+    EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+    EXPECT_NE(checked.out.find("valid: length 60000."), std::string::npos) << checked.out;
+  }
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -61,6 +61,18 @@ TEST_F(Exports, CsvHasALineForEveryRun) {
   EXPECT_NE(csv.find(",\"a \"\"fast\"\" processor\","), std::string::npos) << csv;
 }
 
+TEST_F(Exports, CsvHasNoFormula) {
+  const std::size_t index = store_.index_of(stored(open_ground("=1+1, \"a\""), "f.yaml"));
+  RunRecord run = made_up_run("rrt-bsc-euc", 77, 100.0);
+  run.scenario = index;
+  run.result.reason = "@SUM(A1)";
+  store_.add(run);
+  const std::string csv = runs_to_csv(store_);
+  EXPECT_NE(csv.find("\n\"'=1+1, \"\"a\"\"\",0,rrt-bsc-euc,bounds,77,solved,'@SUM(A1),100,"),
+            std::string::npos)
+      << csv;
+}
+
 // ---- What Planner Arena 1.5 reads (its server.R), as SQL ----
 
 // runs_ext: every run with its planner and its experiment.

@@ -169,9 +169,50 @@ TEST(Report, IsATableInTheTerminal) {
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
   const std::string headline = headline_markdown(report);
-  EXPECT_NE(headline.find("| planner        | one</script> |"), std::string::npos) << headline;
+  EXPECT_NE(headline.find("| planner        | one\\</script> |"), std::string::npos) << headline;
   EXPECT_NE(headline.find("| rrt-bsc-hlut-1 |"), std::string::npos);
   EXPECT_NE(report_markdown(report).find("## row, samples from the scene"), std::string::npos);
+}
+
+TEST(Report, NamesOfOthersAreEscapedInTheText) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.scenarios = {{open_ground("a|b\n# c\x1b[2J ![d](http://e) <f>"), "one.yaml"}};
+  campaign.repeats = 1;
+  limit(campaign, 30);
+  run_campaign(campaign, store, {});
+  const Report report = make_report(store, campaign);
+  for (const std::string& text : {report_markdown(report), headline_markdown(report)}) {
+    EXPECT_NE(text.find("a\\|b\\x0a# c\\x1b\\[2J !\\[d\\](http://e) \\<f>"), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("a|b"), std::string::npos);
+    EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  }
+  EXPECT_FALSE(gallery_png(report).empty());
+}
+
+TEST(Report, CommandsToRepeatARunQuoteWhatAShellWouldRead) {
+  const TemporaryFolder folder;
+  Campaign campaign = small_campaign();
+  campaign.repeats = 1;
+  campaign.planners[0].name = "mine; ls";
+  int stores = 0;
+  for (const auto& [file, word] :
+       {std::pair<std::string, std::string>{"my yard's.yaml", "'my yard'\\''s.yaml'"},
+        {"-o", "./-o"},
+        {"$(id)\n.yaml", "$'$(id)\\x0a.yaml'"},
+        {"plain/1.yaml", "plain/1.yaml"}}) {
+    campaign.scenarios = {{open_ground(file), file}};
+    Store store = Store::create(folder / std::to_string(++stores));
+    run_campaign(campaign, store, {});
+    const Report report = make_report(store, campaign);
+    const std::string theirs = reproduce_command(report, report.runs.front());
+    const std::string ours = reproduce_command(report, report.runs.back());
+    for (const std::string& command : {theirs, ours})
+      EXPECT_NE(command.find(" " + word + " --planner "), std::string::npos) << command;
+    EXPECT_NE((theirs + ours).find("--planner 'mine; ls' --seed"), std::string::npos) << theirs;
+  }
 }
 
 TEST(Report, PutsTheLongerListDown) {
@@ -182,7 +223,7 @@ TEST(Report, PutsTheLongerListDown) {
   campaign.scenarios.push_back({open_ground("third"), "3.yaml"});
   run_campaign(campaign, store, {});
   const std::string headline = headline_markdown(make_report(store));
-  EXPECT_NE(headline.find("| scenario     | rrt-bsc-euc | rrt-bsc-hlut-1 |"), std::string::npos)
+  EXPECT_NE(headline.find("| scenario      | rrt-bsc-euc | rrt-bsc-hlut-1 |"), std::string::npos)
       << headline;
   EXPECT_NE(headline.find("\n| third "), std::string::npos);
 }

@@ -56,6 +56,31 @@ TEST(File, WritingKeepsModeAndSymbolicLink) {
   EXPECT_EQ(status.st_mode & 0777, 0640U);
 }
 
+TEST(File, ALinkToNothingSaysWhereToMakeTheFile) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("d"));
+  std::filesystem::create_symlink("second", folder.file("first"));
+  std::filesystem::create_symlink("d/f", folder.file("second"));
+  write_file(folder.file("first"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("first")));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("second")));
+  EXPECT_EQ(read_file(folder.file("d/f"), plenty), "new");
+}
+
+TEST(File, ALinkThatLeadsNowhereIsLeftAlone) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("none/f", folder.file("astray"));
+  std::filesystem::create_symlink("circle", folder.file("circle"));
+  const auto message = [&](const std::string& file) {
+    return message_of([&] { write_file(file, "new"); });
+  };
+  EXPECT_EQ(message(folder.file("astray")),
+            folder.file("astray") + ": cannot write: No such file or directory");
+  EXPECT_EQ(message(folder.file("circle")),
+            folder.file("circle") + ": cannot write: Too many levels of symbolic links");
+  EXPECT_EQ(folder.names().size(), 2U);
+}
+
 TEST(File, ANewFileHasTheUsersMode) {
   const TemporaryFolder folder;
   const mode_t before = ::umask(027);
@@ -157,7 +182,29 @@ TEST(File, ReadingSaysWhyItCannot) {
   EXPECT_EQ(message(folder.path()), folder.path() + ": cannot read: Is a directory");
   EXPECT_EQ(message(folder.file("f")),
             folder.file("f") + ": is too large, expected at most 1000 bytes");
-  EXPECT_EQ(message("/dev/zero"), "/dev/zero: is too large, expected at most 1000 bytes");
+}
+
+TEST(File, NobodyWaitsForPipesAndDevices) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.file("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string rest = ", expected a regular file; - is standard input";
+  const auto message = [&](const std::string& file) {
+    return message_of([&] { (void)read_file(file, 1000); });
+  };
+  EXPECT_EQ(message(pipe), pipe + ": is a pipe" + rest);
+  EXPECT_EQ(message("/dev/zero"), "/dev/zero: is a device" + rest);
+  EXPECT_EQ(message("/dev/tty"), "/dev/tty: is a device" + rest);
+  EXPECT_EQ(message_of([&] { (void)read_table_file(pipe); }), pipe + ": is a pipe" + rest);
+}
+
+TEST(File, APipeThatIsOpenIsReadUnderItsNumber) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  ASSERT_EQ(::write(ends[1], "abc", 3), 3);
+  ::close(ends[1]);
+  EXPECT_EQ(read_file("/dev/fd/" + std::to_string(ends[0]), plenty), "abc");
+  ::close(ends[0]);
 }
 
 TEST(File, ScenariosNameTheFileThatCannotBeRead) {

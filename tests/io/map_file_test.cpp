@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <gtest/gtest.h>
 #include <png.h>
+#include <zlib.h>
 
 #include <string>
 #include <vector>
@@ -300,6 +301,52 @@ TEST_F(MapFile, BadImagesHaveOneLineEach) {
   for (std::size_t size = 4; size + 1 < whole.size(); ++size) {
     EXPECT_EQ(image(whole.substr(0, size)).substr(0, 22), "is a broken PNG image ");
   }
+}
+
+/// A PNG file of one chunk of deflated zeros, with any size in its head.
+std::string boasting_png(std::uint32_t columns, std::uint32_t rows, unsigned char depth,
+                         unsigned char colours) {
+  const auto word = [](std::uint32_t value) {
+    std::string bytes;
+    for (int i = 24; i >= 0; i -= 8) bytes += static_cast<char>(value >> i & 0xFFU);
+    return bytes;
+  };
+  const auto chunk = [&](const std::string& name, const std::string& content) {
+    const std::string body = name + content;
+    const auto sum = ::crc32(0, reinterpret_cast<const unsigned char*>(body.data()),
+                             static_cast<unsigned>(body.size()));
+    return word(static_cast<std::uint32_t>(content.size())) + body +
+           word(static_cast<std::uint32_t>(sum));
+  };
+  const std::string head = word(columns) + word(rows) + static_cast<char>(depth) +
+                           static_cast<char>(colours) + std::string(3, '\0');
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", head) +
+         chunk("IDAT", std::string("\x78\x9c\x63\0\0\0\x01\0\x01", 9)) + chunk("IEND", "");
+}
+
+// 66 bytes asked for 0.8 and 1.6 GB.
+TEST_F(MapFile, AHeaderAloneAsksForNoMemory) {
+  const std::string square = boasting_png(10000, 10000, 16, 6);
+  EXPECT_EQ(square.size(), 66U);
+  EXPECT_EQ(message(keys, square),
+            "m.yaml:1: image: m.pgm: holds 66 bytes for 10000 x 10000 pixels, expected a whole PNG "
+            "image");
+  EXPECT_EQ(message(keys, boasting_png(100000000, 1, 16, 6)),
+            "m.yaml:1: image: m.pgm: holds 66 bytes for 100000000 x 1 pixels, expected a whole PNG "
+            "image");
+  // What 66 bytes may hold is looked at: 8 * 1032 * 66 pixels of one bit.
+  EXPECT_EQ(message(keys, boasting_png(544000, 1, 1, 0)).substr(0, 45),
+            "m.yaml:1: image: m.pgm: is a broken PNG image");
+  EXPECT_EQ(message(keys, boasting_png(545000, 1, 1, 0)).substr(0, 38),
+            "m.yaml:1: image: m.pgm: holds 66 bytes");
+}
+
+// Deflate packs a blank map best: 1000 to 1.
+TEST_F(MapFile, ABlankMapIsRead) {
+  const std::vector<std::vector<png_byte>> rows(2000, std::vector<png_byte>(2000, 255));
+  const std::string image = PngWriter{8, PNG_COLOR_TYPE_GRAY}.written(rows, 2000);
+  EXPECT_LT(image.size(), 10000U);
+  EXPECT_EQ(cells(keys, image), Cells(2000 * 2000, free_cell));
 }
 
 TEST_F(MapFile, IsToldFromAScenario) {

@@ -52,6 +52,9 @@ TEST(PosesFile, MistakesNameTheLine) {
   EXPECT_EQ(message_for("1,2,3,4,5,6\n1,2,3\n"),
             "p.csv:2: has 3 values, expected "
             "start_x,start_y,start_heading,goal_x,goal_y,goal_heading");
+  EXPECT_EQ(message_for("1,2,3,4,5,6\n1,2,3,4,5,6,7,8\n"),
+            "p.csv:2: has more than 6 values, expected "
+            "start_x,start_y,start_heading,goal_x,goal_y,goal_heading");
   EXPECT_EQ(message_for("1;2;3;4;5;6\n"),
             "p.csv:1: has 1 value, expected "
             "start_x,start_y,start_heading,goal_x,goal_y,goal_heading");

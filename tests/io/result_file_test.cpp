@@ -457,5 +457,92 @@ TEST_F(ReadPairs, MistakesNameTheLineOfTheFile) {
   EXPECT_EQ(message_for(good + far).substr(0, 19), "r.jsonl:2: goal: is");
 }
 
+// ---- long paths ----
+
+/// A record whose path is a line of so many metres.
+ResultRecord straight(double metres) {
+  ResultRecord record = solved(yard());
+  record.result.path->segments = {{0, metres}};
+  return record;
+}
+
+TEST(LongResult, ComesInPieces) {
+  for (const bool is_line : {false, true}) {
+    const ResultRecord record = straight(2000.0);
+    std::string whole;
+    std::size_t largest = 0;
+    const TextSink sink = [&](std::string_view piece) {
+      whole += piece;
+      largest = std::max(largest, piece.size());
+    };
+    if (is_line) {
+      write_result_line(1, make_problem(yard()), record, sink);
+      EXPECT_EQ(whole, result_to_json_line(1, make_problem(yard()), record));
+    } else {
+      write_results(yard_file(), {record}, sink);
+      EXPECT_EQ(whole, results_to_json(yard_file(), {record}));
+    }
+    EXPECT_EQ(Json::parse(whole)["path"]["poses"].size(), 20'001U);
+    EXPECT_GT(whole.size(), 1'000'000U);
+    EXPECT_LT(largest, 100'000U);
+  }
+}
+
+TEST_F(ReadResults, AVeryLongPathStandsWithoutPoses) {
+  const std::string text = results_to_json(yard_file(), {straight(200'000.1)});
+  const Json json = Json::parse(text);
+  EXPECT_EQ(keys_of(json["path"]), (Keys{"start", "segments"}));
+  EXPECT_EQ(json["length"], 200'000.1);
+  const std::vector<ResultRecord> copies = read(text, yard_file());
+  EXPECT_EQ(copies[0].result.path, straight(200'000.1).result.path);
+  EXPECT_TRUE(copies[0].claims.poses.empty());
+}
+
+TEST(LongResult, ThePosesOfAllGoalsCountTogether) {
+  const std::vector<ResultRecord> records(3, straight(66'700.0));
+  const Json json = Json::parse(results_to_json(row(), records));
+  for (const Json& goal : json["goals"]) EXPECT_FALSE(goal["path"].contains("poses"));
+}
+
+TEST_F(ReadResults, PosesAndTreesOfARowFindTheirGoals) {
+  std::vector<ResultRecord> records = {straight(1.0), unsolved(yard()), straight(0.25)};
+  records[1].result.tree = TreeSnapshot{{{0, 0, 0}, {1, 0, 0.5}}, {-1, 0}};
+  records[2].result.tree = TreeSnapshot{{{7, 0, 0}}, {-1}};
+  const auto copies = read(results_to_json(row(), records), row());
+  EXPECT_EQ(copies[0].claims.poses.size(), 11U);
+  EXPECT_EQ(copies[2].claims.poses.size(), 4U);
+  EXPECT_EQ(copies[2].claims.poses.back().s, 0.25);
+  EXPECT_FALSE(copies[0].result.tree);
+  EXPECT_EQ(copies[1].result.tree->parents, records[1].result.tree->parents);
+  EXPECT_EQ(copies[2].result.tree->poses, records[2].result.tree->poses);
+}
+
+TEST_F(ReadResults, MistakesInLongListsNameTheElement) {
+  const auto message = [&](const std::string& before, const std::string& after) {
+    std::string text = results_to_json(row(), {straight(1.0), unsolved(yard()), straight(0.25)});
+    const std::size_t at = text.rfind(before);
+    EXPECT_NE(at, std::string::npos);
+    const std::string said = message_for(text.replace(at, before.size(), after), row());
+    return said.substr(said.find(' ') + 1);
+  };
+  EXPECT_EQ(message("\"s\": 0.25, ", ""),
+            "goals[2].path.poses[3]: key \"s\" is missing, expected it");
+  EXPECT_EQ(message("\"s\": 0.25", "\"s\": \"x\""),
+            "goals[2].path.poses[3].s: is \"x\", expected a number without quotes");
+  EXPECT_EQ(message("\"direction\": 1", "\"direction\": 2"),
+            "goals[2].path.poses[3].direction: is 2, expected 1 or -1");
+}
+
+TEST_F(ReadResults, ValuesThatNobodyTakesAreCounted) {
+  std::string text = "{\"format\": \"vandplan-result/1\",\n\"junk\": [0";
+  for (int i = 0; i < 4'000'000; ++i) text += ",0";
+  EXPECT_EQ(message_for(text + "]}", yard_file()),
+            "r.json:2: has more than 4000000 values, expected no more");
+  text = "{\"format\": \"vandplan-result/1\",\n\"path\": {\"poses\": [{\"junk\": [0";
+  for (int i = 0; i < 4'000'000; ++i) text += ",0";
+  EXPECT_EQ(message_for(text + "]}]}}", yard_file()),
+            "r.json:2: has more than 4000000 values, expected no more");
+}
+
 }  // namespace
 }  // namespace vandplan

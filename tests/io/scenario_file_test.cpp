@@ -433,5 +433,21 @@ TEST(ScenarioFile, TheFarCaseIsTheSameProblemAsTheNearOne) {
   EXPECT_EQ(far.world()->local().obstacles, near.world()->local().obstacles);
 }
 
+// 64 MiB of commas asked for 12 GB.
+TEST(ScenarioFile, TooManyValuesAreRefused) {
+  const auto message = [](const std::string& text) {
+    try {
+      (void)scenario_from_yaml(text, "s.yaml");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const std::string expected = ": has more than 4000000 values, expected no more";
+  EXPECT_EQ(message("name: x\nobstacles: [" + std::string(4'000'000, ',') + "]"),
+            "s.yaml:2" + expected);
+  EXPECT_EQ(message(std::string(4'000'001, '[')), "s.yaml:1" + expected);
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -107,5 +107,11 @@ TEST_F(Tpcap, WritesTheSameScenariosAsThosePublished) {
   }
 }
 
+TEST_F(Tpcap, TooManyValuesAreRefused) {
+  std::string text = "0,0,0,9,9,0,4000000";
+  for (int i = 0; i < 4'000'000; ++i) text += ",3";
+  EXPECT_EQ(message_for(text), "Case7.csv:1: has more than 4000000 values, expected no more");
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -42,8 +42,18 @@ struct Outcome {
 struct ProcessOptions {
   std::string input = "/dev/null";          // becomes standard input
   std::string output = {};                  // becomes standard output, instead of Outcome::out
+  std::string error = {};                   // becomes standard error, instead of Outcome::err
   std::optional<rlim_t> largest_file = {};  // no file may grow beyond this [bytes]
+  std::optional<rlim_t> memory = {};        // it may ask for [bytes]
+  std::vector<int> closed = {};             // standard descriptors
 };
+
+/// Whether the built command line may be given less memory: AddressSanitizer asks for terabytes.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool memory_can_be_limited = false;
+#else
+inline constexpr bool memory_can_be_limited = true;
+#endif
 
 /// A call of the command line that is under way.
 class Process {
@@ -55,7 +65,7 @@ class Process {
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     const std::string out = options.output.empty() ? folder_ / "out" : options.output;
-    const std::string err = folder_ / "err";
+    const std::string err = options.error.empty() ? folder_ / "err" : options.error;
     id_ = ::fork();
     if (id_ == 0) {
       redirect(STDIN_FILENO, options.input, O_RDONLY);
@@ -66,6 +76,11 @@ class Process {
         ::setrlimit(RLIMIT_FSIZE, &limit);
         std::signal(SIGXFSZ, SIG_IGN);  // writing fails with an error instead
       }
+      if (options.memory) {
+        const rlimit limit{*options.memory, *options.memory};
+        ::setrlimit(RLIMIT_AS, &limit);
+      }
+      for (const int descriptor : options.closed) ::close(descriptor);
       ::execv(argv[0], argv.data());
       ::_exit(127);
     }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "vandplan/bound_table.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
@@ -167,6 +168,72 @@ TEST(HeuristicTable, RefusesOptionsOutOfRange) {
 
 TEST(HeuristicTable, RefusesEntriesThatDoNotFitTheOptions) {
   EXPECT_THROW((HeuristicTable{thesis_table_options(1), std::vector<float>(10)}), InputError);
+}
+
+// ---- what is no number ----
+
+TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
+  const HeuristicTable table = numbered_table({.extent = 2.0, .step = 1.0, .heading_cells = 4});
+  const double nan = std::nan("");
+  const double infinity = HUGE_VAL;
+  const auto last = static_cast<double>(table.entries().size() - 1);
+  for (const double heading : {nan, -nan, infinity, 1e30}) {
+    const double length = table.distance({1, 1, heading}, {0, 0, heading}, 7.0);
+    EXPECT_TRUE(length >= 0.0 && length <= last) << length;
+  }
+  EXPECT_TRUE(std::isnan(table.distance({nan, 1, 0}, {0, 0, 0}, 7.0)));
+  EXPECT_TRUE(std::isnan(table.distance({1, nan, 0}, {0, 0, 0}, 7.0)));
+  for (const double radius : {0.0, nan, infinity, 1e-300, 1e300}) {
+    (void)table.distance({0, 0, 1}, {0, 0, 2}, radius);
+    (void)table.distance({1, 1, 1}, {0, 0, 2}, radius);
+  }
+}
+
+TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideInBatches) {
+  const HeuristicTable table = numbered_table({.extent = 2.0, .step = 1.0, .heading_cells = 4});
+  const float nan = std::nanf("");
+  const std::vector<float> x(19, 1.0F);
+  for (const float odd : {nan, -nan, HUGE_VALF, 1e30F, -1e30F}) {
+    std::vector<float> some = x;
+    for (std::size_t i = 0; i < some.size(); i += 2) some[i] = odd;
+    std::vector<float> out(x.size());
+    table.distances({x, x, some}, {0, 0, 1}, 7.0, out);
+    for (const float length : out) {
+      EXPECT_TRUE(length >= 0.0F && length <= static_cast<float>(table.entries().size() - 1));
+    }
+    table.distances({some, x, x}, {0, 0, 1}, 7.0, out);
+    EXPECT_FALSE(out[0] <= 3.0F);
+    EXPECT_LE(out[1], static_cast<float>(table.entries().size() - 1));
+    table.distances({x, x, x}, {0, 0, static_cast<double>(odd)}, 7.0, out);
+    table.distances({x, x, x}, {0, 0, 1}, static_cast<double>(odd), out);
+    table.distances({some, some, some}, {0, 0, 1}, 0.0, out);
+  }
+}
+
+TEST(LengthBounds, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
+  const double nan = std::nan("");
+  for (const double odd : {nan, -nan, HUGE_VAL, 1e30, -1e30}) {
+    (void)length_bounds({odd, 1, 0}, {0, 0, 0}, 7.0);
+    (void)length_bounds({1, 1, odd}, {0, 0, 0}, 7.0);
+    (void)length_bounds({1, 1, 0}, {0, 0, 0}, odd);
+    std::vector<float> x(19, 1.0F);
+    std::vector<float> some = x;
+    some[3] = static_cast<float>(odd);
+    std::vector<float> low(x.size()), high(x.size());
+    length_bounds({some, x, x}, {0, 0, 1}, 7.0, low, high);
+    EXPECT_LT(high[0], 40.0F);
+    EXPECT_FALSE(high[3] < 40.0F);
+    length_bounds({x, x, some}, {0, 0, 1}, 7.0, low, high);
+    length_bounds({x, x, x}, {0, 0, 1}, odd, low, high);
+  }
+  EXPECT_TRUE(std::isnan(length_bounds({nan, 1, 0}, {0, 0, 0}, 7.0).high));
+}
+
+TEST(HeuristicTable, LengthsHaveRanges) {
+  for (const double length : {1e200, 1e7, 1e-7, HUGE_VAL}) {
+    EXPECT_THROW(HeuristicTable({.turning_radius = length}), InputError) << length;
+    EXPECT_THROW(HeuristicTable({.extent = length, .step = length}), InputError) << length;
+  }
 }
 
 }  // namespace

@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
+#include "tables/table_bytes.h"
 #include "tables/table_export.h"
 #include "vandplan/input_error.h"
 
@@ -76,6 +80,95 @@ TEST(TableFile, NoticesEveryAlteredByte) {
     altered[i] = static_cast<char>(altered[i] ^ 0x10);
     EXPECT_THROW((void)table_from_bytes(altered, "t.table"), InputError) << "byte " << i;
   }
+}
+
+// ---- files whose checksum fits, and whose numbers do not ----
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// What reading a table of lengths says with a number of the head exchanged; of the head alone, too.
+std::string refusal_with(std::size_t parameter, std::uint64_t value) {
+  std::string head_alone;
+  const std::string whole = refusal([&](std::string& bytes) {
+    std::string word;
+    tables::table_bytes::append(word, value);
+    bytes.replace(48 + 8 * parameter, 8, word);
+    tables::table_bytes::seal(bytes);
+    try {
+      (void)table_file_head(bytes, "t.table");
+    } catch (const InputError& error) {
+      head_alone = error.what();
+    }
+  });
+  EXPECT_EQ(whole, head_alone);
+  return whole;
+}
+
+std::string refusal_with(std::size_t parameter, double value) {
+  return refusal_with(parameter, std::bit_cast<std::uint64_t>(value));
+}
+
+TEST(TableFile, LengthsOfTheHeadHaveRanges) {
+  const char* const names[] = {"turning_radius", "extent", "step"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string start = std::string("t.table: ") + names[i] + ": is ";
+    const std::string range = ", expected 0.000001 to 1000000 m";
+    EXPECT_EQ(refusal_with(i, 1e200), start + "1e+200" + range);
+    EXPECT_EQ(refusal_with(i, infinity), start + "inf" + range);
+    EXPECT_EQ(refusal_with(i, 1e-300), start + "1e-300" + range);
+    EXPECT_EQ(refusal_with(i, nan), start + "nan, expected more than 0 m");
+    EXPECT_EQ(refusal_with(i, -1.0), start + "-1, expected more than 0 m");
+  }
+}
+
+TEST(TableFile, TheHeadHasToFitTheEntries) {
+  EXPECT_EQ(refusal_with(3, std::uint64_t{5}),
+            "t.table: entries: 625 are there, the options ask for 900");
+  EXPECT_EQ(refusal_with(3, std::uint64_t{0}), "t.table: heading_cells: is 0, expected at least 1");
+  EXPECT_EQ(refusal_with(3, ~std::uint64_t{0}).substr(0, 36),
+            "t.table: step: the table would hold ");
+}
+
+TEST(TableFile, EntriesAreLengths) {
+  for (const float entry : {-1.0F, std::nanf(""), std::numeric_limits<float>::infinity()}) {
+    const std::string problem = refusal([&](std::string& bytes) {
+      std::string word;
+      tables::table_bytes::append(word, std::bit_cast<std::uint32_t>(entry));
+      bytes.replace(96 + 4 * 7, 4, word);
+      tables::table_bytes::seal(bytes);
+    });
+    EXPECT_EQ(problem.substr(0, 24), "t.table: entries[7]: is ");
+  }
+}
+
+TEST(TableFile, NumbersOfATableOfBoundsHaveRanges) {
+  const auto refusal_of_bounds = [](std::size_t at, const std::string& word) {
+    std::string bytes = bound_table_to_bytes();
+    bytes.replace(at, word.size(), word);
+    tables::table_bytes::seal(bytes);
+    try {
+      (void)table_file_head(bytes, "b.table");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("read without complaint");
+  };
+  const auto with = [&](std::size_t parameter, double value) {
+    std::string word;
+    tables::table_bytes::append(word, std::bit_cast<std::uint64_t>(value));
+    return refusal_of_bounds(48 + 8 * parameter, word);
+  };
+  EXPECT_EQ(with(0, 1e200), "b.table: turning_radius: is 1e+200, expected 1");
+  EXPECT_EQ(with(1, nan), "b.table: reach: is nan, expected 0.000001 to 1000000");
+  EXPECT_EQ(with(2, 1e200), "b.table: unit: is 1e+200, expected more than 0, at most 1");
+  const std::string none(2, '\0');
+  for (const std::size_t at : {72U, 74U, 76U}) {
+    EXPECT_EQ(refusal_of_bounds(at, none),
+              "b.table: entries: is 131072, expected one for each cell");
+  }
+  EXPECT_EQ(refusal_of_bounds(78, none), "b.table: slope_step: is 0, expected at least 1");
+  EXPECT_EQ(refusal_of_bounds(78, ""), "read without complaint");
 }
 
 TEST(TableFile, HeaderNeedsAnIdentifierForAName) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which tables of lengths can there be?
+
+#include <cstddef>
+
+#include "vandplan/heuristic_table.h"
+
+namespace vandplan::tables {
+
+/// How many entries a table with these options has. Throws InputError naming the option that is out
+/// of range, or when they are too many.
+[[nodiscard]] std::size_t checked_entries(const HeuristicTableOptions& options);
+
+}  // namespace vandplan::tables
