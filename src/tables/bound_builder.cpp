@@ -17,8 +17,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit = simd::bound_unit;
-// What a look-up in float may be off by, beside a part of the distance.
-constexpr double rounding = 2e-5;
 // A box is cut in eight while the excess may stray further from the cell's plane within it.
 constexpr double good_spread = 0.003;
 constexpr int most_cuts = 2;

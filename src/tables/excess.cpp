@@ -117,9 +117,9 @@ bool stays_longer(const Candidate& candidate, const Slopes& all, const std::arra
     rise += half[i] * std::max(all[i].high, -all[i].low);
   }
   const Pieces& p = candidate.pieces;
-  if (p.everywhere && candidate.lead > gain + margin) return true;
-  const double least = std::max(p.first.low, 0.0) + p.rest.low + std::max(p.last.low, 0.0);
-  return least - box.distance.high > excess + rise + margin;
+  constexpr double slack = 3 * margin;  // a length is a sum of three pieces
+  if (p.everywhere && candidate.lead > gain + slack) return true;
+  return p.least() - box.distance.high > excess + rise + slack;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 // Between which two numbers does a quantity lie?
 //
 // Plain double without directed rounding: whoever concludes something from an interval leaves a
-// margin far above rounding (docs/algorithms/bound_table.md).
+// margin above rounding (docs/algorithms/bound_table.md, "Rounding").
 
 #include <algorithm>
 #include <cmath>

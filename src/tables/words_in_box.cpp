@@ -29,9 +29,11 @@ CirclePair circles_of(const Polar& box, Interval x, Interval y) {
     c.lean = direction(along_all, c.across);
     c.direction = direction(dx, dy);
     const Interval other = c.lean + box.bearing;
-    const double turns = std::round((c.direction.middle() - other.middle()) / (2 * pi));
-    const Interval both = meet(c.direction, other + 2 * pi * turns);
-    if (both.low <= both.high) c.direction = both;
+    if (c.direction.width() + other.width() < 2 * pi) {  // else whole turns cannot be told apart
+      const double turns = std::round((c.direction.middle() - other.middle()) / (2 * pi));
+      const Interval both = meet(c.direction, other + 2 * pi * turns);
+      if (both.low <= both.high) c.direction = both;
+    }
   } else {
     c.lean = c.direction = {-pi, pi};
   }
@@ -103,6 +105,18 @@ Interval tilt_of(Interval u) {
   const auto tilt = [](double v) { return atan_2(sin_cos(v).sin, 2 - sin_cos(v).cos); };
   const Interval ends = hull(point(tilt(u.low)), point(tilt(u.high)));
   return u.low < pi / 3 && u.high > pi / 3 ? Interval{ends.low, pi / 6} : ends;
+}
+
+/// The angle plus the whole turns that bring it closest to what an arc can be, [0, longest]; around
+/// all that reach it where those are several.
+Interval arc_of(Interval angle, double longest) {
+  const double turns = std::round((longest / 2 - angle.middle()) / (2 * pi));
+  Interval arc = angle + 2 * pi * turns;
+  const Interval below = arc - 2 * pi;
+  const Interval above = arc + 2 * pi;
+  if (below.high >= -margin) arc.low = below.low;
+  if (above.low <= longest + margin) arc.high = above.high;
+  return arc;
 }
 
 }  // namespace
@@ -219,11 +233,9 @@ std::optional<Pieces> pieces_of(const Polar& box, LeftWord left_word, const View
       p.rest = u * 2.0;
       break;
   }
-  // The angle plus whole turns that comes closest to what an arc can be.
   const auto arc = [&p](Interval angle) {
-    const double turns = std::round((p.longest / 2 - angle.middle()) / (2 * pi));
     if (angle.width() > 1.0) p.everywhere = false;
-    return angle + 2 * pi * turns;
+    return arc_of(angle, p.longest);
   };
   p.first = arc(heading0 + view.direction + view.half_turn);
   p.last = arc((view.half_turn - heading1 - view.direction) * static_cast<double>(shape.last_turn));

@@ -27,7 +27,8 @@ struct PairBox {
 
 namespace words_in_box {
 
-/// What rounding may do to an angle or a length: far more than it does.
+/// More than rounding does to an arc [rad] or to a distance of centres; three times it is more than
+/// rounding does to the length of a word. docs/algorithms/bound_table.md, "Rounding".
 inline constexpr double margin = 1e-7;
 /// Beyond this distance the slopes of words with a line are computed relative to it.
 inline constexpr double far = 2.5;
@@ -110,6 +111,11 @@ struct Pieces {
   bool everywhere = true;                 ///< the formula is smooth in the whole box
 
   [[nodiscard]] Interval length() const { return first + rest + last; }
+  /// No path of this word that is shortest in a pair of the box is shorter, rounding of three
+  /// pieces apart.
+  [[nodiscard]] double least() const {
+    return std::max(first.low, 0.0) + rest.low + std::max(last.low, 0.0);
+  }
   [[nodiscard]] bool can_be_shortest() const {
     const auto fits = [this](Interval arc) {
       return arc.high >= -margin && arc.low <= longest + margin;

@@ -12,8 +12,10 @@
 #include <vector>
 
 #include "simd/bound_grid.h"
+#include "simd/bound_kernels.h"
 #include "support/bound_law.h"
 #include "support/draws.h"
+#include "tables/bound_builder.h"
 #include "tables/excess.h"
 #include "vandplan/path.h"
 
@@ -72,6 +74,167 @@ TEST(BoundTable, HoldsWherePosesAlmostAgree) {
   for (int i = 0; i < cases(1'000'000); ++i) {
     const Pose from{0.0, 0.0, uniform(-pi, pi, rng)};
     if (!expect_inside({from, {tiny(), tiny(), from.heading + tiny()}, 7.0})) return;
+  }
+}
+
+// Where a formula loses its meaning or two of them meet: circles that coincide, or are 2, sqrt(8),
+// 4 or sqrt(20) radii apart; poses that agree or are 2 or 4 radii apart; turns of nothing and of
+// pi.
+BoundCase degenerate_case(Rng& rng) {
+  const auto beside = [&rng](double value) {
+    return uniform01(rng) < 0.3 ? value : value + any_sign(any_size(1e-16, 1e-1, rng), rng);
+  };
+  constexpr std::array<double, 7> apart{0.0, 2.0, 4.0, 2.0 * std::numbers::sqrt2, 4.47213595499958,
+                                        1.0, 6.0};
+  const auto any_turn = [&rng] {
+    const double draw = uniform01(rng);
+    return draw < 0.2 ? 0.0 : draw < 0.4 ? pi : uniform(0.0, pi, rng);
+  };
+  const double half = beside(any_turn()) / 2;
+  const double distance = beside(apart[rng() % apart.size()]);
+  const double bearing =
+      uniform01(rng) < 0.3 ? beside(any_sign(pi / 4, rng) + pi / 4) : uniform(-pi, pi, rng);
+  // From the centre of the poses, or of one of their circles to one of the other's.
+  const auto kind = rng() % 3;
+  const double x = kind == 1 ? any_sign(2 * std::sin(half), rng) : 0.0;
+  const double y = kind == 2 ? any_sign(2 * std::cos(half), rng) : 0.0;
+  return {{0.0, 0.0, -half},
+          {x + distance * std::cos(bearing), y + distance * std::sin(bearing), half},
+          1.0};
+}
+
+TEST(BoundTable, HoldsAroundDegeneratePlaces) {
+  Rng rng(9);
+  for (int i = 0; i < cases(2'000'000); ++i) {
+    if (!expect_inside(degenerate_case(rng))) return;
+  }
+}
+
+/// A pair in float as the look-up takes it: a cell border or any place along each coordinate, a
+/// millionth to a billionth beside it, from 1e-9 to 1e6 radii, with headings where the mean turns
+/// round.
+struct FloatPair {
+  float dx, dy, heading_node, heading_sample, radius;
+};
+
+FloatPair any_float_pair(Rng& rng) {
+  const auto coordinate = [&rng](int cells) {
+    if (uniform01(rng) < 0.5) return uniform01(rng);
+    const auto border = static_cast<double>(rng() % static_cast<unsigned>(cells + 1)) / cells;
+    const double beside = any_sign(any_size(1e-9, 1e-6, rng), rng);
+    return std::clamp(border + (uniform01(rng) < 0.3 ? 0.0 : beside), 0.0, 1.0);
+  };
+  const double radius = any_size(0.1, 100.0, rng);
+  const double distance =
+      uniform01(rng) < 0.5
+          ? any_size(1e-9, 1e6, rng)
+          : tables::distance_at(std::min(coordinate(simd::radial_cells), 1 - 1e-6));
+  const double bearing = any_sign(tables::bearing_at(coordinate(simd::side_cells)), rng) +
+                         (uniform01(rng) < 0.5 ? pi : 0.0);
+  const double half = any_sign(coordinate(simd::turn_cells) * pi / 2, rng);
+  constexpr std::array<double, 5> special{0.0, pi / 4, pi / 2, 3 * pi / 4, pi};
+  const double mean =
+      uniform01(rng) < 0.5 ? uniform(-pi, pi, rng) : any_sign(special[rng() % special.size()], rng);
+  const auto in_float = [](double value) { return static_cast<float>(value); };
+  return {in_float(radius * distance * std::cos(mean + bearing)),
+          in_float(radius * distance * std::sin(mean + bearing)), in_float(wrap_angle(mean - half)),
+          in_float(wrap_angle(mean + half)), in_float(radius)};
+}
+
+/// The coordinates of a pair and its distance [turning radii] in extended precision.
+struct PrecisePair {
+  long double distance;
+  std::array<long double, 3> coordinates;
+
+  explicit PrecisePair(const FloatPair& p) {
+    constexpr long double pi_l = std::numbers::pi_v<long double>;
+    const long double dx = p.dx, dy = p.dy, h0 = p.heading_node, h1 = p.heading_sample;
+    const long double mean = (h0 + h1) / 2;
+    const long double along = std::abs(dx * std::cos(mean) + dy * std::sin(mean));
+    const long double across = std::abs(dy * std::cos(mean) - dx * std::sin(mean));
+    const long double turn = std::abs(h0 - h1);
+    const long double sum = along + across;
+    distance = std::hypot(dx, dy) / static_cast<long double>(p.radius);
+    coordinates = {distance / (distance + static_cast<long double>(simd::radial_reach)),
+                   sum > 0 ? across / sum : 0, std::abs(std::min(turn, 2 * pi_l - turn)) / pi_l};
+  }
+};
+
+/// A table whose planes are all the same one, which rises along one coordinate by `slope` units
+/// across each cell, with nothing between low and high.
+std::vector<simd::BoundEntry> one_plane(std::size_t along, int slope) {
+  std::vector<simd::BoundEntry> entries;
+  const int step = along == 2 ? 1 : simd::slope_step;
+  const std::array<unsigned, 3> place{21, 10, 0};
+  for (int i = 0; i < simd::bound_cells; ++i) {
+    const std::array<int, 3> cell{i / simd::turn_cells / simd::side_cells,
+                                  i / simd::turn_cells % simd::side_cells, i % simd::turn_cells};
+    entries.push_back({static_cast<std::uint32_t>(cell[along] * slope * step) << 16,
+                       static_cast<std::uint32_t>(slope) << place[along]});
+  }
+  return entries;
+}
+
+// Planes that join, so that no border hides an error, and are as steep as the length can be: 4
+// along side and pi along turn; along radial, where an error shrinks with distance, as steep as
+// entries can say.
+TEST(BoundTable, LooksUpWithinItsMargin) {
+  constexpr std::array<int, 3> slopes{127, 255, 511};
+  constexpr std::array<int, 3> cells{simd::radial_cells, simd::side_cells, simd::turn_cells};
+  for (std::size_t along = 0; along < 3; ++along) {
+    const std::vector<simd::BoundEntry> entries = one_plane(along, slopes[along]);
+    const double rise = slopes[along] * cells[along] * (along == 2 ? 1 : simd::slope_step) *
+                        simd::bound_unit;  // [turning radii]
+    Rng rng(10 + along);
+    double worst = 0.0;
+    for (int i = 0; i < cases(1'000'000); ++i) {
+      const FloatPair p = any_float_pair(rng);
+      const auto [low, high] = simd::length_bounds(entries.data(), p.dx, p.dy, p.heading_node,
+                                                   p.heading_sample, p.radius);
+      const PrecisePair precise(p);
+      const long double excess = static_cast<long double>(rise) * precise.coordinates[along];
+      const long double length = precise.distance + excess;
+      const auto radius = static_cast<long double>(p.radius);
+      worst =
+          std::max(worst, static_cast<double>(length - static_cast<long double>(high) / radius));
+      if (length < precise.coordinates[2] * std::numbers::pi_v<long double>) continue;  // low: turn
+      worst = std::max(worst, static_cast<double>(static_cast<long double>(low) / radius - length));
+    }
+    RecordProperty("worst_along_" + std::to_string(along), as_code(worst));
+    EXPECT_LT(worst, tables::look_up_rounding) << "along " << along;
+    const double least = along == 0 ? 0.0 : tables::look_up_rounding / 20;
+    EXPECT_GE(worst, least) << "along " << along;  // along radial the part of the distance hides it
+  }
+}
+
+// What docs/algorithms/bound_table.md, "Rounding", argues with: how much the length can change.
+TEST(BoundTable, LengthsChangeNoFasterThanRoundingIsArguedWith) {
+  Rng rng(13);
+  for (int i = 0; i < cases(300'000); ++i) {
+    const auto [from, to, radius] =
+        uniform01(rng) < 0.5 ? degenerate_case(rng) : any_bound_case(rng);
+    const auto scaled = [&](double scale) {
+      const Pose there{scale * (to.x - from.x), scale * (to.y - from.y), to.heading};
+      return reeds_shepp_length({0, 0, from.heading}, there, radius) / radius;
+    };
+    SCOPED_TRACE(as_code(from) + as_code(to) + as_code(radius));
+    const double length = scaled(1.0);
+    const double distance = std::hypot(to.x - from.x, to.y - from.y) / radius;
+    const double none = 1e-9 * (1 + length);
+    const double turn = any_sign(any_size(1e-9, 1.0, rng), rng);  // (1)
+    const double turned =
+        reeds_shepp_length(from, {to.x, to.y, to.heading + turn}, radius) / radius;
+    ASSERT_LE(std::abs(turned - length), std::abs(turn) + none);
+    const double scale = 1 + any_size(1e-9, 3.0, rng);  // (2)
+    const double stretched = scaled(scale);
+    ASSERT_GE(stretched, length - none);
+    ASSERT_LE(stretched, scale * length + none);
+    if (distance > 6.5) {  // (3)
+      const double change = stretched - scale * distance - (length - distance);
+      ASSERT_LE(change, none);
+      ASSERT_GE(change, -4 * (1 / distance - 1 / (scale * distance)) - none);
+    }
+    ASSERT_LT(length - distance, 3.2);  // (5)
   }
 }
 
