@@ -51,8 +51,8 @@ TEST(AnytimeBound, LetsTheAxleAsNearAsAShortRearOverhangDoes) {
                     .rear_overhang = 0.05,
                     .width = 4,
                     .min_turning_radius = 2.5};
-  const Problem problem = problem_of({0.06, 6, 0}, {0.06, -6, 0}, {box(-9, -1.9, 0, 1.9)},
-                                     {-20, 20, -20, 20}, van);
+  const Problem problem =
+      problem_of({0.06, 6, 0}, {0.06, -6, 0}, {box(-9, -1.9, 0, 1.9)}, {-20, 20, -20, 20}, van);
   search::Geodesic geodesic(problem.task(), 1e3);
   while (geodesic.step()) {
   }
