@@ -226,6 +226,7 @@ std::vector<ResultRecord> records_from(const Document& file, const ScenarioFile&
                                   scenario.size()));
   }
   std::vector<ResultRecord> records;
+  records.reserve(items.size());
   for (const Node& item : items) {
     records.push_back(record_from(file, item, radius, lists.of(records.size())));
   }

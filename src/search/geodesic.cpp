@@ -117,6 +117,16 @@ Geodesic::RunId Geodesic::run_at(const Point& point) {
 
 // Cells whose middle is near to a side of a polygon.
 void Geodesic::block_near_sides(double y, std::vector<char>& is_blocked) const {
+  const auto place = [&](double x) {
+    return std::clamp((x - box_.x_min) / side_ - 0.5, -1.0, columns_ + 0.0);
+  };
+  // From the first middle in there to the last one.
+  const auto block = [&](double low, double high) {
+    const auto last = static_cast<std::int32_t>(std::floor(place(high)));
+    for (auto x = static_cast<std::int32_t>(std::ceil(place(low))); x <= last; ++x) {
+      if (x >= 0) is_blocked[static_cast<std::size_t>(x)] = 1;
+    }
+  };
   for (const Polygon& polygon : ground_.obstacles) {
     Point a = polygon.back();
     for (const Point& b : polygon) {
@@ -124,14 +134,7 @@ void Geodesic::block_near_sides(double y, std::vector<char>& is_blocked) const {
       double high = -infinity;
       add_disc(b, y, near_, low, high);
       add_box(a, b, y, near_, low, high);
-      // From the first middle in there to the last one.
-      const auto place = [&](double x) {
-        return std::clamp((x - box_.x_min) / side_ - 0.5, -1.0, columns_ + 0.0);
-      };
-      const auto last = static_cast<std::int32_t>(std::floor(place(high)));
-      for (auto x = static_cast<std::int32_t>(std::ceil(place(low))); x <= last; ++x) {
-        if (x >= 0) is_blocked[static_cast<std::size_t>(x)] = 1;
-      }
+      block(low, high);
       a = b;
     }
   }

@@ -41,7 +41,7 @@ class EvaluateCommand : public testing::Test {
 
   // Waits until a process has stored that many runs; false if it does not.
   [[nodiscard]] bool has_stored(const std::string& output, std::size_t count) const {
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < 60000; ++i) {
       if (std::filesystem::exists(store_file(output)) && runs(output).size() >= count) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

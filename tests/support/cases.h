@@ -17,14 +17,18 @@
 
 namespace vandplan {
 
-/// `n`, or a fiftieth of it where sanitizers make every step slow.
-inline int cases(int n) {
-#ifdef __SANITIZE_ADDRESS__
-  return std::max(1, n / 50);
+/// Whether sanitizers make every step slow. g++ says so by macros, clang by features.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool is_sanitized =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
 #else
-  return n;
+inline constexpr bool is_sanitized = false;
 #endif
-}
+
+/// `n`, or a fiftieth of it where sanitizers make every step slow.
+inline int cases(int n) { return is_sanitized ? std::max(1, n / 50) : n; }
 
 /// Calls `law(rng)` for `cases(n)` cases, each with its own stream of `seed`, and stops at the
 /// first case that fails, naming it.

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Any text as a scenario file: refused, or kept word for word by writing and reading it.
+
+#include <string>
+
+#include "fuzz/fuzz.h"
+#include "vandplan/scenario_file.h"
+
+using namespace vandplan;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = fuzz::text_of(data, size);
+  fuzz::may_refuse([&] {
+    const ScenarioFile file = scenario_from_yaml(text, "fuzz.yaml");
+    if (!file.scenario.map) (void)make_problems(file);
+    const std::string written = to_yaml(file);
+    const ScenarioFile again = scenario_from_yaml(written, "again.yaml", file.scenario.map);
+    fuzz::expect(to_yaml(again) == written, "what is written reads back");
+  });
+  return 0;
+}

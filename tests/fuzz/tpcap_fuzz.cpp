@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Any text as a case of the parking competition.
+
+#include <string>
+
+#include "fuzz/fuzz.h"
+#include "vandplan/scenario_file.h"
+
+using namespace vandplan;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string file = fuzz::folder().put("Case1.csv", fuzz::text_of(data, size));
+  fuzz::may_refuse([&] {
+    const Scenario scenario = read_tpcap(file);
+    (void)make_problem(scenario);
+    (void)scenario_from_yaml(to_yaml(scenario), "again.yaml");
+  });
+  return 0;
+}

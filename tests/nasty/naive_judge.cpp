@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "nasty/naive_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace vandplan::nasty {
+namespace {
+
+using Real = long double;
+
+constexpr Real pi = std::numbers::pi_v<Real>;
+
+struct Vector {
+  Real x = 0, y = 0;
+};
+
+struct Rectangle {
+  Real x_min, x_max, y_min, y_max;
+};
+
+/// Where something is in a frame of somebody else: in the vehicle's or in the map's.
+struct Frame {
+  Vector origin;
+  Real cosine, sine;
+
+  [[nodiscard]] Vector seen(const Vector& p) const {
+    const Real x = p.x - origin.x;
+    const Real y = p.y - origin.y;
+    return {cosine * x + sine * y, cosine * y - sine * x};
+  }
+  [[nodiscard]] Vector placed(const Vector& p) const {
+    return {origin.x + cosine * p.x - sine * p.y, origin.y + sine * p.x + cosine * p.y};
+  }
+};
+
+Frame frame_at(const Vector& origin, Real heading) {
+  return {origin, std::cos(heading), std::sin(heading)};
+}
+
+/// Whether a part of the side lies inside the open rectangle (Liang and Barsky 1984).
+bool runs_through(const Vector& a, const Vector& b, const Rectangle& body) {
+  Real begin = 0;
+  Real end = 1;
+  const auto cut = [&](Real from, Real step, Real low, Real high) {
+    if (step == 0) return from > low && from < high;
+    const Real at_low = (low - from) / step;
+    const Real at_high = (high - from) / step;
+    begin = std::max(begin, std::min(at_low, at_high));
+    end = std::min(end, std::max(at_low, at_high));
+    return begin <= end;
+  };
+  if (!cut(a.x, b.x - a.x, body.x_min, body.x_max)) return false;
+  if (!cut(a.y, b.y - a.y, body.y_min, body.y_max)) return false;
+  const Real middle = (begin + end) / 2;
+  const Vector p{a.x + middle * (b.x - a.x), a.y + middle * (b.y - a.y)};
+  return p.x > body.x_min && p.x < body.x_max && p.y > body.y_min && p.y < body.y_max;
+}
+
+bool holds(const std::vector<Vector>& polygon, const Vector& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vector& a = polygon[j];
+    const Vector& b = polygon[i];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+/// A polygon whose corners count from the start, and a box around it.
+struct Thing {
+  std::string name;
+  std::vector<Vector> corners;
+  Rectangle box;
+};
+
+Thing thing_of(const std::string& name, const Polygon& polygon, const Pose& start) {
+  constexpr Real far = 1e300;
+  Thing thing{name, {}, {far, -far, far, -far}};
+  for (const Point& p : polygon) {
+    const Vector corner{Real{p.x} - start.x, Real{p.y} - start.y};
+    thing.corners.push_back(corner);
+    thing.box = {std::min(thing.box.x_min, corner.x), std::max(thing.box.x_max, corner.x),
+                 std::min(thing.box.y_min, corner.y), std::max(thing.box.y_max, corner.y)};
+  }
+  return thing;
+}
+
+bool hits(const Thing& thing, const Rectangle& body, const Frame& vehicle) {
+  std::vector<Vector> seen;
+  for (const Vector& corner : thing.corners) seen.push_back(vehicle.seen(corner));
+  for (std::size_t i = 0, j = seen.size() - 1; i < seen.size(); j = i++) {
+    if (runs_through(seen[j], seen[i], body)) return true;
+  }
+  return holds(seen, {(body.x_min + body.x_max) / 2, (body.y_min + body.y_max) / 2});
+}
+
+/// A scenario as the naive judge sees it.
+class Look {
+ public:
+  Look(const Scenario& scenario, double margin)
+      : scenario_(scenario),
+        body_{-Real{scenario.vehicle.rear_overhang} - margin,
+              Real{scenario.vehicle.wheelbase} + scenario.vehicle.front_overhang + margin,
+              -Real{scenario.vehicle.width} / 2 - margin,
+              Real{scenario.vehicle.width} / 2 + margin},
+        wheels_(body_) {
+    const double track = scenario.vehicle.track_width.value_or(scenario.vehicle.width);
+    wheels_ = {-Real{margin}, Real{scenario.vehicle.wheelbase} + margin, -Real{track} / 2 - margin,
+               Real{track} / 2 + margin};
+    reach_ = std::hypot(std::max(-body_.x_min, body_.x_max), body_.y_max);
+    add(scenario.obstacles, "obstacle", obstacles_);
+    add(scenario.kerbs, "kerb", kerbs_);
+    if (!scenario.map) return;
+    const Pose& origin = scenario.map->origin;
+    map_ = frame_at({Real{origin.x} - scenario.start.x, Real{origin.y} - scenario.start.y},
+                    origin.heading);
+  }
+
+  /// What is hit at a place that counts from the start; empty if nothing.
+  [[nodiscard]] std::string hit(const Vector& place, Real heading) const {
+    const Frame vehicle = frame_at(place, heading);
+    for (const Thing& thing : obstacles_) {
+      if (is_near(thing, place) && hits(thing, body_, vehicle)) return thing.name;
+    }
+    for (const Thing& thing : kerbs_) {
+      if (is_near(thing, place) && hits(thing, wheels_, vehicle)) return thing.name;
+    }
+    return scenario_.map && hits_map(vehicle) ? "map" : "";
+  }
+
+  [[nodiscard]] bool leaves_bounds(const Vector& place) const {
+    const Bounds& b = scenario_.bounds;
+    const Real x = scenario_.start.x + place.x;
+    const Real y = scenario_.start.y + place.y;
+    return x < b.x_min - allowed_miss || x > b.x_max + allowed_miss || y < b.y_min - allowed_miss ||
+           y > b.y_max + allowed_miss;
+  }
+
+  [[nodiscard]] Real reach() const { return reach_; }
+
+ private:
+  void add(const std::vector<Polygon>& polygons, const std::string& name,
+           std::vector<Thing>& things) const {
+    for (const Polygon& polygon : polygons) {
+      const std::string number = "[" + std::to_string(things.size()) + "]";
+      things.push_back(thing_of(name + number, polygon, scenario_.start));
+    }
+  }
+
+  [[nodiscard]] bool is_near(const Thing& thing, const Vector& place) const {
+    return thing.box.x_min - place.x <= reach_ && place.x - thing.box.x_max <= reach_ &&
+           thing.box.y_min - place.y <= reach_ && place.y - thing.box.y_max <= reach_;
+  }
+
+  /// Blocked cells near the body one by one; and the ground outside if that is blocked.
+  [[nodiscard]] bool hits_map(const Frame& vehicle) const {
+    const OccupancyGrid& grid = *scenario_.map;
+    const Real side = grid.resolution;
+    Rectangle near{1e300L, -1e300L, 1e300L, -1e300L};
+    for (const Vector& corner :
+         {Vector{body_.x_min, body_.y_min}, Vector{body_.x_max, body_.y_min},
+          Vector{body_.x_max, body_.y_max}, Vector{body_.x_min, body_.y_max}}) {
+      const Vector p = map_.seen(vehicle.placed(corner));
+      near = {std::min(near.x_min, p.x), std::max(near.x_max, p.x), std::min(near.y_min, p.y),
+              std::max(near.y_max, p.y)};
+    }
+    const bool is_outside = near.x_min < 0 || near.y_min < 0 || near.x_max > side * grid.columns ||
+                            near.y_max > side * grid.rows;
+    if (is_outside && !grid.unknown_is_free) return true;
+    const auto clamped = [&](Real value, std::int32_t count) {
+      return static_cast<std::int32_t>(std::clamp<Real>(std::floor(value / side), 0, count - 1));
+    };
+    for (std::int32_t row = clamped(near.y_min, grid.rows); row <= clamped(near.y_max, grid.rows);
+         ++row) {
+      for (std::int32_t column = clamped(near.x_min, grid.columns);
+           column <= clamped(near.x_max, grid.columns); ++column) {
+        if (is_blocked(grid, column, row) && hits_cell(vehicle, column, row)) return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool hits_cell(const Frame& vehicle, std::int32_t column, std::int32_t row) const {
+    const Real side = scenario_.map->resolution;
+    Thing cell;
+    for (const auto& [right, up] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      cell.corners.push_back(map_.placed({side * (column + right), side * (row + up)}));
+    }
+    return hits(cell, body_, vehicle);
+  }
+
+  const Scenario& scenario_;
+  Rectangle body_;
+  Rectangle wheels_;
+  Real reach_ = 0;
+  std::vector<Thing> obstacles_;
+  std::vector<Thing> kerbs_;
+  Frame map_{};
+};
+
+/// A vehicle on its way, its place counted from the start.
+struct Drive {
+  Vector place;
+  Real heading;
+
+  /// A step so short that three Gauss nodes are exact to the last digits.
+  void step(Real curvature, Real rate, Real signed_step) {
+    const Real gear = signed_step < 0 ? -1 : 1;
+    const Real driven = std::abs(signed_step);
+    const auto heading_at = [&](Real t) { return heading + gear * t * (curvature + rate * t / 2); };
+    const Real node = std::sqrt(Real{3} / 5);
+    for (const auto& [at, weight] : {std::pair<Real, Real>{-node, 5}, {0, 8}, {node, 5}}) {
+      const Real there = heading_at(driven / 2 * (1 + at));
+      place.x += signed_step * weight / 18 * std::cos(there);
+      place.y += signed_step * weight / 18 * std::sin(there);
+    }
+    heading = heading_at(driven);
+  }
+};
+
+/// How many steps a segment is driven in.
+long steps_of(const Segment& segment, Real steepest, Real reach) {
+  const Real length = std::abs(Real{segment.length});
+  const Real for_looks = std::min<Real>(length / std::max<Real>(0.005L, reach / 100), 20000);
+  return 1 + static_cast<long>(std::max(for_looks, 32 * length * steepest));
+}
+
+std::string flaw_at(const std::string& what, const Vector& place) {
+  return what + ", " + std::to_string(static_cast<double>(place.x)) + " and " +
+         std::to_string(static_cast<double>(place.y)) + " m from the start";
+}
+
+/// Drives a segment and looks; what is wrong, or empty.
+std::string drive(const Look& look, const Vehicle& vehicle, const Segment& segment, Drive& at) {
+  const Real length = std::abs(Real{segment.length});
+  const Real last = segment.curvature + segment.curvature_rate * length;
+  const Real steepest = std::max(std::abs(Real{segment.curvature}), std::abs(last));
+  if (!(steepest * vehicle.min_turning_radius <= 1 + 1e-9L)) return flaw_at("bent", at.place);
+  if (!(length < 1e9L)) return flaw_at("too long", at.place);
+  const long steps = steps_of(segment, steepest, look.reach());
+  const Real part = Real{segment.length} / steps;
+  for (long i = 0; i < steps; ++i) {
+    const Real driven = std::abs(part) * i;
+    at.step(segment.curvature + segment.curvature_rate * driven, segment.curvature_rate, part);
+    if (look.leaves_bounds(at.place)) return flaw_at("outside the bounds", at.place);
+    const std::string hit = look.hit(at.place, at.heading);
+    if (!hit.empty()) return flaw_at("hits " + hit, at.place);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string naive_flaw(const Scenario& scenario, const Path& path) {
+  if (path.start != scenario.start) return "begins elsewhere";
+  const Look look(scenario, -allowed_depth);
+  Drive at{{}, scenario.start.heading};
+  if (look.leaves_bounds(at.place)) return "starts outside the bounds";
+  const std::string hit = look.hit(at.place, at.heading);
+  if (!hit.empty()) return "hits " + hit + " at the start";
+  for (const Segment& segment : path.segments) {
+    std::string flaw = drive(look, scenario.vehicle, segment, at);
+    if (!flaw.empty()) return flaw;
+  }
+  const Pose& goal = scenario.goal;
+  const Real dx = at.place.x - (Real{goal.x} - scenario.start.x);
+  const Real dy = at.place.y - (Real{goal.y} - scenario.start.y);
+  if (!(std::hypot(dx, dy) <= allowed_miss)) return flaw_at("ends beside the goal", {dx, dy});
+  const Real turn = std::remainder(at.heading - goal.heading, 2 * pi);
+  return std::abs(turn) <= allowed_miss ? "" : flaw_at("ends turned", at.place);
+}
+
+std::string naive_hit(const Scenario& scenario, const Pose& pose, double margin) {
+  const Look look(scenario, margin);
+  const Vector place{Real{pose.x} - scenario.start.x, Real{pose.y} - scenario.start.y};
+  if (look.leaves_bounds(place)) return "bounds";
+  return look.hit(place, pose.heading);
+}
+
+}  // namespace vandplan::nasty

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which worlds would nobody draw by hand?
+
+#include <cstdint>
+
+#include "vandplan/problem.h"
+
+namespace vandplan::nasty {
+
+/// A world of that number, always the same one: needles, combs, stars, nested and touching
+/// polygons, walls at 0 to 1 mm from the body, points and repeated corners, kerbs, turned maps, far
+/// origins and far bounds, for vehicles from a decimetre to a hundred metres. Some have a flaw that
+/// `make_problem` refuses; in some the start or the goal is in collision.
+[[nodiscard]] Scenario nasty_world(std::uint64_t seed);
+
+}  // namespace vandplan::nasty

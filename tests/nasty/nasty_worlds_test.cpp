@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// The library keeps its promises in worlds that nobody looked at.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "nasty/naive_judge.h"
+#include "nasty/nasty_world.h"
+#include "nasty/trial.h"
+#include "support/cases.h"
+#include "support/problems.h"
+
+namespace vandplan::nasty {
+namespace {
+
+constexpr int worlds = 500;
+
+/// A share of the worlds, so that shares can be tried side by side.
+class NastyWorlds : public testing::TestWithParam<int> {};
+
+TEST_P(NastyWorlds, KeepNoPromiseFromBeingKept) {
+  int paths = 0;
+  int refused = 0;
+  for (int i = 0; i < cases(worlds); ++i) {
+    const int seed = GetParam() * worlds + i;
+    const Trial trial = try_world(static_cast<std::uint64_t>(seed));
+    paths += trial.paths;
+    refused += trial.refused;
+    for (const std::string& fault : trial.faults) {
+      ADD_FAILURE() << fault << "    (nasty_worlds " << seed << " 1)";
+    }
+  }
+  EXPECT_GT(paths, cases(worlds) / 2);
+  EXPECT_LE(refused, cases(worlds) / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Share, NastyWorlds, testing::Range(0, 4));
+
+// ---- Does the second judge see anything? ----
+
+/// Ten metres straight on, beside a wall that is `gap` [m] from the body.
+Scenario along_a_wall(double gap) {
+  Scenario scenario{.bounds = wide_bounds, .goal = {10, 0, 0}};
+  const double side = scenario.vehicle.width / 2 + gap;
+  scenario.obstacles = {box(-5, side, 20, side + 1)};
+  return scenario;
+}
+
+const Path ten_metres{{}, {{.length = 10}}};
+
+TEST(NaiveJudge, SeesWhatIsDeeperThanItsTolerance) {
+  EXPECT_EQ(naive_flaw(along_a_wall(0), ten_metres), "");
+  EXPECT_EQ(naive_flaw(along_a_wall(-0.9 * allowed_depth), ten_metres), "");
+  EXPECT_NE(naive_flaw(along_a_wall(-1.1 * allowed_depth), ten_metres), "");
+}
+
+TEST(NaiveJudge, SeesNeedlesKerbsAndBodiesInsideOfThings) {
+  Scenario scenario{.bounds = wide_bounds, .goal = {10, 0, 0}};
+  scenario.obstacles = {{{8, -1e3}, {8, 1e3}, {8 + 1e-9, 0}}};
+  EXPECT_NE(naive_flaw(scenario, ten_metres), "");
+  scenario.obstacles.clear();
+  scenario.kerbs = {box(15.5, -1, 16, 1)};  // under the front overhang at the end
+  EXPECT_EQ(naive_flaw(scenario, ten_metres), "");
+  scenario.kerbs = {box(14.4, -1, 16, 1)};  // under the wheels
+  EXPECT_NE(naive_flaw(scenario, ten_metres), "");
+  scenario.kerbs.clear();
+  scenario.obstacles = {box(-100, -100, 100, 100)};
+  EXPECT_NE(naive_flaw(scenario, ten_metres), "");
+}
+
+TEST(NaiveJudge, SeesPathsThatAreNone) {
+  Scenario scenario{.bounds = wide_bounds, .goal = {10, 0, 0}};
+  EXPECT_EQ(naive_flaw(scenario, ten_metres), "");
+  EXPECT_NE(naive_flaw(scenario, {{1e-6, 0, 0}, ten_metres.segments}), "");
+  EXPECT_NE(naive_flaw(scenario, {{}, {{.length = 10 + 3e-6}}}), "");
+  EXPECT_NE(naive_flaw(scenario, {{}, {{.curvature = 1e-6, .length = 10}}}), "");
+  scenario.bounds.x_max = 9.99;
+  EXPECT_NE(naive_flaw(scenario, ten_metres), "");
+  scenario.bounds.x_max = 11;
+  scenario.vehicle.min_turning_radius = 100;
+  const Path turn{{}, {{.curvature = 1 / 99.0, .length = 10}}};
+  scenario.goal = end_pose(turn);
+  EXPECT_NE(naive_flaw(scenario, turn), "");
+}
+
+TEST(NaiveJudge, SeesCellsAndTheEndOfTheMap) {
+  Scenario scenario{.bounds = wide_bounds, .goal = {10, 0, 0}};
+  std::vector<Cell> cells(20 * 20, Cell::free);
+  const auto map_of = [&] {
+    return OccupancyGrid{.origin = {12, -6, 0.7},
+                         .resolution = 2,
+                         .columns = 20,
+                         .rows = 20,
+                         .cells = std::make_shared<const std::vector<Cell>>(cells),
+                         .unknown_is_free = true};
+  };
+  scenario.map = map_of();
+  EXPECT_EQ(naive_flaw(scenario, ten_metres), "");
+  cells.assign(cells.size(), Cell::occupied);
+  scenario.map = map_of();
+  EXPECT_NE(naive_flaw(scenario, ten_metres), "");
+  cells.assign(cells.size(), Cell::free);
+  scenario.map = map_of();
+  scenario.map->unknown_is_free = false;  // the start lies outside
+  EXPECT_NE(naive_flaw(scenario, ten_metres), "");
+}
+
+}  // namespace
+}  // namespace vandplan::nasty

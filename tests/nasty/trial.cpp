@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "nasty/trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <optional>
+
+#include "nasty/naive_judge.h"
+#include "nasty/nasty_world.h"
+#include "support/draws.h"
+#include "support/temporary_folder.h"
+#include "vandplan/input_error.h"
+#include "vandplan/planner.h"
+#include "vandplan/random.h"
+#include "vandplan/result_file.h"
+#include "vandplan/scenario_file.h"
+
+namespace vandplan::nasty {
+namespace {
+
+/// Beyond the checker's tolerance, so that it has to accept [m].
+constexpr double surely_clear = CollisionChecker::tolerance + 1e-6;
+
+/// Paths that are longer make files that take longer than all the rest [m].
+constexpr double longest_written = 300;
+
+class Judgement {
+ public:
+  explicit Judgement(std::uint64_t seed)
+      : scenario_(nasty_world(seed)), rng_(stream_seed(seed, 1)), problem_(made()) {}
+
+  Trial trial() {
+    if (!problem_) return {{}, true, 0};
+    try_checker();
+    const std::size_t count = planners().size();
+    const auto any = [&] {
+      return 1 + static_cast<std::size_t>(uniform(0, static_cast<double>(count - 1), rng_));
+    };
+    try_planner(default_planner(), true);
+    try_planner(planners()[any()], false);
+    try_planner(planners()[any()], false);
+    if (bound_ > least_ * (1 + 1e-9)) {
+      fault("a bound of " + std::to_string(bound_) + " m, and a path of " + std::to_string(least_));
+    }
+    return std::move(trial_);
+  }
+
+ private:
+  std::optional<Problem> made() {
+    try {
+      return make_problem(scenario_);
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  }
+
+  void fault(const std::string& what) { trial_.faults.push_back(what); }
+
+  PlanOptions options_for(const Planner& planner) {
+    PlanOptions options;
+    options.budget.max_iterations = static_cast<std::int64_t>(any_size(30, 300, rng_));
+    options.budget.seed = rng_();
+    if (honours(planner, "region") && chance(0.7, rng_)) options.planner.set("region", "scene");
+    if (!planner.properties.honours_prices || chance(0.6, rng_)) return options;
+    options.cost.reverse_weight = uniform(1, 3, rng_);
+    options.cost.gear_change_cost = uniform(0, 10, rng_);
+    if (chance(0.3, rng_)) options.cost.initial_gear = InitialGear::reverse;
+    return options;
+  }
+
+  void try_planner(const Planner& planner, bool on_more_threads) {
+    PlanOptions options = options_for(planner);
+    const PlanResult result = plan(*problem_, planner, options);
+    expect_good(planner, options, result);
+    if (!on_more_threads) return;
+    options.budget.threads = 5;
+    const PlanResult other = plan(*problem_, planner, options);
+    if (other.path != result.path || other.status != result.status || other.cost != result.cost ||
+        other.lower_bound != result.lower_bound || other.iterations != result.iterations) {
+      fault(planner.name + ": another answer on 5 threads");
+    }
+  }
+
+  void expect_good(const Planner& planner, const PlanOptions& options, const PlanResult& result) {
+    if (result.status == PlanStatus::rejected) fault(planner.name + " rejected: " + result.reason);
+    if (options.cost == CostOptions{}) bound_ = std::max(bound_, result.lower_bound);
+    if (!result.path) return;
+    ++trial_.paths;
+    least_ = std::min(least_, length(*result.path));
+    const std::string flaw = naive_flaw(scenario_, *result.path);
+    if (!flaw.empty()) fault(planner.name + ", says the naive judge: " + flaw);
+    if (length(*result.path) < longest_written) expect_kept(planner, options, result);
+  }
+
+  /// Files hold what was planned, and it is still good.
+  void expect_kept(const Planner& planner, const PlanOptions& options, const PlanResult& result) {
+    const ScenarioFile read = scenario_from_yaml(to_yaml(scenario_), "world.yaml", scenario_.map);
+    const ResultRecord record{.scenario = scenario_.name,
+                              .planner = planner.name,
+                              .options = complete(planner, options),
+                              .result = result};
+    const std::string file = folder_.put("result.json", results_to_json(read, {record}));
+    const std::vector<ResultRecord> records = read_results(file, read);
+    if (records.size() != 1 || records[0].result.path != result.path) {
+      return fault(planner.name + ": another path in the file");
+    }
+    const PathCheck check =
+        check_path(make_problem(read.scenario), *records[0].result.path, records[0].claims);
+    if (!check.valid) fault(planner.name + ": read again it is rejected: " + check.reason);
+  }
+
+  /// The checker accepts nothing that is hit, and everything that is clear by its tolerance.
+  void try_checker() {
+    const Task& task = problem_->task();
+    const double reach = 2 * task.vehicle.wheelbase + task.vehicle.min_turning_radius;
+    for (int i = 0; i < 20; ++i) {
+      const Pose base = chance(0.5, rng_) ? task.start : task.goal;
+      const double shift = any_size(1e-4, 1, rng_) * reach;
+      const Pose pose = compose(base, {uniform(-shift, shift, rng_), uniform(-shift, shift, rng_),
+                                       uniform(-1, 1, rng_) * shift / reach});
+      const Pose outside = to_scenario(*problem_->world(), pose);
+      const bool is_free = task.checker->is_free(pose);
+      if (is_free && !naive_hit(scenario_, outside, -allowed_depth).empty()) {
+        fault("the checker accepts a pose that hits " +
+              naive_hit(scenario_, outside, -allowed_depth));
+      }
+      if (!is_free && is_inside(outside) && naive_hit(scenario_, outside, surely_clear).empty()) {
+        fault("the checker refuses a pose that is clear");
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_inside(const Pose& pose) const {
+    const Bounds& b = scenario_.bounds;
+    return pose.x > b.x_min + 1e-6 && pose.x < b.x_max - 1e-6 && pose.y > b.y_min + 1e-6 &&
+           pose.y < b.y_max - 1e-6;
+  }
+
+  Scenario scenario_;
+  Rng rng_;
+  std::optional<Problem> problem_;
+  TemporaryFolder folder_;
+  Trial trial_;
+  double bound_ = 0.0;
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+Trial try_world(std::uint64_t seed) {
+  try {
+    return Judgement(seed).trial();
+  } catch (const std::exception& error) {
+    return {{std::string("throws: ") + error.what()}, false, 0};
+  }
+}
+
+std::string save_world(std::uint64_t seed, const std::string& folder) {
+  Scenario scenario = nasty_world(seed);
+  const std::string name = folder + "/nasty-" + std::to_string(seed);
+  const auto write = [](const std::string& file, const std::string& content) {
+    std::ofstream(file, std::ios::binary) << content;
+  };
+  if (scenario.map) {
+    scenario.map_file = "nasty-" + std::to_string(seed) + ".map.yaml";
+    write(folder + "/" + scenario.map_file,
+          map_to_yaml(*scenario.map, "nasty-" + std::to_string(seed) + ".pgm"));
+    write(name + ".pgm", map_to_pgm(*scenario.map));
+  }
+  write(name + ".yaml", to_yaml(scenario));
+  return name + ".yaml";
+}
+
+}  // namespace vandplan::nasty
