@@ -12,8 +12,7 @@
 #include <memory>
 #include <numbers>
 
-#include "judge/cell_tree.h"
-#include "judge/clearance.h"
+#include "judge/ground.h"
 #include "support/cases.h"
 #include "support/map_cases.h"
 #include "support/problems.h"
@@ -96,17 +95,18 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
     const Footprint body = footprint(any_vehicle(rng));
     const OccupancyGrid grid = chance(0.8, rng) ? any_grid(rng) : crowded_grid(rng);
     const std::vector<Polygon> squares = squares_of(grid);
-    const judge::CellTree tree(grid);
-    expect_passage([&](const judge::Passage& passage,
-                       double most) { return tree.clearance(passage, rectangle_of(body), most); },
-                   body, squares, rng, cells);
+    const auto clearance_in = [&](const judge::Ground& ground) {
+      return [&](const judge::Passage& passage, double most) {
+        judge::Effort effort;
+        const judge::Rectangle outline = rectangle_of(body);
+        return ground.clearance(passage, {outline, outline}, most, effort);
+      };
+    };
+    const Surroundings map{.map = grid};
+    expect_passage(clearance_in(judge::Ground(map)), body, squares, rng, cells);
     if (squares.empty()) return;
-    const Polygon& square = squares.front();
-    expect_passage(
-        [&](const judge::Passage& passage, double most) {
-          return judge::clearance(passage, rectangle_of(body), square, most);
-        },
-        body, {square}, rng, polygons);
+    const Surroundings square{.obstacles = {squares.front()}};
+    expect_passage(clearance_in(judge::Ground(square)), body, square.obstacles, rng, polygons);
   });
   for (const Counts& counts : {cells, polygons}) {
     EXPECT_GT(counts.proven, cases(count) / 8);
