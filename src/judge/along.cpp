@@ -64,6 +64,9 @@ class Survey {
   [[nodiscard]] double bound_of(const Part& part, double most) {
     return clearance(part.middle(), static_cast<double>((part.end - part.begin) / 2), most);
   }
+  [[nodiscard]] bool does_not_matter(double bound) const {
+    return bound > 0 && bound >= least_ - clearance_error;
+  }
   /// Whether the body passes it before any of its points has moved by more than `look_distance`.
   [[nodiscard]] bool is_short(const Part& part) const {
     const double speed = 1 + static_cast<double>(steepest(track_.stretches[part.stretch])) * reach_;
@@ -105,9 +108,10 @@ void Survey::look_between() {
   while (!parts.empty() && least_ > 0) {
     effort_.parts = std::max(effort_.parts, parts.size());
     const Part part = parts.top();
+    if (does_not_matter(part.bound)) return;
     parts.pop();
     const double bound = bound_of(part, least_);
-    if (bound > 0 && bound >= least_ - clearance_error) continue;
+    if (does_not_matter(bound)) continue;
     const Place middle = part.middle();
     look(middle);
     if (bound >= least_ - clearance_error && is_short(part)) continue;

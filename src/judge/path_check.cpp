@@ -41,11 +41,13 @@ Place end_of(const Track& track) {
 
 // ---- What can be wrong ----
 
-std::optional<Fault> not_finite(const Path& path) {
+/// Numbers that nobody can integrate.
+std::optional<Fault> out_of_reason(const Path& path) {
   const Pose& start = path.start;
   if (!std::isfinite(start.x) || !std::isfinite(start.y) || !std::isfinite(start.heading)) {
     return Fault{"the start of the path is not finite", {}};
   }
+  Real stretches_of_all = 0;
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     const Segment& segment = path.segments[i];
     const auto fault = [i](const char* problem) {
@@ -55,7 +57,11 @@ std::optional<Fault> not_finite(const Path& path) {
         !std::isfinite(segment.curvature_rate)) {
       return fault("is not finite");
     }
-    if (!(stretches_of(segment) <= most_stretches)) return fault("winds too often to be judged");
+    const Real stretches = stretches_of(segment);
+    if (segment.curvature_rate != 0) stretches_of_all += stretches;
+    if (!(stretches <= most_stretches && stretches_of_all <= most_stretches_of_all)) {
+      return fault("winds too often to be judged");
+    }
   }
   return std::nullopt;
 }
@@ -184,7 +190,7 @@ PathClaims local_claims(const World& world, const PathClaims& claims) {
 
 PathCheck check_path(const Problem& problem, const Path& path, const PathClaims& claims) {
   PathCheck check;
-  if (const std::optional<Fault> fault = not_finite(path)) {
+  if (const std::optional<Fault> fault = out_of_reason(path)) {
     check.reason = fault->reason;
     return check;
   }

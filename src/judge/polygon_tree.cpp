@@ -216,7 +216,7 @@ double PolygonTree::clearance(const View& view, const Rectangle& body, double mo
   // The body holds its rear axle. If no side touches the body, it is in a polygon exactly if the
   // axle is.
   std::size_t holder = none;
-  find_holder(nodes_[0], view.passage.middle, holder);
+  find_holder(nodes_[0], view, holder);
   return holder == none ? search.least() : 0;
 }
 
@@ -225,7 +225,7 @@ std::optional<std::size_t> PolygonTree::first_touched(const View& view,
   if (nodes_.empty()) return std::nullopt;
   std::size_t first = none;
   find_touched(nodes_[0], view, body, first);
-  find_holder(nodes_[0], view.passage.middle, first);
+  find_holder(nodes_[0], view, first);
   return first == none ? std::nullopt : std::optional(first);
 }
 
@@ -254,32 +254,35 @@ void PolygonTree::find_touched(const Node& node, const View& view, const Rectang
 
 namespace {
 
-/// What a bar spans of an axis.
+/// What a bar spans of an axis, and a little more (`slack` of bars.cpp): a position rounded to
+/// double is on the same side of it.
 struct Span {
-  Real low, high;
+  double low, high;
 };
 
-Span span_of(double a, double b, double radius) {
-  return {std::min(a, b) - static_cast<Real>(radius), std::max(a, b) + static_cast<Real>(radius)};
+Span across(const Bar& bar) {
+  return {std::min(bar.a.x, bar.b.x) - bar.radius, std::max(bar.a.x, bar.b.x) + bar.radius};
 }
 
-Span across(const Bar& bar) { return span_of(bar.a.x, bar.b.x, bar.radius); }
-Span along(const Bar& bar) { return span_of(bar.a.y, bar.b.y, bar.radius); }
+Span along(const Bar& bar) {
+  return {std::min(bar.a.y, bar.b.y) - bar.radius, std::max(bar.a.y, bar.b.y) + bar.radius};
+}
 
-bool holds(const Span& span, Real value) { return span.low <= value && value <= span.high; }
+bool holds(const Span& span, double value) { return span.low <= value && value <= span.high; }
 
 }  // namespace
 
 /// Whether a ray along the x axis crosses an odd number of the sides in a node, a chain.
-bool PolygonTree::is_crossed(const Node& node, const Position& from) const {
+bool PolygonTree::is_crossed(const Node& node, const View& view) const {
   const Span x = across(node.bar);
-  if (x.high < from.x || !holds(along(node.bar), from.y)) return false;
+  if (x.high < view.near.x || !holds(along(node.bar), view.near.y)) return false;
+  const Position& from = view.passage.middle;
   const Chain& chain = node.chain;
   const auto is_above = [&](std::uint32_t i) { return corner(chain, i).y > from.y; };
   // Where all of the chain is ahead, the ray crosses it as often as the whole line does.
-  if (x.low > from.x) return is_above(0) != is_above(chain.sides);
+  if (x.low > view.near.x) return is_above(0) != is_above(chain.sides);
   if (node.child != 0) {
-    return is_crossed(nodes_[node.child], from) != is_crossed(nodes_[node.child + 1], from);
+    return is_crossed(nodes_[node.child], view) != is_crossed(nodes_[node.child + 1], view);
   }
   bool odd = false;
   for (std::uint32_t i = 0; i < chain.sides; ++i) {
@@ -292,16 +295,15 @@ bool PolygonTree::is_crossed(const Node& node, const Position& from) const {
   return odd;
 }
 
-/// Lowers `first` to the first polygon of a node that holds a position.
-void PolygonTree::find_holder(const Node& node, const Position& position,
-                              std::size_t& first) const {
-  if (!holds(across(node.bar), position.x) || !holds(along(node.bar), position.y)) return;
+/// Lowers `first` to the first polygon of a node that holds the rear axle.
+void PolygonTree::find_holder(const Node& node, const View& view, std::size_t& first) const {
+  if (!holds(across(node.bar), view.near.x) || !holds(along(node.bar), view.near.y)) return;
   if (node.chain.sides > 0) {
-    if (node.chain.polygon < first && is_crossed(node, position)) first = node.chain.polygon;
+    if (node.chain.polygon < first && is_crossed(node, view)) first = node.chain.polygon;
     return;
   }
-  find_holder(nodes_[node.child], position, first);
-  find_holder(nodes_[node.child + 1], position, first);
+  find_holder(nodes_[node.child], view, first);
+  find_holder(nodes_[node.child + 1], view, first);
 }
 
 }  // namespace vandplan::judge

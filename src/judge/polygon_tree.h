@@ -51,8 +51,8 @@ class PolygonTree {
   class Search;
 
   [[nodiscard]] Point corner(const Chain& chain, std::uint32_t i) const;
-  [[nodiscard]] bool is_crossed(const Node& node, const Position& from) const;
-  void find_holder(const Node& node, const Position& position, std::size_t& first) const;
+  [[nodiscard]] bool is_crossed(const Node& node, const View& view) const;
+  void find_holder(const Node& node, const View& view, std::size_t& first) const;
   void find_touched(const Node& node, const View& view, const Rectangle& body,
                     std::size_t& first) const;
 
