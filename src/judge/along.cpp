@@ -145,6 +145,7 @@ std::optional<Place> Survey::first_touch_on(const Part& part, const Place& known
 }  // namespace
 
 Nearest nearest_along(const Track& track, const Ground& ground, const Outlines& outlines) {
+  if (ground.is_empty()) return {std::numeric_limits<double>::infinity(), {}, {}};
   Survey survey(track, ground, outlines);
   survey.look_at_ends();
   survey.look_between();

@@ -144,11 +144,13 @@ double approach(const Passage& passage, const Point& p, const Point& direction) 
 
 View view_of(const Passage& passage) {
   const auto& [x, y, heading] = passage.middle;
-  const Point near{static_cast<double>(x), static_cast<double>(y)};
-  const Point rest{static_cast<double>(x - near.x), static_cast<double>(y - near.y)};
   const Real cos = std::cos(heading);
   const Real sin = std::sin(heading);
-  return {passage, cos, sin, near, rest, {static_cast<double>(cos), static_cast<double>(sin)}};
+  return {.passage = passage,
+          .cos = cos,
+          .sin = sin,
+          .axle = {static_cast<double>(x), static_cast<double>(y)},
+          .axis = {static_cast<double>(cos), static_cast<double>(sin)}};
 }
 
 double clearance_of_disc(const Passage& passage, const Rectangle& body, const Point& centre,

@@ -33,17 +33,17 @@ struct Passage {
 /// all that is looked at.
 struct View {
   Passage passage;
-  Real cos, sin;     ///< of the heading in the middle
-  Point near, rest;  ///< their sum is the position in the middle, more exactly than one double
-  Point axis;        ///< where the vehicle points: cos and sin as doubles
+  Real cos, sin;  ///< of the heading in the middle
+  Point axle;     ///< the position in the middle, rounded to doubles, ...
+  Point axis;     ///< ... and where the vehicle points: cos and sin
 };
 
 [[nodiscard]] View view_of(const Passage& passage);
 
 /// A point of the world, seen from the vehicle in the middle.
 [[nodiscard]] inline Point seen(const View& view, const Point& p) {
-  const double dx = (p.x - view.near.x) - view.rest.x;
-  const double dy = (p.y - view.near.y) - view.rest.y;
+  const double dx = p.x - view.axle.x;
+  const double dy = p.y - view.axle.y;
   return {dx * view.axis.x + dy * view.axis.y, dy * view.axis.x - dx * view.axis.y};
 }
 

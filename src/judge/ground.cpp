@@ -14,7 +14,9 @@ Outlines outlines_of(const Vehicle& vehicle) {
 }
 
 Ground::Ground(const Surroundings& surroundings)
-    : obstacles_(surroundings.obstacles), kerbs_(surroundings.kerbs) {
+    : obstacles_(surroundings.obstacles),
+      kerbs_(surroundings.kerbs),
+      is_empty_(surroundings.obstacles.empty() && surroundings.kerbs.empty() && !surroundings.map) {
   if (surroundings.map) cells_.emplace(*surroundings.map);
 }
 

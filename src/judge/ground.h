@@ -11,7 +11,7 @@
 #include "judge/cell_tree.h"
 #include "judge/clearance.h"
 #include "judge/polygon_tree.h"
-#include "vandplan/collision.h"
+#include "vandplan/problem.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::judge {
@@ -30,6 +30,9 @@ class Ground {
   /// The surroundings must stay where they are as long as the ground is used.
   explicit Ground(const Surroundings& surroundings);
 
+  /// Whether there is nothing to hit, wherever one looks.
+  [[nodiscard]] bool is_empty() const { return is_empty_; }
+
   /// Between the vehicle and the nearest thing that it must not touch [m]. At one position it is
   /// the distance, 0 if they touch or one holds the other; on a passage it is no more than that at
   /// any of its positions. It is never more than `most`.
@@ -43,6 +46,7 @@ class Ground {
   PolygonTree obstacles_;
   PolygonTree kerbs_;
   std::optional<CellTree> cells_;
+  bool is_empty_;
 };
 
 }  // namespace vandplan::judge

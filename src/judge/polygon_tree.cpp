@@ -216,7 +216,7 @@ double PolygonTree::clearance(const View& view, const Rectangle& body, double mo
   // The body holds its rear axle. If no side touches the body, it is in a polygon exactly if the
   // axle is.
   std::size_t holder = none;
-  find_holder(nodes_[0], view, holder);
+  find_holder(nodes_[0], view, holder, effort);
   return holder == none ? search.least() : 0;
 }
 
@@ -224,8 +224,9 @@ std::optional<std::size_t> PolygonTree::first_touched(const View& view,
                                                       const Rectangle& body) const {
   if (nodes_.empty()) return std::nullopt;
   std::size_t first = none;
+  Effort effort;
   find_touched(nodes_[0], view, body, first);
-  find_holder(nodes_[0], view, first);
+  find_holder(nodes_[0], view, first, effort);
   return first == none ? std::nullopt : std::optional(first);
 }
 
@@ -254,8 +255,22 @@ void PolygonTree::find_touched(const Node& node, const View& view, const Rectang
 
 namespace {
 
-/// What a bar spans of an axis, and a little more (`slack` of bars.cpp): a position rounded to
-/// double is on the same side of it.
+// A bar is larger than what is in it by many times what a double loses (`slack` of bars.cpp). So a
+// position rounded to double does for both of these.
+
+/// A bar is convex: a polygon in it does not hold what the bar does not hold.
+bool holds(const Bar& bar, const Point& p) {
+  const double dx = bar.b.x - bar.a.x;
+  const double dy = bar.b.y - bar.a.y;
+  const double squared = dx * dx + dy * dy;
+  const double along = (p.x - bar.a.x) * dx + (p.y - bar.a.y) * dy;
+  const double part = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
+  const double x = p.x - bar.a.x - part * dx;
+  const double y = p.y - bar.a.y - part * dy;
+  return x * x + y * y <= bar.radius * bar.radius;
+}
+
+/// What a bar spans of an axis.
 struct Span {
   double low, high;
 };
@@ -275,12 +290,12 @@ bool holds(const Span& span, double value) { return span.low <= value && value <
 /// Whether a ray along the x axis crosses an odd number of the sides in a node, a chain.
 bool PolygonTree::is_crossed(const Node& node, const View& view) const {
   const Span x = across(node.bar);
-  if (x.high < view.near.x || !holds(along(node.bar), view.near.y)) return false;
+  if (x.high < view.axle.x || !holds(along(node.bar), view.axle.y)) return false;
   const Position& from = view.passage.middle;
   const Chain& chain = node.chain;
   const auto is_above = [&](std::uint32_t i) { return corner(chain, i).y > from.y; };
   // Where all of the chain is ahead, the ray crosses it as often as the whole line does.
-  if (x.low > view.near.x) return is_above(0) != is_above(chain.sides);
+  if (x.low > view.axle.x) return is_above(0) != is_above(chain.sides);
   if (node.child != 0) {
     return is_crossed(nodes_[node.child], view) != is_crossed(nodes_[node.child + 1], view);
   }
@@ -296,14 +311,16 @@ bool PolygonTree::is_crossed(const Node& node, const View& view) const {
 }
 
 /// Lowers `first` to the first polygon of a node that holds the rear axle.
-void PolygonTree::find_holder(const Node& node, const View& view, std::size_t& first) const {
-  if (!holds(across(node.bar), view.near.x) || !holds(along(node.bar), view.near.y)) return;
+void PolygonTree::find_holder(const Node& node, const View& view, std::size_t& first,
+                              Effort& effort) const {
+  ++effort.visited;
+  if (!holds(node.bar, view.axle)) return;
   if (node.chain.sides > 0) {
     if (node.chain.polygon < first && is_crossed(node, view)) first = node.chain.polygon;
     return;
   }
-  find_holder(nodes_[node.child], view, first);
-  find_holder(nodes_[node.child + 1], view, first);
+  find_holder(nodes_[node.child], view, first, effort);
+  find_holder(nodes_[node.child + 1], view, first, effort);
 }
 
 }  // namespace vandplan::judge

@@ -52,7 +52,7 @@ class PolygonTree {
 
   [[nodiscard]] Point corner(const Chain& chain, std::uint32_t i) const;
   [[nodiscard]] bool is_crossed(const Node& node, const View& view) const;
-  void find_holder(const Node& node, const View& view, std::size_t& first) const;
+  void find_holder(const Node& node, const View& view, std::size_t& first, Effort& effort) const;
   void find_touched(const Node& node, const View& view, const Rectangle& body,
                     std::size_t& first) const;
 

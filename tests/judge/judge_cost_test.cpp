@@ -113,7 +113,7 @@ TEST(CostOfAVerdict, GrowsWithTheLogarithmOfTheCornersOfAPolygon) {
   // And whoever stands in it is seen without looking at them all.
   const judge::Nearest inside = judged({wheel(100000)}, {{50, 0, 0}, {{0, 10}}});
   ASSERT_TRUE(inside.touch);
-  EXPECT_LE(inside.effort.visited, 1000U);
+  EXPECT_LE(inside.effort.visited, 3000U);
 }
 
 // Needles side by side, slanted: no box around one of them is narrow.
@@ -127,6 +127,19 @@ TEST(CostOfAVerdict, IsSmallBesideSlantedNeedles) {
   const Path path{{100, 100, pi / 4}, {{0, 50}}};
   const judge::Effort effort = judged(needles, path).effort;
   EXPECT_LE(effort.visited, 400 * effort.looks);
+}
+
+// A fence of 3 km in every other street: few long things among many small ones.
+TEST(CostOfAVerdict, IsSmallBetweenFencesThroughTheWholeYard) {
+  std::vector<Polygon> obstacles = yard(100);
+  const Path path = street(1000, 10);
+  const judge::Effort without = judged(obstacles, path).effort;
+  for (int i = -25; i < 25; ++i) {
+    const double y = 15 + 60 * i + 30;
+    obstacles.push_back(box(-1500, y, 1500, y + 0.1));
+  }
+  const judge::Effort with = judged(obstacles, path).effort;
+  EXPECT_LE(with.visited * without.looks, 2 * without.visited * with.looks);
 }
 
 TEST(CostOfAVerdict, HasAWorldsTreeMadeOnce) {
