@@ -114,7 +114,7 @@ void Survey::look_between() {
     if (does_not_matter(bound)) continue;
     const Place middle = part.middle();
     look(middle);
-    if (bound >= least_ - clearance_error && is_short(part)) continue;
+    if (is_short(part)) continue;
     parts.push({bound, part.stretch, part.begin, middle.t});
     parts.push({bound, part.stretch, middle.t, part.end});
   }
