@@ -69,8 +69,11 @@ class Survey {
   }
   /// Whether the body passes it before any of its points has moved by more than `look_distance`.
   [[nodiscard]] bool is_short(const Part& part) const {
-    const double speed = 1 + static_cast<double>(steepest(track_.stretches[part.stretch])) * reach_;
-    return static_cast<double>(part.end - part.begin) * speed <= look_distance;
+    return static_cast<double>(part.end - part.begin) * speed_on(part) <= look_distance;
+  }
+  /// No point of the body moves further than this for each metre driven.
+  [[nodiscard]] double speed_on(const Part& part) const {
+    return 1 + static_cast<double>(steepest(track_.stretches[part.stretch])) * reach_;
   }
   [[nodiscard]] bool touches(const Place& place) { return clearance(place, 0, look_distance) == 0; }
   void look(const Place& place) {
@@ -78,6 +81,8 @@ class Survey {
     if (least_ == 0) touch_ = place;
   }
   [[nodiscard]] std::optional<Place> first_touch_on(const Part& part, const Place& known);
+  /// The first touch on a short part, of which a place is known that touches.
+  [[nodiscard]] Place contact(const Part& part, const Place& last);
 
   const Track& track_;
   const Ground& ground_;
@@ -134,12 +139,29 @@ std::optional<Place> Survey::first_touch_on(const Part& part, const Place& known
   if (!is_before({part.stretch, part.begin}, known)) return std::nullopt;
   if (bound_of(part, look_distance) > 0) return std::nullopt;
   if (is_short(part)) {
-    if (is_before(middle, known) && touches(middle)) return middle;
+    for (const Place& place : {middle, Place{part.stretch, part.end}}) {
+      const Place last = is_before(place, known) ? place : known;
+      if (touches(last)) return contact(part, last);
+    }
     return std::nullopt;
   }
   const Part first{0, part.stretch, part.begin, middle.t};
   if (const auto touch = first_touch_on(first, known)) return touch;
   return first_touch_on({0, part.stretch, middle.t, part.end}, known);
+}
+
+/// Goes on by the clearance, so as not to pass the first touch; where that takes too many steps it
+/// is no more than half of `look_distance` late.
+Place Survey::contact(const Part& part, const Place& last) {
+  constexpr int most_steps = 100;
+  constexpr double least_step = 1e-12;  // of any point of the body [m]
+  Place place{part.stretch, part.begin};
+  for (int i = 0; i < most_steps && is_before(place, last); ++i) {
+    const double distance = clearance(place, 0, look_distance);
+    if (distance == 0) return place;
+    place.t += std::max(distance, least_step) / speed_on(part);
+  }
+  return last;
 }
 
 }  // namespace
