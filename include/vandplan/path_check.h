@@ -52,16 +52,17 @@ struct PathCheck {
   double length = 0.0;               ///< [m]
   double reverse_length = 0.0;       ///< of it in reverse [m]
   int gear_changes = 0;
-  /// Least distance between footprint and obstacles, at most 1 mm too large [m]: 0 if they touch,
-  /// infinity without obstacles. None if the path was found wrong before collisions were looked
-  /// for.
+  /// Least distance between footprint and obstacles or cells, or wheels and kerbs, at most 1 mm too
+  /// large [m]: 0 if they touch, infinity if there are none. None if the path was found wrong
+  /// before collisions were looked for.
   std::optional<double> clearance = {};
 };
 
 /// Judges a path in the scenario's frame, in this order: every number is finite, it
 /// begins at the start, every curvature is drivable, the rear axle stays in the bounds, the
-/// footprint touches no obstacle (looked at every millimetre, skipping only what is proven to be
-/// free), it ends at the goal within 1e-6 m and 1e-6 rad, and what is claimed is true.
+/// footprint touches no obstacle and no blocked cell and the wheels no kerb (looked at every
+/// millimetre that a point of the vehicle moves, skipping only what is proven to be free), it ends
+/// at the goal within 1e-6 m and 1e-6 rad, and what is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});
 

@@ -7,13 +7,13 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <vector>
 
 namespace vandplan::judge {
 namespace {
 
 constexpr double look_distance = 1e-3;    // of any point of a body between two looks [m]
 constexpr double clearance_error = 1e-3;  // of the clearance reported [m]
-constexpr double walking_sight = 1.0;     // of a walk to the first touch [m]
 
 /// After one full turn an arc repeats itself; a clothoid never does.
 Real length_to_look_at(const Stretch& stretch) {
@@ -22,18 +22,18 @@ Real length_to_look_at(const Stretch& stretch) {
   return curvature * stretch.length > full_turn ? full_turn / curvature : stretch.length;
 }
 
-/// No point of the body moves further than this for each metre driven.
-double speed_of(const Rectangle& body, const Stretch& stretch) {
-  return 1 + static_cast<double>(steepest(stretch)) * reach_of(body);
+bool is_before(const Place& a, const Place& b) {
+  return std::tie(a.stretch, a.t) < std::tie(b.stretch, b.t);
 }
 
-/// A part of a stretch, with one thing in view.
+/// A part of a stretch.
 struct Part {
-  double bound = 0.0;  ///< the thing is no nearer anywhere on it [m]
-  std::size_t thing = 0;
+  double bound = 0.0;  ///< nothing is nearer anywhere on it [m]
   std::size_t stretch = 0;
   Real begin = 0;
   Real end = 0;
+
+  [[nodiscard]] Place middle() const { return {stretch, (begin + end) / 2}; }
 };
 
 struct MayComeNearer {
@@ -42,96 +42,138 @@ struct MayComeNearer {
 
 class Survey {
  public:
-  Survey(const Track& track, const std::vector<Thing>& things) : track_(track), things_(things) {}
+  Survey(const Track& track, const Ground& ground, const Outlines& outlines)
+      : track_(track), ground_(ground), outlines_(outlines), reach_(reach_of(outlines.body)) {}
 
+  /// Both lower `least`, until it is 0: then `touch` is where that was seen.
   void look_at_ends();
   void look_between();
-  [[nodiscard]] Nearest result() const { return {least_, touch_}; }
+
+  /// The first place where something is touched, if nothing else then `known`.
+  [[nodiscard]] Place first_touch(const Place& known);
+
+  [[nodiscard]] double least() const { return least_; }
+  [[nodiscard]] const std::optional<Place>& touch() const { return touch_; }
+  [[nodiscard]] const Effort& effort() const { return effort_; }
 
  private:
-  [[nodiscard]] double clearance(std::size_t thing, const Place& place, double half) const {
-    const Stretch& stretch = track_.stretches[place.stretch];
-    const auto curvature = static_cast<double>(curvature_at(stretch, place.t));
-    const auto rate = static_cast<double>(stretch.rate);
-    return things_[thing].clearance({after(stretch, place.t), curvature, half, rate}, least_);
+  [[nodiscard]] Part whole(std::size_t stretch) const {
+    return {0, stretch, 0, length_to_look_at(track_.stretches[stretch])};
+  }
+  [[nodiscard]] double clearance(const Place& place, double half, double most);
+  [[nodiscard]] double bound_of(const Part& part, double most) {
+    return clearance(part.middle(), static_cast<double>((part.end - part.begin) / 2), most);
+  }
+  [[nodiscard]] bool does_not_matter(double bound) const {
+    return bound > 0 && bound >= least_ - clearance_error;
   }
   /// Whether the body passes it before any of its points has moved by more than `look_distance`.
   [[nodiscard]] bool is_short(const Part& part) const {
-    const double speed = speed_of(things_[part.thing].body, track_.stretches[part.stretch]);
-    return static_cast<double>(part.end - part.begin) * speed <= look_distance;
+    return static_cast<double>(part.end - part.begin) * speed_on(part) <= look_distance;
   }
-  void look(std::size_t thing, const Place& place) {
-    least_ = clearance(thing, place, 0);
-    if (least_ == 0 && !touch_) touch_ = Touch{thing, place};
+  /// No point of the body moves further than this for each metre driven.
+  [[nodiscard]] double speed_on(const Part& part) const {
+    return 1 + static_cast<double>(steepest(track_.stretches[part.stretch])) * reach_;
   }
+  [[nodiscard]] bool touches(const Place& place) { return clearance(place, 0, look_distance) == 0; }
+  void look(const Place& place) {
+    least_ = clearance(place, 0, least_);
+    if (least_ == 0) touch_ = place;
+  }
+  [[nodiscard]] std::optional<Place> first_touch_on(const Part& part, const Place& known);
+  /// The first touch on a short part, of which a place is known that touches.
+  [[nodiscard]] Place contact(const Part& part, const Place& last);
 
   const Track& track_;
-  const std::vector<Thing>& things_;
+  const Ground& ground_;
+  const Outlines& outlines_;
+  double reach_;
   double least_ = std::numeric_limits<double>::infinity();
-  std::optional<Touch> touch_;
+  std::optional<Place> touch_;
+  Effort effort_;
 };
 
+double Survey::clearance(const Place& place, double half, double most) {
+  const Stretch& stretch = track_.stretches[place.stretch];
+  const auto curvature = static_cast<double>(curvature_at(stretch, place.t));
+  const auto rate = static_cast<double>(stretch.rate);
+  return ground_.clearance({after(stretch, place.t), curvature, half, rate}, outlines_, most,
+                           effort_);
+}
+
 void Survey::look_at_ends() {
-  for (std::size_t thing = 0; thing < things_.size(); ++thing) {
-    for (std::size_t i = 0; i < track_.stretches.size(); ++i) look(thing, {i, 0});
-    look(thing, {track_.stretches.size() - 1, track_.stretches.back().length});
-  }
+  const std::size_t count = track_.stretches.size();
+  for (std::size_t i = 0; i < count && least_ > 0; ++i) look({i, 0});
+  if (least_ > 0) look({count - 1, track_.stretches.back().length});
 }
 
 void Survey::look_between() {
   std::priority_queue<Part, std::vector<Part>, MayComeNearer> parts;
-  for (std::size_t thing = 0; thing < things_.size(); ++thing) {
-    for (std::size_t i = 0; i < track_.stretches.size(); ++i) {
-      parts.push({0, thing, i, 0, length_to_look_at(track_.stretches[i])});
-    }
-  }
-  for (; !parts.empty() && least_ > 0;) {
+  for (std::size_t i = 0; i < track_.stretches.size(); ++i) parts.push(whole(i));
+  while (!parts.empty() && least_ > 0) {
+    effort_.parts = std::max(effort_.parts, parts.size());
     const Part part = parts.top();
+    if (does_not_matter(part.bound)) return;
     parts.pop();
-    const auto half = static_cast<double>((part.end - part.begin) / 2);
-    const Place middle{part.stretch, (part.begin + part.end) / 2};
-    const double bound = clearance(part.thing, middle, half);
-    if (bound > 0 && bound >= least_ - clearance_error) continue;
-    look(part.thing, middle);
-    if (bound >= least_ - clearance_error && is_short(part)) continue;
-    parts.push({bound, part.thing, part.stretch, part.begin, middle.t});
-    parts.push({bound, part.thing, part.stretch, middle.t, part.end});
+    const double bound = bound_of(part, least_);
+    if (does_not_matter(bound)) continue;
+    const Place middle = part.middle();
+    look(middle);
+    if (is_short(part)) continue;
+    parts.push({bound, part.stretch, part.begin, middle.t});
+    parts.push({bound, part.stretch, middle.t, part.end});
   }
 }
 
-bool is_before(const Place& a, const Place& b) {
-  return std::tie(a.stretch, a.t) < std::tie(b.stretch, b.t);
+Place Survey::first_touch(const Place& known) {
+  for (std::size_t i = 0; i <= known.stretch; ++i) {
+    if (!is_before({i, 0}, known)) break;
+    if (touches({i, 0})) return {i, 0};
+    if (const auto touch = first_touch_on(whole(i), known)) return *touch;
+  }
+  return known;
 }
 
-/// Looks along the track, at every millimetre that the body moves, or as far as the clearance
-/// proves that nothing can be touched in between: lowers `touch` to the first touch of a thing if
-/// that is before it.
-void walk(const Track& track, const Thing& thing, std::size_t index, Touch& touch) {
-  for (Place place; place.stretch <= touch.place.stretch; ++place.stretch) {
-    const Stretch& stretch = track.stretches[place.stretch];
-    const double speed = speed_of(thing.body, stretch);
-    for (place.t = 0; place.t < length_to_look_at(stretch) && is_before(place, touch.place);) {
-      const double distance = thing.clearance({after(stretch, place.t)}, walking_sight);
-      if (distance == 0) {
-        touch = {index, place};
-        return;
-      }
-      place.t += std::max(look_distance, distance) / speed;
+std::optional<Place> Survey::first_touch_on(const Part& part, const Place& known) {
+  const Place middle = part.middle();
+  if (!is_before({part.stretch, part.begin}, known)) return std::nullopt;
+  if (bound_of(part, look_distance) > 0) return std::nullopt;
+  if (is_short(part)) {
+    for (const Place& place : {middle, Place{part.stretch, part.end}}) {
+      const Place last = is_before(place, known) ? place : known;
+      if (touches(last)) return contact(part, last);
     }
+    return std::nullopt;
   }
+  const Part first{0, part.stretch, part.begin, middle.t};
+  if (const auto touch = first_touch_on(first, known)) return touch;
+  return first_touch_on({0, part.stretch, middle.t, part.end}, known);
+}
+
+/// Goes on by the clearance, so as not to pass the first touch; where that takes too many steps it
+/// is no more than half of `look_distance` late.
+Place Survey::contact(const Part& part, const Place& last) {
+  constexpr int most_steps = 100;
+  constexpr double least_step = 1e-12;  // of any point of the body [m]
+  Place place{part.stretch, part.begin};
+  for (int i = 0; i < most_steps && is_before(place, last); ++i) {
+    const double distance = clearance(place, 0, look_distance);
+    if (distance == 0) return place;
+    place.t += std::max(distance, least_step) / speed_on(part);
+  }
+  return last;
 }
 
 }  // namespace
 
-Nearest nearest_along(const Track& track, const std::vector<Thing>& things) {
-  Survey survey(track, things);
+Nearest nearest_along(const Track& track, const Ground& ground, const Outlines& outlines) {
+  if (ground.is_empty()) return {std::numeric_limits<double>::infinity(), {}, {}};
+  Survey survey(track, ground, outlines);
   survey.look_at_ends();
   survey.look_between();
-  Nearest nearest = survey.result();
-  if (nearest.touch) {
-    for (std::size_t i = 0; i < things.size(); ++i) walk(track, things[i], i, *nearest.touch);
-  }
-  return nearest;
+  std::optional<Place> touch = survey.touch();
+  if (touch) touch = survey.first_touch(*touch);
+  return {survey.least(), touch, survey.effort()};
 }
 
 }  // namespace vandplan::judge

@@ -17,7 +17,10 @@ std::size_t index_of(std::int32_t column, std::int32_t row, std::int32_t columns
 
 }  // namespace
 
-CellTree::CellTree(const OccupancyGrid& grid) : grid_(grid) {
+CellTree::CellTree(const OccupancyGrid& grid)
+    : grid_(grid),
+      cos_(std::cos(static_cast<Real>(grid.origin.heading))),
+      sin_(std::sin(static_cast<Real>(grid.origin.heading))) {
   std::int32_t columns = grid.columns;
   std::int32_t rows = grid.rows;
   for (std::size_t below = 0; columns > 1 || rows > 1; ++below) {
@@ -47,9 +50,10 @@ bool CellTree::has_blocked(std::size_t level, std::int32_t column, std::int32_t 
 /// once they are `seen`, along those of the vehicle.
 class CellTree::Search {
  public:
-  Search(const CellTree& tree, const Passage& passage, const Rectangle& body, double most);
+  Search(const CellTree& tree, const View& view, const Rectangle& body, double most);
 
   [[nodiscard]] double least() const { return std::max(0.0, least_); }
+  [[nodiscard]] std::size_t visited() const { return visited_; }
 
   /// Lowers `least` to the clearance of what is outside of the grid, all of it blocked.
   void look_outside();
@@ -66,21 +70,19 @@ class CellTree::Search {
   const Passage& passage_;
   const Rectangle& body_;
   double least_;
+  std::size_t visited_ = 0;
   Real x_, y_;        // of the axle, from the corner of the grid [m]
   double cos_, sin_;  // of the heading, from the axes of the grid
 };
 
-CellTree::Search::Search(const CellTree& tree, const Passage& passage, const Rectangle& body,
-                         double most)
-    : tree_(tree), grid_(tree.grid_), passage_(passage), body_(body), least_(most) {
-  const Pose& origin = grid_.origin;
-  const Real turn = origin.heading;
-  const Real dx = passage.middle.x - origin.x;
-  const Real dy = passage.middle.y - origin.y;
-  x_ = dx * std::cos(turn) + dy * std::sin(turn);
-  y_ = dy * std::cos(turn) - dx * std::sin(turn);
-  cos_ = static_cast<double>(std::cos(passage.middle.heading - turn));
-  sin_ = static_cast<double>(std::sin(passage.middle.heading - turn));
+CellTree::Search::Search(const CellTree& tree, const View& view, const Rectangle& body, double most)
+    : tree_(tree), grid_(tree.grid_), passage_(view.passage), body_(body), least_(most) {
+  const Real dx = passage_.middle.x - grid_.origin.x;
+  const Real dy = passage_.middle.y - grid_.origin.y;
+  x_ = dx * tree.cos_ + dy * tree.sin_;
+  y_ = dy * tree.cos_ - dx * tree.sin_;
+  cos_ = static_cast<double>(view.cos * tree.cos_ + view.sin * tree.sin_);
+  sin_ = static_cast<double>(view.sin * tree.cos_ - view.cos * tree.sin_);
 }
 
 /// The corners of the body come nearer to a border just as the points of the border do to them.
@@ -101,6 +103,7 @@ void CellTree::Search::look_outside() {
 
 void CellTree::Search::look(std::size_t level, std::int32_t column, std::int32_t row) {
   if (least_ <= 0 || !tree_.has_blocked(level, column, row)) return;
+  ++visited_;
   const Real side = grid_.resolution * static_cast<Real>(std::int64_t{1} << level);
   const Real x = (column + Real{0.5}) * side;
   const Real y = (row + Real{0.5}) * side;
@@ -134,12 +137,13 @@ Point CellTree::Search::seen(Real x, Real y) const {
   return {dx * cos_ + dy * sin_, dy * cos_ - dx * sin_};
 }
 
-double CellTree::clearance(const Passage& passage, const Rectangle& body, double most) const {
-  const double aside = deviation(passage, body);
-  Search search(*this, passage, body, most + aside);
+double CellTree::clearance(const View& view, const Rectangle& body, double most,
+                           Effort& effort) const {
+  Search search(*this, view, body, most);
   if (!grid_.unknown_is_free) search.look_outside();
   search.look(levels_.size(), 0, 0);
-  return std::clamp(search.least() - aside, 0.0, most);
+  effort.visited += search.visited();
+  return search.least();
 }
 
 }  // namespace vandplan::judge

@@ -19,9 +19,11 @@ class CellTree {
  public:
   explicit CellTree(const OccupancyGrid& grid);
 
-  /// Between the closed body and the closed squares of the blocked cells: like that of a polygon;
-  /// infinity if there are none.
-  [[nodiscard]] double clearance(const Passage& passage, const Rectangle& body, double most) const;
+  /// Between the closed body and the closed squares of the blocked cells [m], if the curvature is
+  /// constant: at one position the distance, on a passage no more than that at any of its
+  /// positions, never more than `most`.
+  [[nodiscard]] double clearance(const View& view, const Rectangle& body, double most,
+                                 Effort& effort) const;
 
  private:
   /// Squares of one size, row by row.
@@ -36,6 +38,7 @@ class CellTree {
   [[nodiscard]] bool has_blocked(std::size_t level, std::int32_t column, std::int32_t row) const;
 
   OccupancyGrid grid_;
+  Real cos_, sin_;             ///< of the heading of the grid
   std::vector<Level> levels_;  ///< of level 1 and above; the last is a single square
 };
 

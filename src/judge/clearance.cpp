@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace vandplan::judge {
 namespace {
@@ -18,10 +17,14 @@ struct Gap {
   Point on_side;
 };
 
+double length_of(const Point& a, const Point& b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
 Gap gap_between(const Point& on_body, const Point& on_side) {
-  const double dx = on_side.x - on_body.x;
-  const double dy = on_side.y - on_body.y;
-  return {std::sqrt(dx * dx + dy * dy), on_body, on_side};
+  return {length_of(on_body, on_side), on_body, on_side};
 }
 
 const Gap& nearer(const Gap& a, const Gap& b) { return b.distance < a.distance ? b : a; }
@@ -61,16 +64,33 @@ Gap gap_of_side(const Point& a, const Point& b, const Rectangle& body) {
   return gap;
 }
 
-/// How far the nearest of some points stays ahead of another, along a direction.
-double least_ahead(const Passage& passage, const Point& from, const Point& direction,
-                   std::span<const Point> points) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Point& p : points) {
-    const double ahead = (p.x - from.x) * direction.x + (p.y - from.y) * direction.y;
-    least = std::min(least, ahead - approach(passage, p, direction));
+/// A point that moves as the vehicle sees it.
+class Mover {
+ public:
+  Mover(const Passage& passage, const Point& p)
+      : p_(p),
+        half_(passage.half),
+        velocity_{passage.curvature * p.y - 1, -passage.curvature * p.x},
+        speed_(std::sqrt(velocity_.x * velocity_.x + velocity_.y * velocity_.y)),
+        turning_(std::abs(passage.curvature) * speed_ * half_ * half_ / 2) {}
+
+  [[nodiscard]] double approach(const Point& direction) const {
+    const double along = std::abs(velocity_.x * direction.x + velocity_.y * direction.y);
+    return std::min(speed_ * half_, along * half_ + turning_);
   }
-  return least;
-}
+
+  /// How far it stays ahead of a place, along a direction.
+  [[nodiscard]] double ahead(const Point& from, const Point& direction) const {
+    return (p_.x - from.x) * direction.x + (p_.y - from.y) * direction.y - approach(direction);
+  }
+
+ private:
+  Point p_;
+  double half_;
+  Point velocity_;  // for each metre driven
+  double speed_;
+  double turning_;
+};
 
 double clearance_of_side(const Passage& passage, const Rectangle& body, const Point& a,
                          const Point& b) {
@@ -80,15 +100,23 @@ double clearance_of_side(const Passage& passage, const Rectangle& body, const Po
   const Point to_side{(there.x - here.x) / distance, (there.y - here.y) / distance};
   // Two lines through the ends of the gap, square to it: neither body nor side reach beyond its
   // own. The one at the body stays with the body, and the ends of the side approach it.
-  const std::array<Point, 2> ends = {a, b};
-  const double at_body = std::max({least_ahead(passage, here, to_side, ends),
-                                   least_ahead(passage, {0, body.y_max}, {0, 1}, ends),
-                                   least_ahead(passage, {0, body.y_min}, {0, -1}, ends)});
-  if (std::hypot(b.x - a.x, b.y - a.y) <= body.x_max - body.x_min) return std::max(0.0, at_body);
+  const Mover first(passage, a);
+  const Mover last(passage, b);
+  const auto both_ahead = [&](const Point& from, const Point& direction) {
+    return std::min(first.ahead(from, direction), last.ahead(from, direction));
+  };
+  const double at_body =
+      std::max({0.0, both_ahead(here, to_side), both_ahead({0, body.y_max}, {0, 1}),
+                both_ahead({0, body.y_min}, {0, -1})});
+  if (length_of(a, b) <= body.x_max - body.x_min) return at_body;
   // The one at the side stays there, and the corners of the body approach it. Of long sides, whose
   // ends turn by far more than the body does, it tells more.
   const Point to_body{-to_side.x, -to_side.y};
-  return std::max({0.0, at_body, least_ahead(passage, there, to_body, corners_of(body))});
+  double at_side = std::numeric_limits<double>::infinity();
+  for (const Point& corner : corners_of(body)) {
+    at_side = std::min(at_side, Mover(passage, corner).ahead(there, to_body));
+  }
+  return std::max(at_body, at_side);
 }
 
 }  // namespace
@@ -111,24 +139,40 @@ double deviation(const Passage& passage, const Rectangle& body) {
 }
 
 double approach(const Passage& passage, const Point& p, const Point& direction) {
-  const double curvature = passage.curvature;
-  const double half = passage.half;
-  const Point velocity{curvature * p.y - 1, -curvature * p.x};  // for each metre driven
-  const double speed = std::sqrt(velocity.x * velocity.x + velocity.y * velocity.y);
-  const double along = std::abs(velocity.x * direction.x + velocity.y * direction.y);
-  const double turning = std::abs(curvature) * speed * half * half / 2;
-  return std::min(speed * half, along * half + turning);
+  return Mover(passage, p).approach(direction);
+}
+
+View view_of(const Passage& passage) {
+  const auto& [x, y, heading] = passage.middle;
+  const Real cos = std::cos(heading);
+  const Real sin = std::sin(heading);
+  return {.passage = passage,
+          .cos = cos,
+          .sin = sin,
+          .axle = {static_cast<double>(x), static_cast<double>(y)},
+          .axis = {static_cast<double>(cos), static_cast<double>(sin)}};
 }
 
 double clearance_of_disc(const Passage& passage, const Rectangle& body, const Point& centre,
                          double radius) {
   const Gap gap = gap_to_point(centre, body);
-  if (gap.distance == 0) return -radius;
+  if (gap.distance == 0 || passage.half == 0) return gap.distance - radius;
+  const Mover mover(passage, centre);
   const Point direction{(centre.x - gap.on_body.x) / gap.distance,
                         (centre.y - gap.on_body.y) / gap.distance};
-  const double ahead = gap.distance - approach(passage, centre, direction);
+  const double ahead = gap.distance - mover.approach(direction);
   const double aside = std::max(centre.y - body.y_max, body.y_min - centre.y);
-  return std::max(ahead, aside - approach(passage, centre, {0, 1})) - radius;
+  return std::max(ahead, aside - mover.approach({0, 1})) - radius;
+}
+
+double clearance_of_bar(const Passage& passage, const Rectangle& body, const Bar& bar,
+                        double most) {
+  const auto& [a, b, radius] = bar;
+  const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  const double half_length = length_of(a, b) / 2;
+  const double around = clearance_of_disc(passage, body, middle, half_length + radius);
+  if (around >= most || half_length == 0) return around;
+  return std::max(around, clearance_of_side(passage, body, a, b) - radius);
 }
 
 double clearance_of_seen(const Passage& passage, const Rectangle& body,
@@ -139,31 +183,11 @@ double clearance_of_seen(const Passage& passage, const Rectangle& body,
   bool inside = false;
   Point a = polygon.back();
   for (const Point& b : polygon) {
-    const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-    const double radius = std::hypot(b.x - a.x, b.y - a.y) / 2;
-    if (clearance_of_disc(passage, body, middle, radius) < least) {
-      least = std::min(least, clearance_of_side(passage, body, a, b));
-    }
+    least = std::min(least, clearance_of_bar(passage, body, {a, b}, least));
     if ((a.y > 0) != (b.y > 0) && a.x - a.y * (b.x - a.x) / (b.y - a.y) > 0) inside = !inside;
     a = b;
   }
   return inside ? 0.0 : least;
-}
-
-double clearance(const Passage& passage, const Rectangle& body, const Polygon& polygon,
-                 double most) {
-  const Position& position = passage.middle;
-  const auto cos = static_cast<double>(std::cos(position.heading));
-  const auto sin = static_cast<double>(std::sin(position.heading));
-  std::vector<Point> seen;
-  seen.reserve(polygon.size());
-  for (const Point& corner : polygon) {
-    const auto dx = static_cast<double>(corner.x - position.x);
-    const auto dy = static_cast<double>(corner.y - position.y);
-    seen.push_back({dx * cos + dy * sin, dy * cos - dx * sin});
-  }
-  const double aside = deviation(passage, body);
-  return std::clamp(clearance_of_seen(passage, body, seen, most + aside) - aside, 0.0, most);
 }
 
 }  // namespace vandplan::judge

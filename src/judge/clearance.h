@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far does the vehicle stay from a polygon, in the eyes of the judge?
+// How far does the vehicle stay from what it sees, in the eyes of the judge?
 //
 // Method and proof: docs/algorithms/path_check.md.
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 #include "judge/track.h"
@@ -28,6 +29,42 @@ struct Passage {
   double rate = 0.0;       ///< change of the curvature per metre driven [1/m^2]
 };
 
+/// A passage and how the vehicle in its middle sees the world; sine and cosine are taken once for
+/// all that is looked at.
+struct View {
+  Passage passage;
+  Real cos, sin;  ///< of the heading in the middle
+  Point axle;     ///< the position in the middle, rounded to doubles, ...
+  Point axis;     ///< ... and where the vehicle points: cos and sin
+};
+
+[[nodiscard]] View view_of(const Passage& passage);
+
+/// A point of the world, seen from the vehicle in the middle.
+[[nodiscard]] inline Point seen(const View& view, const Point& p) {
+  const double dx = p.x - view.axle.x;
+  const double dy = p.y - view.axle.y;
+  return {dx * view.axis.x + dy * view.axis.y, dy * view.axis.x - dx * view.axis.y};
+}
+
+/// All points within `radius` of a straight line from a to b: a side of a polygon (radius 0), a
+/// disc (a = b), or whatever many sides together fit in.
+struct Bar {
+  Point a, b;
+  double radius = 0.0;  ///< [m]
+};
+
+[[nodiscard]] inline Bar seen(const View& view, const Bar& bar) {
+  return {seen(view, bar.a), seen(view, bar.b), bar.radius};
+}
+
+/// How much was done, for those who want to know what an answer costs.
+struct Effort {
+  std::size_t looks = 0;    ///< passages and positions that were asked for
+  std::size_t visited = 0;  ///< bars and squares of cells that were measured
+  std::size_t parts = 0;    ///< parts of the track that were remembered at once, at the most
+};
+
 /// The furthest point of a body from its rear axle [m].
 [[nodiscard]] double reach_of(const Rectangle& body);
 
@@ -35,18 +72,19 @@ struct Passage {
 /// curvature [m].
 [[nodiscard]] double deviation(const Passage& passage, const Rectangle& body);
 
-/// Between the closed body and the closed polygon [m]. At one position it is the distance, 0 if
-/// they touch or one holds the other; on a passage it is no more than that at any of its positions.
-/// It is never more than `most`.
-[[nodiscard]] double clearance(const Passage& passage, const Rectangle& body,
-                               const Polygon& polygon, double most);
+/// Between the closed body and a bar as it is seen from the vehicle in the middle [m], if the
+/// curvature is constant. At one position it is the distance if the radius is 0, else a lower bound
+/// that is below 0 at times; on a passage it is no more than that at any of its positions. It need
+/// not be exact from `most` on.
+[[nodiscard]] double clearance_of_bar(const Passage& passage, const Rectangle& body, const Bar& bar,
+                                      double most);
 
-/// That for a polygon as it is seen from the vehicle in the middle, if the curvature is constant.
+/// The clearance of a closed polygon as it is seen from there, 0 if one holds the other, and never
+/// more than `most`.
 [[nodiscard]] double clearance_of_seen(const Passage& passage, const Rectangle& body,
                                        std::span<const Point> polygon, double most);
 
-/// A lower bound of it, below 0 at times, for all that lies in a disc seen from there, if the
-/// curvature is constant.
+/// A lower bound of the clearance, below 0 at times, of all that lies in a disc seen from there.
 [[nodiscard]] double clearance_of_disc(const Passage& passage, const Rectangle& body,
                                        const Point& centre, double radius);
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "judge/along.h"
-#include "judge/cell_tree.h"
 #include "judge/claims.h"
+#include "judge/ground.h"
 #include "judge/track.h"
 
 namespace vandplan {
@@ -41,11 +41,13 @@ Place end_of(const Track& track) {
 
 // ---- What can be wrong ----
 
-std::optional<Fault> not_finite(const Path& path) {
+/// Numbers that nobody can integrate.
+std::optional<Fault> out_of_reason(const Path& path) {
   const Pose& start = path.start;
   if (!std::isfinite(start.x) || !std::isfinite(start.y) || !std::isfinite(start.heading)) {
     return Fault{"the start of the path is not finite", {}};
   }
+  Real stretches_of_all = 0;
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     const Segment& segment = path.segments[i];
     const auto fault = [i](const char* problem) {
@@ -55,7 +57,11 @@ std::optional<Fault> not_finite(const Path& path) {
         !std::isfinite(segment.curvature_rate)) {
       return fault("is not finite");
     }
-    if (!(stretches_of(segment) <= most_stretches)) return fault("winds too often to be judged");
+    const Real stretches = stretches_of(segment);
+    if (segment.curvature_rate != 0) stretches_of_all += stretches;
+    if (!(stretches <= most_stretches && stretches_of_all <= most_stretches_of_all)) {
+      return fault("winds too often to be judged");
+    }
   }
   return std::nullopt;
 }
@@ -140,56 +146,21 @@ std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
   return std::nullopt;
 }
 
-Rectangle body_of(const Vehicle& vehicle) {
-  return {-vehicle.rear_overhang, vehicle.wheelbase + vehicle.front_overhang, -vehicle.width / 2,
-          vehicle.width / 2};
-}
-
-Rectangle wheels_of(const Vehicle& vehicle) {
-  const double track = vehicle.track_width.value_or(vehicle.width);
-  return {0.0, vehicle.wheelbase, -track / 2, track / 2};
-}
-
-std::vector<Thing> polygons_of(const Surroundings& ground, const Vehicle& vehicle) {
-  std::vector<Thing> things;
-  const auto add = [&](const std::vector<Polygon>& polygons, const std::string& hit,
-                       const Rectangle& body) {
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-      const Polygon& polygon = polygons[i];
-      things.push_back({hit + "[" + std::to_string(i) + "]", body,
-                        [&, body](const Passage& passage, double most) {
-                          return clearance(passage, body, polygon, most);
-                        }});
-    }
-  };
-  add(ground.obstacles, "the footprint hits obstacles", body_of(vehicle));
-  add(ground.kerbs, "the wheels hit kerbs", wheels_of(vehicle));
-  return things;
-}
-
-/// The cells of a world's map, ready to be asked; made when the judge needs them first.
-std::shared_ptr<const CellTree> cells_of(const World& world) {
-  return std::static_pointer_cast<const CellTree>(world.kept(
-      typeid(CellTree), [&] { return std::make_shared<const CellTree>(*world.local().map); }));
-}
-
-Thing map_of(const World& world, const Vehicle& vehicle) {
-  const Rectangle body = body_of(vehicle);
-  return {"the footprint hits the map", body,
-          [cells = cells_of(world), body](const Passage& passage, double most) {
-            return cells->clearance(passage, body, most);
-          }};
+/// What can be hit in a world, ready to be asked; made when the judge needs it first.
+std::shared_ptr<const Ground> ground_of(const World& world) {
+  return std::static_pointer_cast<const Ground>(
+      world.kept(typeid(Ground), [&] { return std::make_shared<const Ground>(world.local()); }));
 }
 
 /// The first collision on the way; without one `least` is the clearance.
 std::optional<Fault> collision(const Track& track, const Task& task, double& least) {
-  const Surroundings& ground = task.world->local();
-  std::vector<Thing> things = polygons_of(ground, task.vehicle);
-  if (ground.map) things.push_back(map_of(*task.world, task.vehicle));
-  const Nearest nearest = nearest_along(track, things);
+  const std::shared_ptr<const Ground> ground = ground_of(*task.world);
+  const Outlines outlines = outlines_of(task.vehicle);
+  const Nearest nearest = nearest_along(track, *ground, outlines);
   least = nearest.clearance;
   if (!nearest.touch) return std::nullopt;
-  return Fault{things[nearest.touch->thing].hit, nearest.touch->place};
+  const auto& [stretch, t] = *nearest.touch;
+  return Fault{ground->hit_at(after(track.stretches[stretch], t), outlines), nearest.touch};
 }
 
 std::optional<Fault> first_fault(const Task& task, const Track& track, const PathClaims& claims,
@@ -219,7 +190,7 @@ PathClaims local_claims(const World& world, const PathClaims& claims) {
 
 PathCheck check_path(const Problem& problem, const Path& path, const PathClaims& claims) {
   PathCheck check;
-  if (const std::optional<Fault> fault = not_finite(path)) {
+  if (const std::optional<Fault> fault = out_of_reason(path)) {
     check.reason = fault->reason;
     return check;
   }

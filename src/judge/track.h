@@ -34,8 +34,10 @@ struct Stretch {
   Real rate = 0;       ///< change of the curvature per metre driven [1/m^2]
 };
 
-/// So many stretches a clothoid may take; one that takes more winds too often to be judged.
+/// So many stretches a clothoid may take, and all clothoids of a path together; what takes more
+/// winds too often to be judged.
 inline constexpr Real most_stretches = 1e4L;
+inline constexpr Real most_stretches_of_all = 1e6L;
 
 /// How many stretches a segment is taken in: 1, or for a clothoid as many as `after` needs.
 [[nodiscard]] Real stretches_of(const Segment& segment);
@@ -62,7 +64,7 @@ struct Track {
   int gear_changes = 0;
 };
 
-/// Every number of the path is finite, and no segment takes more than `most_stretches`.
+/// Every number of the path is finite, and its clothoids take no more stretches than they may.
 [[nodiscard]] Track integrate(const Path& path);
 
 [[nodiscard]] Position after(const Stretch& stretch, Real t);

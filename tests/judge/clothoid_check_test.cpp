@@ -97,6 +97,12 @@ TEST(JudgedClothoid, NumbersOutOfReasonAreNamed) {
                                  Segment{0.1, 1e9, 1e-12}, Segment{0, -1e6, 1e-3}}) {
     EXPECT_EQ(reason(segment), "segments[1] winds too often to be judged") << as_code(segment);
   }
+  // Each is fine, all of them together are not: no file may ask for so much memory.
+  const Segment long_one{0, 600, 1e-2};  // 7320 parts
+  EXPECT_EQ(reason(long_one).substr(0, 9), "curvature");
+  const std::vector<Segment> many(1000, long_one);
+  EXPECT_EQ(check_path(problem, {{0, 0, 0}, many}).reason,
+            "segments[136] winds too often to be judged");
   // It turns by 50 rad, in and out.
   EXPECT_EQ(check_open({{0, 0, 0}, {{0, 1}, {0.25, 200, -0.0025}}}).reason, "");
 }

@@ -12,12 +12,11 @@
 #include <memory>
 #include <numbers>
 
-#include "judge/cell_tree.h"
-#include "judge/clearance.h"
+#include "judge/ground.h"
 #include "support/cases.h"
+#include "support/judge_oracle.h"
 #include "support/map_cases.h"
 #include "support/problems.h"
-#include "support/slow_judge.h"
 #include "vandplan/path_check.h"
 #include "vandplan/random.h"
 
@@ -96,17 +95,18 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
     const Footprint body = footprint(any_vehicle(rng));
     const OccupancyGrid grid = chance(0.8, rng) ? any_grid(rng) : crowded_grid(rng);
     const std::vector<Polygon> squares = squares_of(grid);
-    const judge::CellTree tree(grid);
-    expect_passage([&](const judge::Passage& passage,
-                       double most) { return tree.clearance(passage, rectangle_of(body), most); },
-                   body, squares, rng, cells);
+    const auto clearance_in = [&](const judge::Ground& ground) {
+      return [&](const judge::Passage& passage, double most) {
+        judge::Effort effort;
+        const judge::Rectangle outline = rectangle_of(body);
+        return ground.clearance(passage, {outline, outline}, most, effort);
+      };
+    };
+    const Surroundings map{.map = grid};
+    expect_passage(clearance_in(judge::Ground(map)), body, squares, rng, cells);
     if (squares.empty()) return;
-    const Polygon& square = squares.front();
-    expect_passage(
-        [&](const judge::Passage& passage, double most) {
-          return judge::clearance(passage, rectangle_of(body), square, most);
-        },
-        body, {square}, rng, polygons);
+    const Surroundings square{.obstacles = {squares.front()}};
+    expect_passage(clearance_in(judge::Ground(square)), body, square.obstacles, rng, polygons);
   });
   for (const Counts& counts : {cells, polygons}) {
     EXPECT_GT(counts.proven, cases(count) / 8);
@@ -117,37 +117,6 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
 }
 
 // ---- Whole paths ----
-
-constexpr double step = 1e-3;  // of any point of the body between two looks of the judge [m]
-constexpr double deepest_dip = step / 2;  // into an obstacle, between two looks of the judge [m]
-constexpr double moved = 0.05;            // between two looks at the whole of a path [m]
-
-Footprint shrunk(const Footprint& body, double by) {
-  return {body.rear - by, body.front - by, body.half_width - by};
-}
-
-void expect_valid(double clearance, const Footprint& body, const std::vector<Polygon>& squares,
-                  const Path& path) {
-  const double everywhere = least_of(look_everywhere(body, squares, path, moved));
-  EXPECT_GT(clearance, 0);
-  EXPECT_LE(clearance, everywhere + 1e-3);
-  if (std::isinf(everywhere)) return;
-  EXPECT_GE(clearance, everywhere - moved / 2);
-  const double exact = least_gap(body, squares, path, 1e-4).distance;
-  EXPECT_LE(clearance, exact + 1e-3);
-  EXPECT_GE(clearance, exact - 1e-4);
-  EXPECT_FALSE(comes_within(0, shrunk(body, deepest_dip), squares, path));
-}
-
-void expect_first_touch(const PathPoint& at, const Footprint& body,
-                        const std::vector<Polygon>& squares, const Path& path) {
-  EXPECT_LE(gap_at(body, squares, at.pose).distance, 1e-9);
-  const Footprint inner = shrunk(body, deepest_dip);
-  for (const SlowLook& look : look_everywhere(inner, squares, path, moved)) {
-    if (look.s >= at.s - step) break;
-    EXPECT_GT(look.distance, 0) << look.s << " before " << at.s;
-  }
-}
 
 struct Verdicts {
   int valid = 0;
@@ -166,13 +135,13 @@ void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Pat
        {Surroundings{.bounds = wide, .map = grid}, {.bounds = wide, .obstacles = squares}}) {
     const PathCheck check = check_path(problem_of_path(surroundings, path, vehicle), path);
     ASSERT_TRUE(check.clearance);
-    const Footprint body = footprint(vehicle);
+    const std::vector<Foes> foes = {{footprint(vehicle), squares}};
     if (check.valid) {
-      expect_valid(*check.clearance, body, squares, path);
+      expect_clearance(*check.clearance, foes, path);
     } else {
       ASSERT_TRUE(check.at) << check.reason;
       EXPECT_EQ(*check.clearance, 0);
-      expect_first_touch(*check.at, body, squares, path);
+      expect_first_touch(*check.at, foes, path);
     }
     ++(check.valid ? verdicts.valid : verdicts.invalid);
     verdicts.grazing += check.valid && check.clearance < 5e-3;

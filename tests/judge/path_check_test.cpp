@@ -318,6 +318,14 @@ TEST(PathCheck, TheFirstCollisionOnTheWayIsReported) {
   EXPECT_EQ(check.at->direction, 1);
 }
 
+TEST(PathCheck, ThePlaceOfACollisionIsWhereTheTouchBegins) {
+  for (double x = 6; x < 15; x += 0.0617) {
+    const PathCheck check = check_ahead({box(x, -1, 17, 1)});
+    ASSERT_TRUE(check.at);
+    EXPECT_NEAR(check.at->s, x - 5.9, 1e-11);
+  }
+}
+
 TEST(PathCheck, CornerClippedByAMillimetreBetweenTwoPosesIsSeen) {
   // Turning left around (0, 7), the front right corner swings past a post: both ends of the
   // path are clear of the post by centimetres.

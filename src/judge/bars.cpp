@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "judge/bars.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vandplan::judge {
+namespace {
+
+// A bar holds its points whatever was rounded, here and when it is looked at: this much for each
+// metre of coordinates, which is many times what a double loses.
+constexpr double slack = 1e-14;
+// A bar of at most this part of a disc's radius is worth its trouble.
+constexpr double narrow = 0.25;
+
+double reach_of_coordinates(const Point& middle, double radius) {
+  return std::abs(middle.x) + std::abs(middle.y) + radius;
+}
+
+/// Points as seen from a middle, along the axis that they lie along best.
+struct Extent {
+  Point axis;
+  double back = 0.0, ahead = 0.0;
+  double right = 0.0, left = 0.0;
+};
+
+Extent extent_of(std::span<const Point> points, const Point& middle) {
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for (const Point& p : points) {
+    xx += (p.x - middle.x) * (p.x - middle.x);
+    xy += (p.x - middle.x) * (p.y - middle.y);
+    yy += (p.y - middle.y) * (p.y - middle.y);
+  }
+  const double angle = std::atan2(2 * xy, xx - yy) / 2;
+  Extent extent{{std::cos(angle), std::sin(angle)}};
+  for (const Point& p : points) {
+    const double dx = p.x - middle.x;
+    const double dy = p.y - middle.y;
+    const double along = dx * extent.axis.x + dy * extent.axis.y;
+    const double aside = dy * extent.axis.x - dx * extent.axis.y;
+    extent.back = std::min(extent.back, along);
+    extent.ahead = std::max(extent.ahead, along);
+    extent.right = std::min(extent.right, aside);
+    extent.left = std::max(extent.left, aside);
+  }
+  return extent;
+}
+
+}  // namespace
+
+void Box::add(const Point& p) {
+  low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+}
+
+void Box::add(const Box& box) {
+  add(box.low);
+  add(box.high);
+}
+
+Point Box::middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
+
+double Box::size() const { return std::max(high.x - low.x, high.y - low.y); }
+
+Bar bar_of(const Box& box) {
+  const Point middle = box.middle();
+  const double radius = std::hypot(box.high.x - box.low.x, box.high.y - box.low.y) / 2;
+  return {middle, middle, radius + slack * reach_of_coordinates(middle, radius)};
+}
+
+Bar bar_of(std::span<const Point> points) {
+  Box box = Box::of(points[0]);
+  for (const Point& p : points) box.add(p);
+  const Bar disc = bar_of(box);
+  const auto [axis, back, ahead, right, left] = extent_of(points, disc.a);
+  const double radius = (left - right) / 2;
+  if (radius > narrow * disc.radius) return disc;
+  const double aside = (left + right) / 2;
+  const auto at = [&](double along) {
+    return Point{disc.a.x + along * axis.x - aside * axis.y,
+                 disc.a.y + along * axis.y + aside * axis.x};
+  };
+  return {at(back), at(ahead), radius + slack * reach_of_coordinates(disc.a, disc.radius)};
+}
+
+}  // namespace vandplan::judge

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What may a vehicle hit, and how far is it away, in the eyes of the judge?
+//
+// Method and proof: docs/algorithms/path_check.md.
+
+#include <optional>
+#include <string>
+
+#include "judge/cell_tree.h"
+#include "judge/clearance.h"
+#include "judge/polygon_tree.h"
+#include "vandplan/problem.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan::judge {
+
+/// What of a vehicle must not touch: the footprint obstacles and maps, the wheels kerbs. The wheels
+/// are within the footprint.
+struct Outlines {
+  Rectangle body, wheels;
+};
+
+[[nodiscard]] Outlines outlines_of(const Vehicle& vehicle);
+
+/// Obstacles, kerbs and map, ready to be asked. Of no vehicle, so one serves all.
+class Ground {
+ public:
+  /// The surroundings must stay where they are as long as the ground is used.
+  explicit Ground(const Surroundings& surroundings);
+
+  /// Whether there is nothing to hit, wherever one looks.
+  [[nodiscard]] bool is_empty() const { return is_empty_; }
+
+  /// Between the vehicle and the nearest thing that it must not touch [m]. At one position it is
+  /// the distance, 0 if they touch or one holds the other; on a passage it is no more than that at
+  /// any of its positions. It is never more than `most`.
+  [[nodiscard]] double clearance(const Passage& passage, const Outlines& outlines, double most,
+                                 Effort& effort) const;
+
+  /// What has happened at a position where the clearance is 0, such as "the wheels hit kerbs[2]".
+  [[nodiscard]] std::string hit_at(const Position& position, const Outlines& outlines) const;
+
+ private:
+  PolygonTree obstacles_;
+  PolygonTree kerbs_;
+  std::optional<CellTree> cells_;
+  bool is_empty_;
+};
+
+}  // namespace vandplan::judge

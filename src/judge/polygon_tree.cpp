@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "judge/polygon_tree.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "judge/bars.h"
+
+namespace vandplan::judge {
+namespace {
+
+using Chain = PolygonTree::Chain;
+using Node = PolygonTree::Node;
+
+constexpr std::uint32_t most_sides = 8;   // of a chain that is not halved
+constexpr std::size_t most_points = 256;  // that a narrow bar is looked for around
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+/// How many chains are not halved, of so many sides.
+std::size_t chains_of(std::uint32_t sides) {
+  if (sides <= most_sides) return 1;
+  return chains_of(sides / 2) + chains_of(sides - sides / 2);
+}
+
+struct Item {
+  Box box;
+  std::uint32_t polygon = 0;
+};
+
+class Builder {
+ public:
+  explicit Builder(std::span<const Polygon> polygons);
+  [[nodiscard]] std::vector<Node> nodes() && { return std::move(nodes_); }
+
+ private:
+  void sort(std::size_t node, std::span<Item> items);
+  void halve(std::size_t chain);
+  std::size_t add_children(std::size_t node);
+  [[nodiscard]] Bar bar_around(std::span<const Item> items);
+  [[nodiscard]] Bar bar_around(const Chain& chain);
+
+  std::span<const Polygon> polygons_;
+  std::vector<Node> nodes_;
+  std::vector<Point> points_;  // that a bar is looked for around
+};
+
+Builder::Builder(std::span<const Polygon> polygons) : polygons_(polygons) {
+  if (polygons.empty()) return;
+  std::vector<Item> items;
+  items.reserve(polygons.size());
+  std::size_t chains = 0;
+  for (const Polygon& polygon : polygons) {
+    Box box = Box::of(polygon[0]);
+    for (const Point& corner : polygon) box.add(corner);
+    items.push_back({box, static_cast<std::uint32_t>(items.size())});
+    chains += chains_of(static_cast<std::uint32_t>(polygon.size()));
+  }
+  nodes_.reserve(2 * chains - 1);
+  nodes_.emplace_back();
+  sort(0, items);
+}
+
+std::size_t Builder::add_children(std::size_t node) {
+  const std::size_t child = nodes_.size();
+  nodes_[node].child = static_cast<std::uint32_t>(child);
+  nodes_.resize(child + 2);
+  return child;
+}
+
+/// What is much longer than all of it is wide stands apart from the rest, or it would make every
+/// bar long; else polygons are parted where half of them lie on either side.
+std::size_t part(std::span<Item> items) {
+  Box middles = Box::of(items[0].box.middle());
+  double longest = 0.0;
+  for (const Item& item : items) {
+    middles.add(item.box.middle());
+    longest = std::max(longest, item.box.size());
+  }
+  if (longest > middles.size()) {
+    const auto end = std::partition(items.begin(), items.end(), [&](const Item& item) {
+      return item.box.size() > longest / 2;
+    });
+    if (end != items.end()) return static_cast<std::size_t>(end - items.begin());
+  }
+  const bool wide = middles.high.x - middles.low.x > middles.high.y - middles.low.y;
+  const std::size_t half = items.size() / 2;
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                   [&](const Item& a, const Item& b) {
+                     const Point p = a.box.middle();
+                     const Point q = b.box.middle();
+                     return wide ? p.x < q.x : p.y < q.y;
+                   });
+  return half;
+}
+
+void Builder::sort(std::size_t node, std::span<Item> items) {
+  if (items.size() == 1) {
+    const std::uint32_t polygon = items[0].polygon;
+    nodes_[node].chain = {polygon, 0, static_cast<std::uint32_t>(polygons_[polygon].size())};
+    return halve(node);
+  }
+  nodes_[node].bar = bar_around(items);
+  const std::size_t half = part(items);
+  const std::size_t child = add_children(node);
+  sort(child, items.first(half));
+  sort(child + 1, items.subspan(half));
+}
+
+void Builder::halve(std::size_t chain) {
+  nodes_[chain].bar = bar_around(nodes_[chain].chain);
+  const auto [polygon, first, sides] = nodes_[chain].chain;
+  if (sides <= most_sides) return;
+  const std::size_t child = add_children(chain);
+  const std::uint32_t half = sides / 2;
+  nodes_[child].chain = {polygon, first, half};
+  nodes_[child + 1].chain = {polygon, first + half, sides - half};
+  halve(child);
+  halve(child + 1);
+}
+
+Bar Builder::bar_around(std::span<const Item> items) {
+  Box box = items[0].box;
+  std::size_t count = 0;
+  for (const Item& item : items) {
+    box.add(item.box);
+    count += polygons_[item.polygon].size();
+  }
+  if (count > most_points) return bar_of(box);
+  points_.clear();
+  for (const Item& item : items) {
+    const Polygon& polygon = polygons_[item.polygon];
+    points_.insert(points_.end(), polygon.begin(), polygon.end());
+  }
+  return bar_of(points_);
+}
+
+Bar Builder::bar_around(const Chain& chain) {
+  const std::span<const Point> polygon = polygons_[chain.polygon];
+  const std::size_t end = std::size_t{chain.first} + chain.sides;  // the last corner, or the first
+  const auto corners =
+      polygon.subspan(chain.first, std::min(end + 1, polygon.size()) - chain.first);
+  const Point& last = polygon[end % polygon.size()];
+  if (chain.sides >= most_points) {
+    Box box = Box::of(last);
+    for (const Point& corner : corners) box.add(corner);
+    return bar_of(box);
+  }
+  points_.assign(corners.begin(), corners.end());
+  points_.push_back(last);
+  return bar_of(points_);
+}
+
+}  // namespace
+
+/// What is nearest, on one passage.
+class PolygonTree::Search {
+ public:
+  Search(const PolygonTree& tree, const View& view, const Rectangle& body, double most)
+      : tree_(tree), view_(view), body_(body), least_(most) {}
+
+  [[nodiscard]] double least() const { return std::max(0.0, least_); }
+  [[nodiscard]] std::size_t visited() const { return visited_; }
+
+  /// Lowers `least` to the clearance of what is in a node.
+  void look(const Node& node);
+
+ private:
+  [[nodiscard]] double measure(const Bar& seen_bar) {
+    ++visited_;
+    return clearance_of_bar(view_.passage, body_, seen_bar, least_);
+  }
+  void look_at_sides(const Chain& chain);
+
+  const PolygonTree& tree_;
+  const View& view_;
+  const Rectangle& body_;
+  double least_;
+  std::size_t visited_ = 0;
+};
+
+void PolygonTree::Search::look(const Node& node) {
+  if (node.child == 0) return look_at_sides(node.chain);
+  const Node* near = &tree_.nodes_[node.child];
+  const Node* far = near + 1;
+  double to_near = measure(judge::seen(view_, near->bar));
+  double to_far = measure(judge::seen(view_, far->bar));
+  if (to_far < to_near) {
+    std::swap(near, far);
+    std::swap(to_near, to_far);
+  }
+  if (least_ > 0 && to_near < least_) look(*near);
+  if (least_ > 0 && to_far < least_) look(*far);
+}
+
+void PolygonTree::Search::look_at_sides(const Chain& chain) {
+  Point a = judge::seen(view_, tree_.corner(chain, 0));
+  for (std::uint32_t i = 1; i <= chain.sides && least_ > 0; ++i) {
+    const Point b = judge::seen(view_, tree_.corner(chain, i));
+    least_ = std::min(least_, measure({a, b}));
+    a = b;
+  }
+}
+
+PolygonTree::PolygonTree(std::span<const Polygon> polygons)
+    : polygons_(polygons), nodes_(Builder(polygons).nodes()) {}
+
+double PolygonTree::clearance(const View& view, const Rectangle& body, double most,
+                              Effort& effort) const {
+  if (nodes_.empty()) return most;
+  Search search(*this, view, body, most);
+  search.look(nodes_[0]);
+  effort.visited += search.visited();
+  if (search.least() == 0) return 0;
+  // The body holds its rear axle. If no side touches the body, it is in a polygon exactly if the
+  // axle is.
+  std::size_t holder = none;
+  find_holder(nodes_[0], view, holder, effort);
+  return holder == none ? search.least() : 0;
+}
+
+std::optional<std::size_t> PolygonTree::first_touched(const View& view,
+                                                      const Rectangle& body) const {
+  if (nodes_.empty()) return std::nullopt;
+  std::size_t first = none;
+  Effort effort;
+  find_touched(nodes_[0], view, body, first);
+  find_holder(nodes_[0], view, first, effort);
+  return first == none ? std::nullopt : std::optional(first);
+}
+
+Point PolygonTree::corner(const Chain& chain, std::uint32_t i) const {
+  const Polygon& polygon = polygons_[chain.polygon];
+  const std::size_t index = std::size_t{chain.first} + i;
+  return polygon[index == polygon.size() ? 0 : index];
+}
+
+void PolygonTree::find_touched(const Node& node, const View& view, const Rectangle& body,
+                               std::size_t& first) const {
+  constexpr double any = std::numeric_limits<double>::min();
+  const auto touches = [&](const Bar& bar) {
+    return clearance_of_bar(view.passage, body, judge::seen(view, bar), any) <= 0;
+  };
+  if (!touches(node.bar) || (node.chain.sides > 0 && node.chain.polygon >= first)) return;
+  if (node.child != 0) {
+    find_touched(nodes_[node.child], view, body, first);
+    find_touched(nodes_[node.child + 1], view, body, first);
+    return;
+  }
+  for (std::uint32_t i = 0; i < node.chain.sides; ++i) {
+    if (touches({corner(node.chain, i), corner(node.chain, i + 1)})) first = node.chain.polygon;
+  }
+}
+
+namespace {
+
+// A bar is larger than what is in it by many times what a double loses (`slack` of bars.cpp). So a
+// position rounded to double does for both of these.
+
+/// A bar is convex: a polygon in it does not hold what the bar does not hold.
+bool holds(const Bar& bar, const Point& p) {
+  const double dx = bar.b.x - bar.a.x;
+  const double dy = bar.b.y - bar.a.y;
+  const double squared = dx * dx + dy * dy;
+  const double along = (p.x - bar.a.x) * dx + (p.y - bar.a.y) * dy;
+  const double part = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
+  const double x = p.x - bar.a.x - part * dx;
+  const double y = p.y - bar.a.y - part * dy;
+  return x * x + y * y <= bar.radius * bar.radius;
+}
+
+/// What a bar spans of an axis.
+struct Span {
+  double low, high;
+};
+
+Span across(const Bar& bar) {
+  return {std::min(bar.a.x, bar.b.x) - bar.radius, std::max(bar.a.x, bar.b.x) + bar.radius};
+}
+
+Span along(const Bar& bar) {
+  return {std::min(bar.a.y, bar.b.y) - bar.radius, std::max(bar.a.y, bar.b.y) + bar.radius};
+}
+
+bool holds(const Span& span, double value) { return span.low <= value && value <= span.high; }
+
+}  // namespace
+
+/// Whether a ray along the x axis crosses an odd number of the sides in a node, a chain.
+bool PolygonTree::is_crossed(const Node& node, const View& view) const {
+  const Span x = across(node.bar);
+  if (x.high < view.axle.x || !holds(along(node.bar), view.axle.y)) return false;
+  const Position& from = view.passage.middle;
+  const Chain& chain = node.chain;
+  const auto is_above = [&](std::uint32_t i) { return corner(chain, i).y > from.y; };
+  // Where all of the chain is ahead, the ray crosses it as often as the whole line does.
+  if (x.low > view.axle.x) return is_above(0) != is_above(chain.sides);
+  if (node.child != 0) {
+    return is_crossed(nodes_[node.child], view) != is_crossed(nodes_[node.child + 1], view);
+  }
+  bool odd = false;
+  for (std::uint32_t i = 0; i < chain.sides; ++i) {
+    if (is_above(i) == is_above(i + 1)) continue;
+    const Point a = corner(chain, i);
+    const Point b = corner(chain, i + 1);
+    const Real part = (from.y - a.y) / (static_cast<Real>(b.y) - a.y);
+    if (a.x + part * (static_cast<Real>(b.x) - a.x) > from.x) odd = !odd;
+  }
+  return odd;
+}
+
+/// Lowers `first` to the first polygon of a node that holds the rear axle.
+void PolygonTree::find_holder(const Node& node, const View& view, std::size_t& first,
+                              Effort& effort) const {
+  ++effort.visited;
+  if (!holds(node.bar, view.axle)) return;
+  if (node.chain.sides > 0) {
+    if (node.chain.polygon < first && is_crossed(node, view)) first = node.chain.polygon;
+    return;
+  }
+  find_holder(nodes_[node.child], view, first, effort);
+  find_holder(nodes_[node.child + 1], view, first, effort);
+}
+
+}  // namespace vandplan::judge
