@@ -79,7 +79,7 @@ Bar bar_of(std::span<const Point> points) {
   const double radius = (left - right) / 2;
   if (radius > narrow * disc.radius) return disc;
   const double aside = (left + right) / 2;
-  const auto at = [&](double along) {
+  const auto at = [&, axis = axis](double along) {  // clang 14 captures no bindings by itself
     return Point{disc.a.x + along * axis.x - aside * axis.y,
                  disc.a.y + along * axis.y + aside * axis.x};
   };

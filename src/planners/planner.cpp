@@ -169,13 +169,15 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
     return;
   }
   const CommonOption& common = *common_option(name);
+  PlanOptions changed = options;
   try {
-    common.set(options, text);
+    common.set(changed, text);
   } catch (const InputError& error) {
     throw InputError(std::string(name),
                      error.problem() + ", expected: " + std::string(common.summary));
   }
-  validate(options);
+  validate(changed);
+  options = changed;
 }
 
 PlanOptions complete(const Planner& planner, const PlanOptions& options) {

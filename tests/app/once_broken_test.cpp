@@ -16,24 +16,29 @@ namespace {
 
 class OnceBroken : public testing::Test {
  protected:
-  /// Plans the file, and checks the result if there is one. The run ends by itself, and soon.
-  void expect_a_sound_answer(const std::vector<std::string>& options) {
-    std::vector<std::string> words = {"plan", scenario_, "--output", result_};
-    words.insert(words.end(), options.begin(), options.end());
-    const Outcome planned = run_vandplan(words);
-    EXPECT_LE(planned.status, 1) << planned.err;
-    EXPECT_EQ(planned.err, "");
-    EXPECT_EQ(planned.out.find("rejected"), std::string::npos) << planned.out;
-    if (planned.status != 0) return;
+  /// Plans the file: there is a path that the judge accepts, or none. The run ends by itself.
+  Outcome planned(std::vector<std::string> options) {
+    options.insert(options.begin(), {"plan", scenario_});
+    const Outcome outcome = run_vandplan(options);
+    EXPECT_LE(outcome.status, 1) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out.find("rejected"), std::string::npos) << outcome.out;
+    return outcome;
+  }
+
+  /// The same, and what is written can be checked.
+  void expect_a_sound_result(std::vector<std::string> options) {
+    options.insert(options.end(), {"--output", result_});
+    if (planned(options).status != 0) return;
     const Outcome checked = run_vandplan({"check", scenario_, result_});
     EXPECT_EQ(checked.status, 0) << checked.err << checked.out;
   }
 
+  /// By planners that go straight for the goal, and by one that goes as far as the bounds let it.
   void expect_sound_answers() {
-    for (const char* seed : {"1", "2", "3"}) {
-      expect_a_sound_answer({"--max-iterations", "100", "--seed", seed});
-      expect_a_sound_answer(
-          {"--max-iterations", "100", "--seed", seed, "--planner", "rrt-bsc-euc-goal"});
+    expect_a_sound_result({"--max-iterations", "100"});
+    for (const char* seed : {"1", "2", "3", "4"}) {
+      (void)planned({"--max-iterations", "100", "--seed", seed, "--planner", "rrt-bsc-euc-goal"});
     }
   }
 
@@ -55,11 +60,8 @@ std::string yard_within(const std::string& bounds) {
 }
 
 TEST_F(OnceBroken, BoundsWithoutEndGiveNoEndlessPaths) {
-  for (const char* most : {"1e6", "1e7", "1e10", "1e12"}) {
-    const std::string range = "[-" + std::string(most) + ", " + most + "]";
-    write_content(scenario_, yard_within("{x: " + range + ", y: " + range + "}"));
-    expect_sound_answers();
-  }
+  write_content(scenario_, yard_within("{x: [-1e10, 1e10], y: [-1e12, 1e12]}"));
+  expect_sound_answers();
 }
 
 TEST_F(OnceBroken, FarGroundAroundASmallMapIsNotSearchedInSmallSteps) {
@@ -70,7 +72,7 @@ TEST_F(OnceBroken, FarGroundAroundASmallMapIsNotSearchedInSmallSteps) {
   write_content(scenario_,
                 yard_within("{x: [-1e9, 1e9], y: [-1e9, 1e9]}") + "map: map.yaml\nunknown: free\n");
   expect_sound_answers();
-  expect_a_sound_answer({"--time", "0.05"});
+  expect_a_sound_result({"--time", "0.05"});
 }
 
 TEST_F(OnceBroken, ANeedleOfAHundredThousandKilometresIsRefused) {
@@ -95,7 +97,7 @@ TEST_F(OnceBroken, AStarOfAHundredThousandCorners) {
                std::to_string(30 + radius * std::sin(angle)) + "]";
   }
   write_content(scenario_, yard() + "  - [" + corners + "]\n");
-  expect_a_sound_answer({"--max-iterations", "300"});
+  expect_a_sound_result({"--max-iterations", "300"});
 }
 
 }  // namespace

@@ -245,7 +245,7 @@ TEST(Draw, FarObstaclesDoNotShrinkTheScene) {
   Scenario scenario = yard();
   const drawing::Framing before = framing_of(scenario);
   EXPECT_FALSE(before.is_cropped);
-  scenario.obstacles.push_back({{1e6, 1e6}, {1e6 + 5, 1e6}, {1e6, 1e6 + 5}});
+  scenario.obstacles.push_back({{9e5, 9e5}, {9e5 + 5, 9e5}, {9e5, 9e5 + 5}});
   EXPECT_EQ(framing_of(scenario).seen, before.seen);
   EXPECT_TRUE(framing_of(scenario).is_cropped);
 }
@@ -283,13 +283,13 @@ TEST(Draw, ACroppedPictureSaysSo) {
     return found;
   };
   EXPECT_EQ(ink_below(), 0);
-  scenario.obstacles.push_back({{1e6, 1e6}, {1e6 + 5, 1e6}, {1e6, 1e6 + 5}});
+  scenario.obstacles.push_back({{9e5, 9e5}, {9e5 + 5, 9e5}, {9e5, 9e5 + 5}});
   EXPECT_GT(ink_below(), 100);
 }
 
 TEST(Draw, AnObstacleThatReachesFarOutCoversTheViewWhereItShould) {
   Scenario scenario = yard();
-  scenario.obstacles = {{{-1e8, 4}, {1e8, 4}, {1e8, 1e8}, {-1e8, 1e8}}};
+  scenario.obstacles = {{{-9e5, 4}, {9e5, 4}, {9e5, 9e5}, {-9e5, 9e5}}};
   const Page page({.scenario = &scenario});
   EXPECT_TRUE(looks(page.at({3.3, 4.5}), drawing::colour::obstacle));
   EXPECT_TRUE(looks(page.at({3.3, 3.5}), drawing::colour::paper));

@@ -390,9 +390,9 @@ TEST(ScenarioFile, WritingAndReadingBackChangesNothing) {
     ScenarioFile file = scenario_from_yaml(text, "s.yaml");
     Scenario& scenario = file.scenario;
     scenario.name = "quotes \" and \\ and\nlines\tand \x01 v\xC3\xA4nd: #1";
-    scenario.start = {1.0 / 3, 4484378811.24645, -6.11698657169903};
-    scenario.goal.y = 4484378811.5;
-    for (RowGoal& goal : file.row) goal.goal.y = 4484378811.5;
+    scenario.start = {1.0 / 3, 984378.24645, -6.11698657169903};
+    scenario.goal.y = 984378.5;
+    for (RowGoal& goal : file.row) goal.goal.y = 984378.5;
     scenario.bounds.y_max = 1e10;
     scenario.vehicle.width = 0.1 + 0.2;
     expect_equal(scenario_from_yaml(to_yaml(file), "s.yaml"), file);

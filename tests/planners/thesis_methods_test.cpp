@@ -121,7 +121,8 @@ TEST(Rrt, TheParentByExactLengthIsTheNearestOfAll) {
   options.planner.set("keep_tree", true);
   const PlanResult result = plan(open, planner_named("rrt-bsc-rs"), options);
   ASSERT_TRUE(result.tree);
-  const auto& [poses, parents] = *result.tree;
+  const std::vector<Pose>& poses = result.tree->poses;
+  const auto& parents = result.tree->parents;
   const auto length = [&poses](std::size_t from, std::size_t to) {
     return reeds_shepp_length(poses[from], poses[to], 7.0);
   };

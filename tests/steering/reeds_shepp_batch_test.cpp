@@ -84,7 +84,7 @@ TEST(ReedsSheppBatch, EqualPosesAreAtNoDistance) {
 TEST(ReedsSheppBatch, LengthsBelongToTheirNodes) {
   Rng rng(4);
   const Pose sample = uniform_pose({-50, 50, -50, 50}, rng);
-  for (const std::size_t count : {0, 1, 3, 100}) {
+  for (const std::size_t count : {0U, 1U, 3U, 100U}) {
     std::vector<float> x, y, heading, out(count);
     for (std::size_t i = 0; i < count; ++i) {
       const Pose node = uniform_pose({-50, 50, -50, 50}, rng);

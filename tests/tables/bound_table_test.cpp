@@ -213,7 +213,7 @@ TEST(BoundTable, LengthsChangeNoFasterThanRoundingIsArguedWith) {
   for (int i = 0; i < cases(300'000); ++i) {
     const auto [from, to, radius] =
         uniform01(rng) < 0.5 ? degenerate_case(rng) : any_bound_case(rng);
-    const auto scaled = [&](double scale) {
+    const auto scaled = [from = from, to = to, radius = radius](double scale) {
       const Pose there{scale * (to.x - from.x), scale * (to.y - from.y), to.heading};
       return reeds_shepp_length({0, 0, from.heading}, there, radius) / radius;
     };
