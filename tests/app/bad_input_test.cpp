@@ -231,7 +231,7 @@ TEST_F(BadInput, FullStandardOutput) {
 
 TEST_F(BadInput, LackOfMemoryIsSaidInOneLine) {
   if (!memory_can_be_limited) GTEST_SKIP() << "AddressSanitizer needs more";
-  for (const rlim_t memory : {60'000'000, 100'000'000, 200'000'000}) {
+  for (const rlim_t memory : {60'000'000U, 100'000'000U, 200'000'000U}) {
     EXPECT_EQ(complaint({"plan", scenario_, "--planner", "rrt-bsc-euc", "--max-nodes", "10000000",
                          "--max-iterations", "1"},
                         {.memory = memory}),

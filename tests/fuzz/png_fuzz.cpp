@@ -39,14 +39,20 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes = sealed(fuzz::text_of(data, size));
   for (const io::Alpha alpha : {io::Alpha::marked, io::Alpha::ignored}) {
     fuzz::may_refuse([&] {
-      const io::Image image = io::image_from_png(bytes, "fuzz.png", alpha);
-      const auto columns = static_cast<std::size_t>(image.columns);
-      fuzz::expect(image.pixels.size() == columns * static_cast<std::size_t>(image.rows),
-                   "all pixels are there");
-      for (const std::uint32_t pixel : image.pixels) {
-        fuzz::expect(pixel <= image.white || pixel == io::Image::transparent,
-                     "no pixel is brighter than white");
-      }
+      std::int32_t rows = 0;
+      std::int32_t expected = 0;
+      io::read_png(bytes, "fuzz.png", alpha,
+                   [&](const io::ImageShape& shape, std::span<const std::uint32_t> row) {
+                     ++rows;
+                     expected = shape.rows;
+                     fuzz::expect(row.size() == static_cast<std::size_t>(shape.columns),
+                                  "a whole row");
+                     for (const std::uint32_t pixel : row) {
+                       fuzz::expect(pixel <= shape.white || pixel == io::transparent_pixel,
+                                    "no pixel is brighter than white");
+                     }
+                   });
+      fuzz::expect(rows > 0 && rows == expected, "all rows are there");
     });
   }
   return 0;

@@ -159,7 +159,7 @@ TEST(Polygon, CornersOnASmallGridAgreeWithComparingAllPairs) {
     simple += expected;
     ASSERT_EQ(flaw(corners).empty(), expected) << as_code(corners);
   });
-  EXPECT_GT(simple, 10'000);
+  EXPECT_GT(simple, cases(100'000) / 10);
 }
 
 TEST(Polygon, OrientationIsRightWherePlainDoublesAreWrong) {

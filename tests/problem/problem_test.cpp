@@ -102,7 +102,7 @@ TEST(MakeProblem, CutsBoundsToAMillionMetresAroundTheStart) {
   scenario.goal = scenario.start;
   scenario.obstacles = {};
   scenario.bounds = {-1e12, 3e9 + 5, -1e12, 1e12};
-  const Bounds& bounds = make_problem(scenario).world()->local().bounds;
+  const Bounds bounds = make_problem(scenario).world()->local().bounds;
   EXPECT_EQ(bounds, (Bounds{-1e6, 5, -1e6, 1e6}));
   scenario.bounds = {0, 1, -1e12, 1e12};  // far from the start: nothing is left but a border
   const Problem nowhere = make_problem(scenario);
