@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "support/cases.h"
 #include "support/temporary_folder.h"
 
 namespace vandplan {
@@ -48,12 +49,8 @@ struct ProcessOptions {
   std::vector<int> closed = {};             // standard descriptors
 };
 
-/// Whether the built command line may be given less memory: AddressSanitizer asks for terabytes.
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr bool memory_can_be_limited = false;
-#else
-inline constexpr bool memory_can_be_limited = true;
-#endif
+/// Whether the built command line may be given less memory: sanitizers ask for terabytes.
+inline constexpr bool memory_can_be_limited = !is_sanitized;
 
 /// A call of the command line that is under way.
 class Process {
