@@ -66,4 +66,16 @@ inline void expect_first_touch(const PathPoint& at, const std::vector<Foes>& foe
   EXPECT_LE(there, 2e-8);
 }
 
+/// The verdict, with its clearance or its place, is that of looking everywhere.
+inline void expect_as_seen(const PathCheck& check, const std::vector<Foes>& foes,
+                           const Path& path) {
+  if (check.valid) {
+    expect_clearance(*check.clearance, foes, path);
+  } else {
+    ASSERT_TRUE(check.at) << check.reason;
+    EXPECT_EQ(*check.clearance, 0);
+    expect_first_touch(*check.at, foes, path);
+  }
+}
+
 }  // namespace vandplan
