@@ -48,11 +48,11 @@ void check_range(double low, double high, const std::string& where) {
               "], expected the smaller number first");
 }
 
-/// Whether something reaches further from the origin of its world than is supported.
-void require_in_reach(const Point& local, const std::string& where, const char* what) {
+/// A corner no further from the origin of its world than is supported.
+void require_in_reach(const Point& local, const std::string& where) {
   const double distance = std::max(std::abs(local.x), std::abs(local.y));
   if (distance <= largest_reach) return;
-  throw InputError(where, std::string(what) + " " + base::shortest_text(std::round(distance)) +
+  throw InputError(where, "has a corner " + base::shortest_text(std::round(distance)) +
                               " m from the start, expected at most " +
                               base::shortest_text(largest_reach) + " m along each axis");
 }
@@ -64,7 +64,7 @@ Polygon local_polygon(const Polygon& polygon, const Point& origin, const std::st
     require_within(corner.x, largest_coordinate, where);
     require_within(corner.y, largest_coordinate, where);
     local.push_back(local_point(corner, origin));
-    require_in_reach(local.back(), where, "has a corner");
+    require_in_reach(local.back(), where);
   }
   require(local.size() >= 3, where,
           "has " + std::to_string(local.size()) + " corner" + (local.size() == 1 ? "" : "s") +
@@ -96,7 +96,7 @@ OccupancyGrid local_map(const OccupancyGrid& map, const Point& origin) {
   check_map(map);
   OccupancyGrid local = map;
   local.origin = local_pose(map.origin, origin);
-  for (const Point& corner : outline(local)) require_in_reach(corner, "map", "has a corner");
+  for (const Point& corner : outline(local)) require_in_reach(corner, "map");
   return local;
 }
 
