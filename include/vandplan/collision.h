@@ -32,8 +32,9 @@ struct Surroundings {
 /// Answers collision queries for one footprint in one set of obstacles. Immutable after
 /// construction and safe to share between threads.
 ///
-/// Promise: whatever is accepted keeps the closed footprint clear of every closed obstacle and the
-/// rear axle inside the bounds; whatever has a clearance above `tolerance` is accepted.
+/// Promise: whatever is accepted keeps the closed footprint clear of every closed obstacle, by more
+/// than the margin, and the rear axle inside the bounds; whatever has a clearance above the margin
+/// and `tolerance` is accepted.
 class CollisionChecker {
  public:
   /// [m]
@@ -42,10 +43,12 @@ class CollisionChecker {
   /// The polygons must be simple (see `World`).
   CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                    std::span<const Polygon> obstacles);
-  /// For all that a vehicle meets. The frame is that of the surroundings.
-  CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings);
+  /// For all that a vehicle meets. The frame is that of the surroundings. The body keeps `margin`
+  /// from obstacles and map, the wheels keep it from kerbs [m]; >= 0.
+  CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings, double margin = 0.0);
   /// For one of many vehicles on the same ground (`World::checker`).
-  CollisionChecker(const Vehicle& vehicle, std::shared_ptr<const collision::Ground> ground);
+  CollisionChecker(const Vehicle& vehicle, std::shared_ptr<const collision::Ground> ground,
+                   double margin = 0.0);
   ~CollisionChecker();
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;

@@ -51,12 +51,12 @@ struct AlongTheWay {
   }
 };
 
-/// Whether a footprint touches a side of polygons on its way.
-bool is_crossed(const Obstacles& obstacles, const Footprint& footprint,
+/// Whether a side of polygons comes within a margin of a footprint on its way [m].
+bool is_crossed(const Obstacles& obstacles, const Footprint& footprint, double margin,
                 const PlacedSegment& placed) noexcept {
   if (obstacles.is_empty()) return false;
-  const Sweep sweep(footprint, placed);
-  const double reach = reach_of(footprint) + 1e-3;  // more than it is inflated by
+  const Sweep sweep(footprint, placed, margin);
+  const double reach = reach_of(footprint) + margin + 1e-3;  // more than it is inflated by
   if (placed.length > 16 * reach && obstacles.are_many()) {
     return AlongTheWay{obstacles, placed, sweep, reach}.is_crossed(0, placed.length);
   }
@@ -66,12 +66,17 @@ bool is_crossed(const Obstacles& obstacles, const Footprint& footprint,
 }  // namespace
 
 struct CollisionChecker::Data {
-  Data(const Footprint& body_outline, const Footprint& wheels_outline,
+  Data(const Footprint& body_outline, const Footprint& wheels_outline, double wanted,
        std::shared_ptr<const collision::Ground> on)
-      : body(body_outline), discs(body_outline), wheels(wheels_outline), ground(std::move(on)) {}
+      : body(body_outline),
+        margin(wanted),
+        discs(body_outline, wanted),
+        wheels(wheels_outline),
+        ground(std::move(on)) {}
 
   Footprint body;
-  DiscRows discs;  // that cover the body
+  double margin;   // around the body, and around the wheels [m]
+  DiscRows discs;  // that cover the body with its margin
   Footprint wheels;
   std::shared_ptr<const collision::Ground> ground;
 
@@ -85,9 +90,9 @@ struct CollisionChecker::Data {
   /// of all that is enough: whatever is entered later is entered across a side.
   [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed,
                                      const Bounds& box) const noexcept {
-    return holds(box, placed.axle_box()) && !is_crossed(ground->walls, body, placed) &&
-           !is_crossed(ground->kerbs, wheels, placed) &&
-           !(ground->map && !ground->map->is_clear(body, discs, placed));
+    return holds(box, placed.axle_box()) && !is_crossed(ground->walls, body, margin, placed) &&
+           !is_crossed(ground->kerbs, wheels, margin, placed) &&
+           !(ground->map && !ground->map->is_clear(body, margin, discs, placed));
   }
 
   [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept;
@@ -113,16 +118,17 @@ struct CollisionChecker::Data {
 CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                                    std::span<const Polygon> obstacles)
     : data_(std::make_unique<const Data>(
-          footprint, footprint,
+          footprint, footprint, 0.0,
           std::make_shared<const collision::Ground>(Surroundings{
               .bounds = bounds, .obstacles = {obstacles.begin(), obstacles.end()}}))) {}
 
-CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings)
-    : CollisionChecker(vehicle, std::make_shared<const collision::Ground>(surroundings)) {}
+CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings,
+                                   double margin)
+    : CollisionChecker(vehicle, std::make_shared<const collision::Ground>(surroundings), margin) {}
 
 CollisionChecker::CollisionChecker(const Vehicle& vehicle,
-                                   std::shared_ptr<const collision::Ground> ground)
-    : data_(std::make_unique<const Data>(footprint(vehicle), wheel_footprint(vehicle),
+                                   std::shared_ptr<const collision::Ground> ground, double margin)
+    : data_(std::make_unique<const Data>(footprint(vehicle), wheel_footprint(vehicle), margin,
                                          std::move(ground))) {}
 
 CollisionChecker::~CollisionChecker() = default;

@@ -12,15 +12,15 @@ namespace {
 constexpr double shortest_look = 1.0;  // shorter parts stay in doubt [m]
 constexpr double most_discs = 8.0;
 
-DiscRow disc_row(const Footprint& body, int count) {
+DiscRow disc_row(const Footprint& body, double margin, int count) {
   const double half_step = (body.front + body.rear) / (2 * count);
   const double first = half_step - body.rear;
   return {.first = first,
           .step = 2 * half_step,
           .count = count,
           .furthest = std::max(std::abs(first), std::abs(body.front - half_step)),
-          .outer = std::hypot(half_step, body.half_width) + end_margin,
-          .inner = std::min(half_step, body.half_width) - end_margin};
+          .outer = std::hypot(half_step, body.half_width) + end_margin + margin,
+          .inner = std::min(half_step, body.half_width) - end_margin + margin};
 }
 
 class Tracer {
@@ -117,9 +117,9 @@ void merge_doubtful(DiscTrace& trace) {
 
 }  // namespace
 
-DiscRows::DiscRows(const Footprint& body) noexcept : one(disc_row(body, 1)) {
+DiscRows::DiscRows(const Footprint& body, double margin) noexcept : one(disc_row(body, margin, 1)) {
   const double slimness = (body.front + body.rear) / (2 * body.half_width);
-  slim = disc_row(body, static_cast<int>(std::clamp(std::ceil(slimness), 1.0, most_discs)));
+  slim = disc_row(body, margin, static_cast<int>(std::clamp(std::ceil(slimness), 1.0, most_discs)));
 }
 
 DiscTrace trace_discs(const geometry::DistanceField& field, double side, const DiscRows& discs,

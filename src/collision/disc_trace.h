@@ -29,7 +29,8 @@ struct DiscRow {
 
 /// Two covers of a footprint.
 struct DiscRows {
-  explicit DiscRows(const Footprint& body) noexcept;
+  /// Of the footprint and all that is within a margin of it [m].
+  explicit DiscRows(const Footprint& body, double margin = 0.0) noexcept;
 
   DiscRow one;   // of one disc
   DiscRow slim;  // of so many that they are hardly wider than the footprint

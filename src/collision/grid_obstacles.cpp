@@ -46,8 +46,12 @@ CellBox shared(const CellBox& a, const CellBox& b) {
 /// For an edge cell in the way of one segment, in the frame of the cells.
 class GridObstacles::Search {
  public:
-  Search(const GridObstacles& grid, const Footprint& body, const PlacedSegment& placed)
-      : grid_(grid), body_(body), placed_(placed), sweep_(body, placed) {}
+  Search(const GridObstacles& grid, const Footprint& body, double margin,
+         const PlacedSegment& placed)
+      : grid_(grid),
+        body_{body.rear + margin, body.front + margin, body.half_width + margin},
+        placed_(placed),
+        sweep_(body, placed, margin) {}
 
   /// [2] Long parts are halved, and left out where they keep outside of the frame.
   [[nodiscard]] bool finds_any(const Part& part) const {
@@ -142,7 +146,7 @@ class GridObstacles::Search {
   }
 
   const GridObstacles& grid_;
-  const Footprint& body_;
+  Footprint body_;  // with its margin
   const PlacedSegment& placed_;
   Sweep sweep_;
 };
@@ -196,13 +200,13 @@ bool GridObstacles::contain(const Point& point) const noexcept {
   return cells_.is_blocked(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
 }
 
-bool GridObstacles::is_clear(const Footprint& body, const DiscRows& discs,
+bool GridObstacles::is_clear(const Footprint& body, double margin, const DiscRows& discs,
                              const PlacedSegment& segment) const noexcept {
   const PlacedSegment placed = in_frame(segment);
   const DiscTrace trace = trace_discs(field_, side_, discs, placed);  // [1]
   if (trace.is_hit) return false;
   if (trace.in_doubt().empty()) return true;
-  const Search search(*this, body, placed);
+  const Search search(*this, body, margin, placed);
   for (const Part& part : trace.in_doubt()) {
     if (search.finds_any(part)) return false;
   }

@@ -25,10 +25,10 @@ class GridObstacles {
   /// Whether the point lies in a blocked cell.
   [[nodiscard]] bool contain(const Point& point) const noexcept;
 
-  /// Whether no edge cell is touched while the segment is driven. Together with a start whose
-  /// rear axle is in no blocked cell that is all: whatever is entered later is entered there.
-  /// `discs` are those of the body.
-  [[nodiscard]] bool is_clear(const Footprint& body, const DiscRows& discs,
+  /// Whether no edge cell comes within a margin of the body [m] while the segment is driven.
+  /// Together with a start whose rear axle is in no blocked cell that is all: whatever is entered
+  /// later is entered there. `discs` are those of the body with its margin.
+  [[nodiscard]] bool is_clear(const Footprint& body, double margin, const DiscRows& discs,
                               const PlacedSegment& placed) const noexcept;
 
   /// Whether a blocked cell is at most this far from the point [m].

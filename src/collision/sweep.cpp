@@ -104,15 +104,14 @@ Bounds PlacedSegment::axle_box() const noexcept {
   return box;
 }
 
-Sweep::Sweep(const Footprint& footprint, const PlacedSegment& placed) noexcept : segment_(placed) {
+Sweep::Sweep(const Footprint& footprint, const PlacedSegment& placed, double margin) noexcept
+    : segment_(placed), margin_(margin) {
   const bool in_reverse = dot(placed.forward, placed.from.heading) < 0;
   const double back = in_reverse ? footprint.front : footprint.rear;
   const double front = in_reverse ? footprint.rear : footprint.front;
-  const auto inflated = [&](double margin) {
-    return Rectangle{back + margin, front + margin, footprint.half_width + margin};
-  };
-  first_ = inflated(end_margin);
-  moving_ = inflated(arc_margin);
+  const Rectangle body{back, front, footprint.half_width};
+  first_ = body.grown(end_margin);
+  moving_ = body.grown(arc_margin);
   const double reach = std::max(front, back) + footprint.half_width;
   turns_ = placed.turn * (placed.length / 2 + reach) > straight_enough;
   if (turns_) {
@@ -123,9 +122,8 @@ Sweep::Sweep(const Footprint& footprint, const PlacedSegment& placed) noexcept :
 }
 
 void Sweep::build_arcs() noexcept {
-  const auto& [back, front, half_width] = first_;
   const double curvature = segment_.curvature;
-  const bool centre_outside = curvature * half_width < 1;
+  const bool centre_outside = curvature * first_.half_width < 1;
   const auto add_arc = [&](double x, double y) {
     arcs_[static_cast<std::size_t>(arc_count_++)] = {{x, y}, level({x, y})};
   };
@@ -137,11 +135,13 @@ void Sweep::build_arcs() noexcept {
     add_arc(moving_.front, moving_.half_width);
     add_arc(-moving_.back, moving_.half_width);
   }
+  const auto [back, front, half_width] = first_.grown(margin_);
+  const bool turns_outside = curvature * half_width < 1;
   most_level_ = level({std::max(front, back), -half_width});
-  least_level_ = centre_outside ? level({0, half_width}) : -1 / (2 * curvature);
+  least_level_ = turns_outside ? level({0, half_width}) : -1 / (2 * curvature);
   least_x_ = -infinity;
   most_x_ = infinity;
-  if (segment_.turn > pi || !centre_outside) return;
+  if (segment_.turn > pi || !turns_outside) return;
   const auto& [sin, cos, end] = std::tie(segment_.sin, segment_.cos, segment_.end);
   const double ahead = std::max(front * cos, -back * cos) + half_width * std::abs(sin);
   const double behind = std::min(front * cos, -back * cos) - half_width * std::abs(sin);
@@ -150,7 +150,7 @@ void Sweep::build_arcs() noexcept {
 }
 
 Bounds Sweep::box() const noexcept {
-  const Rectangle& r = first_;
+  const Rectangle r = first_.grown(margin_);
   const double middle = (r.front - r.back) / 2;
   const double half_length = (r.front + r.back) / 2;
   const auto box_at = [&](const Point& position, const Point& forward) {
@@ -200,11 +200,20 @@ bool Sweep::touches(const Sides& sides) const noexcept {
     }
     return false;
   }
+  const Rectangle wide = first_.grown(margin_);
   bool touched = false;
   for (std::size_t i = 0; i < 4; ++i) {  // [4]
-    touched |= first_.meets({x[i], y[i]}, {x[i + 1], y[i + 1]});
+    touched |= wide.meets({x[i], y[i]}, {x[i + 1], y[i + 1]});
   }
-  return touched;
+  if (!touched || margin_ == 0) return touched;
+  for (std::size_t i = 0; i < 4; ++i) {  // [6]
+    if (first_.is_within(margin_, {x[i], y[i]}, {x[i + 1], y[i + 1]})) return true;
+  }
+  return false;
+}
+
+Sweep::Rectangle Sweep::Rectangle::grown(double by) const noexcept {
+  return {back + by, front + by, half_width + by};
 }
 
 // Two convex sets are apart exactly if the normal of a side of one of them tells them apart.
@@ -218,6 +227,29 @@ bool Sweep::Rectangle::meets(const Point& a, const Point& b) const noexcept {
   return (std::min(ax, bx) <= half_length) & (std::max(ax, bx) >= -half_length) &
          (std::min(a.y, b.y) <= half_width) & (std::max(a.y, b.y) >= -half_width) &
          (std::abs(ax * dy - a.y * dx) <= half_length * std::abs(dy) + half_width * std::abs(dx));
+}
+
+/// Of two convex sets that are apart one is nearest at a corner of the other.
+bool Sweep::Rectangle::is_within(double distance, const Point& a, const Point& b) const noexcept {
+  if (meets(a, b)) return true;
+  const double limit = distance * distance;
+  for (const Point& p : {a, b}) {
+    const double dx = std::max({-back - p.x, p.x - front, 0.0});
+    const double dy = std::max(std::abs(p.y) - half_width, 0.0);
+    if (dx * dx + dy * dy <= limit) return true;
+  }
+  const Point d{b.x - a.x, b.y - a.y};
+  const double squared = dot(d, d);
+  for (const double x : {-back, front}) {
+    for (const double y : {-half_width, half_width}) {
+      const Point to{x - a.x, y - a.y};
+      const double along = dot(to, d);
+      if (along <= 0 || along >= squared) continue;  // nearest at an end of the side
+      const double aside = cross(to, d);
+      if (aside * aside <= limit * squared) return true;
+    }
+  }
+  return false;
 }
 
 /// Signed distance outwards from the circle of the rear axle, to first order; exactly,
@@ -264,6 +296,32 @@ bool Sweep::crosses_arc(const Point& a, const Point& b) const noexcept {
   return false;
 }
 
+/// [6] Whether a side that does not cross an arc comes within the margin of its inner part: an end
+/// of the side does, or the point of it that is nearest to the turning centre, from outside.
+bool Sweep::passes_arc(const Point& a, const Point& b) const noexcept {
+  const double curvature = segment_.curvature;
+  const Point d{b.x - a.x, b.y - a.y};
+  const double part = (d.y - curvature * dot(a, d)) / (curvature * dot(d, d));
+  const Point nearest{a.x + part * d.x, a.y + part * d.y};
+  for (int i = 0; i < arc_count_; ++i) {
+    const auto& [start, at] = arcs_[static_cast<std::size_t>(i)];
+    // The radius as a multiple of that of the rear axle, and the levels of circles beside the arc.
+    const double radius = std::sqrt(std::max(0.0, 1 + 2 * curvature * at));
+    const double bulge = curvature * margin_ * margin_ / 2;
+    const double outer = at + radius * margin_ + bulge;
+    const double inner = radius > curvature * margin_ ? at - radius * margin_ + bulge : -infinity;
+    for (const Point& p : {a, b}) {
+      const double level_of_p = level(p);
+      if (level_of_p >= inner && level_of_p <= outer && is_reached(start, p)) return true;
+    }
+    if (part > 0 && part < 1 && level(nearest) >= at && level(nearest) <= outer &&
+        is_reached(start, nearest)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Whether the point is in the swept area, but for the rectangles at its ends: the footprint's
 /// side that would hit it does so on the way. A side hits the points of the levels it has.
 bool Sweep::covers(const Point& p) const noexcept {
@@ -303,15 +361,19 @@ bool Sweep::covers(const Point& p) const noexcept {
 }
 
 bool Sweep::touches_side(const Point& a, const Point& b) const noexcept {
-  return first_.meets(a, b) || first_.meets(from_end(a), from_end(b)) || covers(a) ||
-         crosses_arc(a, b);
+  if (margin_ == 0) {
+    return first_.meets(a, b) || first_.meets(from_end(a), from_end(b)) || covers(a) ||
+           crosses_arc(a, b);
+  }
+  return first_.is_within(margin_, a, b) || first_.is_within(margin_, from_end(a), from_end(b)) ||
+         covers(a) || crosses_arc(a, b) || passes_arc(a, b);
 }
 
 /// Levels grow with the square of the distance: of a side that reaches far away only the part in a
 /// square around the area counts.
 bool Sweep::touches_far_side(const Point& a, const Point& b) const noexcept {
   const double reach = std::max({first_.front, first_.back}) + first_.half_width;
-  const double most = std::min(segment_.length, 2 / segment_.curvature) + reach + 1.0;
+  const double most = std::min(segment_.length, 2 / segment_.curvature) + reach + margin_ + 1.0;
   double begin = 0.0;
   double end = 1.0;
   const auto cut = [&](double from, double step) {

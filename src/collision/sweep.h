@@ -60,23 +60,25 @@ struct PlacedSegment {
                                  const Point& place) const noexcept;
 };
 
-/// The area swept by an inflated footprint.
+/// The area swept by an inflated footprint, and all that is within a margin of it [m].
 class Sweep {
  public:
-  Sweep(const Footprint& footprint, const PlacedSegment& placed) noexcept;
+  Sweep(const Footprint& footprint, const PlacedSegment& placed, double margin = 0.0) noexcept;
 
-  /// A box around the swept area.
+  /// A box around the swept area and its margin.
   [[nodiscard]] Bounds box() const noexcept;
 
-  /// Whether a side may touch the area: true wherever the footprint itself touches one, false
-  /// where it stays a millimetre away.
+  /// Whether a side may come within the margin of the area: true wherever it does of the footprint
+  /// itself, false where that stays the margin and a millimetre away.
   [[nodiscard]] bool touches(const Sides& sides) const noexcept;
 
  private:
   // From `back` behind to `front` ahead of the rear axle, in the frame of the segment.
   struct Rectangle {
     double back, front, half_width;
+    [[nodiscard]] Rectangle grown(double by) const noexcept;
     [[nodiscard]] bool meets(const Point& a, const Point& b) const noexcept;
+    [[nodiscard]] bool is_within(double distance, const Point& a, const Point& b) const noexcept;
   };
   // Where a point of the footprint begins to draw a piece of the outline of the swept area.
   struct Arc {
@@ -89,6 +91,7 @@ class Sweep {
   [[nodiscard]] Point from_end(const Point& p) const noexcept;
   [[nodiscard]] bool is_reached(const Point& from, const Point& to) const noexcept;
   [[nodiscard]] bool crosses_arc(const Point& a, const Point& b) const noexcept;
+  [[nodiscard]] bool passes_arc(const Point& a, const Point& b) const noexcept;
   [[nodiscard]] bool covers(const Point& p) const noexcept;
   [[nodiscard]] bool touches_turning(const std::array<double, 5>& x,
                                      const std::array<double, 5>& y) const noexcept;
@@ -96,15 +99,16 @@ class Sweep {
   [[nodiscard]] bool touches_far_side(const Point& a, const Point& b) const noexcept;
 
   const PlacedSegment& segment_;
+  double margin_;
   bool turns_;        // else the area is the rectangle `first_`
   Rectangle first_;   // at the start; with `end_margin`
   Rectangle moving_;  // with `arc_margin`
   std::array<Arc, 4> arcs_;
   int arc_count_ = 0;
-  double least_level_;  // of the footprint at any time
+  double least_level_;  // of the footprint and its margin at any time
   double most_level_;
-  double least_x_;  // of the area, seen from the start
-  double most_x_;   // of the area, seen from the end
+  double least_x_;  // of the area with its margin, seen from the start
+  double most_x_;   // of the same, seen from the end
 };
 
 }  // namespace vandplan::collision

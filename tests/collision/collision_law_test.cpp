@@ -190,6 +190,43 @@ TEST(CollisionLaw, SidesMayEndFarAway) {
   EXPECT_GT(rejected, cases(count) / 5);
 }
 
+TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
+  constexpr int count = 12000;
+  int accepted = 0;
+  int barely_accepted = 0;  // within 4 mm of the margin
+  int rejected = 0;
+  for_each_case(5, count, [&](Rng& rng) {
+    Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
+    const double margin = any_size(1e-3, 5, rng);
+    const Footprint body = footprint(c.vehicle);
+    const Pose near = pose_at(c.path, uniform(0, length(c.path.segments), rng));
+    Polygon polygon =
+        moved(any_polygon(rng), near.x + uniform(-20, 20, rng), near.y + uniform(-20, 20, rng));
+    const Gap gap = least_gap(body, std::span(&polygon, 1), c.path, 1e-4);
+    if (gap.distance > 0) {
+      const double part = 1 - (margin + uniform(-2e-3, 4e-3, rng)) / gap.distance;
+      polygon = moved(polygon, part * (gap.on_body.x - gap.on_obstacle.x),
+                      part * (gap.on_body.y - gap.on_obstacle.y));
+    }
+    c.obstacles = {polygon};
+    const CollisionChecker checker(
+        c.vehicle, Surroundings{.bounds = c.bounds, .obstacles = c.obstacles}, margin);
+    if (checker.is_free(c.path.start, c.path.segments)) {
+      EXPECT_FALSE(comes_within(margin, body, c.obstacles, c.path))
+          << margin << "; " << described(c);
+      ++accepted;
+      barely_accepted += comes_within(margin + 4e-3, body, c.obstacles, c.path);
+    } else {
+      EXPECT_TRUE(comes_within(margin + CollisionChecker::tolerance, body, c.obstacles, c.path))
+          << margin << "; " << described(c);
+      ++rejected;
+    }
+  });
+  EXPECT_GT(accepted, cases(count) / 5);
+  EXPECT_GT(rejected, cases(count) / 5);
+  EXPECT_GT(barely_accepted, accepted / 4);
+}
+
 bool judged_within(const Path& path, const Bounds& bounds) {
   const Vehicle vehicle{.min_turning_radius = 1e-3};
   return check_path(problem_of_path({.bounds = bounds}, path, vehicle), path, {}).valid;

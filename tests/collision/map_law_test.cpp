@@ -85,6 +85,33 @@ TEST(MapLaw, CrowdedAndEnclosedMapsKeepItToo) {
   EXPECT_GT(counts.rejected, cases(count) / 2);
 }
 
+TEST(MapLaw, AMarginIsKeptAndNoMoreThanThat) {
+  constexpr int count = 8000;
+  int accepted = 0;
+  int rejected = 0;
+  for_each_case(4, count, [&](Rng& rng) {
+    const Vehicle vehicle = any_vehicle(rng);
+    const Footprint body = footprint(vehicle);
+    const Path grazing = any_edge(rng);
+    const double margin = any_size(1e-3, 5, rng);
+    OccupancyGrid grid = any_grid(rng);
+    graze(grid, body, grazing, rng, margin);
+    const std::vector<Polygon> squares = squares_of(grid);
+    const CollisionChecker checker(vehicle, Surroundings{.bounds = wide, .map = grid}, margin);
+    for (int i = 0; i < 3; ++i) {
+      const Path path = i == 0 ? grazing : any_edge(rng);
+      const bool is_free = checker.is_free(path.start, path.segments);
+      ++(is_free ? accepted : rejected);
+      const double distance = margin + (is_free ? 0.0 : CollisionChecker::tolerance);
+      EXPECT_NE(comes_within(distance, body, squares, path), is_free)
+          << margin << "; " << as_code(path) << " on cells of " << as_code(grid.resolution)
+          << " m at " << as_code(grid.origin) << ": " << as_code(squares);
+    }
+  });
+  EXPECT_GT(accepted, cases(count) / 5);
+  EXPECT_GT(rejected, cases(count) / 5);
+}
+
 TEST(MapLaw, TheJudgeSeesCellsAsItSeesSquares) {
   constexpr int count = 3000;
   int valid = 0;

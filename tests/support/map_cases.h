@@ -32,11 +32,12 @@ inline OccupancyGrid any_grid(Rng& rng) {
 }
 
 /// Moves the map so that the edge just touches or just misses what is nearest.
-inline void graze(OccupancyGrid& grid, const Footprint& body, const Path& path, Rng& rng) {
+inline void graze(OccupancyGrid& grid, const Footprint& body, const Path& path, Rng& rng,
+                  double margin = 0.0) {
   const Gap gap = least_gap(body, squares_of(grid), path, 1e-3);
   if (gap.distance == 0 || std::isinf(gap.distance)) return;
   const double wanted = chance(0.7, rng) ? uniform(-2e-3, 4e-3, rng) : any_size(1e-5, 1, rng);
-  const double part = 1 - wanted / gap.distance;
+  const double part = 1 - (margin + wanted) / gap.distance;
   grid.origin.x += part * (gap.on_body.x - gap.on_obstacle.x);
   grid.origin.y += part * (gap.on_body.y - gap.on_obstacle.y);
 }
