@@ -3,8 +3,8 @@
 #pragma once
 // Which knobs does a run have?
 //
-// Three parts: how much work it may do, what driving costs, and the options of one planner, which
-// its registration names (planner.h). An option that the chosen planner does not honour is an
+// Four parts: how much work it may do, what driving costs, how far to stay away from things, and the
+// options of one planner, which its registration names (planner.h). An option that the chosen planner does not honour is an
 // error, never silence.
 
 #include <atomic>
@@ -43,6 +43,14 @@ struct CostOptions {
   bool operator==(const CostOptions&) const = default;
 };
 
+/// How far the vehicle stays away from things.
+struct ClearanceOptions {
+  /// The body keeps at least this far from every obstacle, the wheels from every kerb [m]; 0 to
+  /// 1000. A start or goal that is nearer counts as being in collision.
+  double margin = 0.0;
+  bool operator==(const ClearanceOptions&) const = default;
+};
+
 /// The value of an option of one planner.
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 
@@ -72,6 +80,7 @@ class PlannerSettings {
 struct PlanOptions {
   BudgetOptions budget = {};
   CostOptions cost = {};
+  ClearanceOptions clearance = {};
   PlannerSettings planner = {};  ///< of the chosen planner alone
   bool operator==(const PlanOptions&) const = default;
 };
@@ -89,7 +98,7 @@ struct OptionInfo {
   [[nodiscard]] std::string range() const;
 };
 
-/// An option of budget or cost that a user can set by name.
+/// An option of budget, cost or clearance that a user can set by name.
 struct CommonOption {
   std::string_view name;                              ///< the field's name
   std::string_view summary;                           ///< meaning, unit and range
@@ -111,7 +120,7 @@ struct CommonOption {
 /// option when it is of another type or out of range.
 [[nodiscard]] OptionValue fitting_value(const OptionInfo& info, const OptionValue& given);
 
-/// Throws InputError naming the first option of budget or cost out of range.
+/// Throws InputError naming the first option of budget, cost or clearance out of range.
 void validate(const PlanOptions& options);
 
 /// 1 forward, -1 reverse, 0 any.

@@ -60,9 +60,10 @@ class World {
   /// The cleaned surroundings in the world's frame, which planners and the judge work in.
   [[nodiscard]] const Surroundings& local() const noexcept { return local_; }
 
-  /// The checker of a vehicle, in the world's frame; made when a vehicle comes for the first time.
+  /// The checker of a vehicle that keeps a margin [m], in the world's frame; made when a vehicle comes for the first time.
   /// Throws InputError naming "vehicle.width" or another key that is wrong.
-  [[nodiscard]] std::shared_ptr<const CollisionChecker> checker(const Vehicle& vehicle) const;
+  [[nodiscard]] std::shared_ptr<const CollisionChecker> checker(const Vehicle& vehicle,
+                                                                double margin = 0.0) const;
 
   /// A value of that type that a part of the library keeps with the world: the one that `make`
   /// returns at the first call, the same one ever after. From any thread.
@@ -80,8 +81,9 @@ class World {
 /// [-pi, pi). Everything that can be reached from here has this frame.
 struct Task {
   std::shared_ptr<const World> world;
-  std::shared_ptr<const CollisionChecker> checker;  ///< of the vehicle in the world
+  std::shared_ptr<const CollisionChecker> checker;  ///< of the vehicle with its margin
   Vehicle vehicle;
+  double margin = 0.0;  ///< that the vehicle keeps from things [m]
   Pose start;
   Pose goal;
 };
@@ -95,7 +97,7 @@ class Problem {
   [[nodiscard]] const Pose& start() const noexcept { return start_; }
   [[nodiscard]] const Pose& goal() const noexcept { return goal_; }
 
-  /// The problem as planners see it.
+  /// The problem as planners see it, without a margin.
   [[nodiscard]] const Task& task() const noexcept { return task_; }
 
  private:
@@ -131,6 +133,9 @@ void check_map(const OccupancyGrid& map);
 /// Throws InputError naming "vehicle", "start" or "goal" when they are out of range.
 [[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
                                    const Pose& start, const Pose& goal);
+
+/// The problem as planners see it when the vehicle keeps a margin [m].
+[[nodiscard]] Task task_with_margin(const Problem& problem, double margin);
 
 /// A pose of the scenario's frame in the world's frame, heading in [-pi, pi); and back. A scenario
 /// moved by whole metres has the same poses in its world, bit for bit, as long as its coordinates

@@ -197,8 +197,9 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
 PlanResult plan(const Problem& problem, const Planner& planner, const PlanOptions& options) {
   const PlanOptions all = complete(planner, options);
   const search::Budget clock(all.budget);
-  std::optional<PlannerAnswer> answer = settled(problem.task());
-  if (!answer) answer = planner.function(problem.task(), all);
+  const Task task = task_with_margin(problem, all.clearance.margin);
+  std::optional<PlannerAnswer> answer = settled(task);
+  if (!answer) answer = planner.function(task, all);
   PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());
   if (result.status == PlanStatus::start_in_collision) {
     result.reason = reason_at(problem, problem.start());

@@ -86,6 +86,11 @@ constexpr CommonOption cost(std::string_view name, std::string_view summary) {
   return option<&PlanOptions::cost, field>(name, summary);
 }
 
+template <auto field>
+constexpr CommonOption clearance(std::string_view name, std::string_view summary) {
+  return option<&PlanOptions::clearance, field>(name, summary);
+}
+
 constexpr std::array options_of_all = {
     budget<&BudgetOptions::seed>("seed", "of the random numbers; a whole number"),
     budget<&BudgetOptions::time_limit>("time_limit", "wall clock [s]; >= 0 or null"),
@@ -97,6 +102,8 @@ constexpr std::array options_of_all = {
                                          "cost of one gear change [m]; 0 to 10000"),
     cost<&CostOptions::initial_gear>("initial_gear",
                                      "driven before the start; any, forward or reverse"),
+    clearance<&ClearanceOptions::margin>(
+        "margin", "least distance from obstacles, of wheels from kerbs [m]; 0 to 1000"),
 };
 
 void require(bool condition, std::string_view name, const std::string& value,
@@ -200,6 +207,9 @@ void validate(const PlanOptions& options) {
   const double change = options.cost.gear_change_cost;
   require(change >= 0.0 && change <= 10000.0, "gear_change_cost", text_of(change),
           "a number from 0 to 10000 [m]");
+  const double margin = options.clearance.margin;
+  require(margin >= 0.0 && margin <= 1000.0, "margin", text_of(margin),
+          "a number from 0 to 1000 [m]");
 }
 
 }  // namespace vandplan

@@ -26,6 +26,7 @@ Surroundings checked(const Surroundings& given, const Point& origin) {
 /// A checker and whose it is.
 struct VehicleChecker {
   Vehicle vehicle;
+  double margin;
   CollisionChecker checker;
 };
 
@@ -39,16 +40,18 @@ World::World(const Surroundings& surroundings, const Point& near)
 
 World::~World() = default;
 
-std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle) const {
+std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle,
+                                                       double margin) const {
   check_vehicle(vehicle);
   const auto found = std::static_pointer_cast<const VehicleChecker>(derived_->find_or_make(
       typeid(VehicleChecker),
       [&](const void* made) {
-        return static_cast<const VehicleChecker*>(made)->vehicle == vehicle;
+        const auto& known = *static_cast<const VehicleChecker*>(made);
+        return known.vehicle == vehicle && known.margin == margin;
       },
       [&] {
         return std::shared_ptr<const VehicleChecker>(
-            new VehicleChecker{vehicle, CollisionChecker(vehicle, ground_)});
+            new VehicleChecker{vehicle, margin, CollisionChecker(vehicle, ground_, margin)});
       }));
   return {found, &found->checker};
 }
@@ -94,6 +97,13 @@ Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
   made.task_.goal = to_local(*world, goal);
   made.task_.world = std::move(world);
   return made;
+}
+
+Task task_with_margin(const Problem& problem, double margin) {
+  Task task = problem.task();
+  task.margin = margin;
+  task.checker = task.world->checker(task.vehicle, margin);
+  return task;
 }
 
 Pose to_local(const World& world, const Pose& pose) noexcept {
