@@ -31,21 +31,25 @@ struct Turn {
   const std::vector<std::size_t>* planners = nullptr;
 };
 
-int at_most(const Campaign& campaign, const Planner& planner, int repeats) {
-  for (const RepeatCap& cap : campaign.caps)
-    if (is_in_group(planner, cap.group)) repeats = std::min(repeats, cap.repeats);
-  return repeats;
+// Without planners yet.
+Lineup lineup_of(const Campaign& campaign, const Planner& planner) {
+  Lineup lineup{campaign.repeats, campaign.repeats_per_goal, {}};
+  for (const RepeatCap& cap : campaign.caps) {
+    if (!is_in_group(planner, cap.group)) continue;
+    lineup.repeats = std::min(lineup.repeats, cap.repeats);
+    lineup.repeats_per_goal = std::min(lineup.repeats_per_goal, cap.repeats_per_goal);
+  }
+  return lineup;
 }
 
 std::vector<Lineup> lineups_of(const Campaign& campaign) {
   std::vector<Lineup> lineups;
   for (std::size_t i = 0; i < campaign.planners.size(); ++i) {
-    const int repeats = at_most(campaign, campaign.planners[i], campaign.repeats);
-    const int per_goal = at_most(campaign, campaign.planners[i], campaign.repeats_per_goal);
+    const Lineup wanted = lineup_of(campaign, campaign.planners[i]);
     auto found = std::ranges::find_if(lineups, [&](const Lineup& lineup) {
-      return lineup.repeats == repeats && lineup.repeats_per_goal == per_goal;
+      return lineup.repeats == wanted.repeats && lineup.repeats_per_goal == wanted.repeats_per_goal;
     });
-    if (found == lineups.end()) found = lineups.insert(found, {repeats, per_goal, {}});
+    if (found == lineups.end()) found = lineups.insert(found, wanted);
     found->planners.push_back(i);
   }
   return lineups;
@@ -84,8 +88,11 @@ void check(const Campaign& campaign) {
   if (campaign.regions.empty()) throw InputError("region", "none given");
   if (campaign.repeats < 1) throw InputError("repeats", "must be at least 1");
   if (campaign.repeats_per_goal < 1) throw InputError("goal-repeats", "must be at least 1");
-  for (const RepeatCap& cap : campaign.caps)
+  for (const RepeatCap& cap : campaign.caps) {
     if (cap.repeats < 1) throw InputError("repeats", "must be at least 1 for " + cap.group);
+    if (cap.repeats_per_goal < 1)
+      throw InputError("goal-repeats", "must be at least 1 for " + cap.group);
+  }
   for (const Planner& planner : campaign.planners)
     if (std::ranges::count(campaign.planners, planner.name, &Planner::name) > 1)
       throw InputError("planners", "two of them have the name \"" + planner.name + "\"");

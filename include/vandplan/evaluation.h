@@ -37,7 +37,8 @@ struct Setting {
 /// A limit on the repeats of the planners of one group (`PlannerProperties::groups`).
 struct RepeatCap {
   std::string group;
-  int repeats = 1;  ///< at most so many of every problem; >= 1
+  int repeats = 1;           ///< at most so many of every scenario with one goal; >= 1
+  int repeats_per_goal = 1;  ///< at most so many of every goal in a row of goals; >= 1
 };
 
 /// What to compare.
@@ -47,7 +48,7 @@ struct Campaign {
   /// Where samples are drawn. A planner without an option "region" runs in each of them alike.
   std::vector<Region> regions = {Region::bounds, Region::scene};
   int repeats = 25;                  ///< of every scenario with one goal; >= 1
-  int repeats_per_goal = 3;          ///< of every goal in a row of goals; >= 1
+  int repeats_per_goal = 2;          ///< of every goal in a row of goals; >= 1
   std::vector<RepeatCap> caps = {};  ///< fewer repeats for some planners
   std::uint64_t seed = 1;            ///< every run's seed is derived from it
   /// One run more of each kind that measures where the time goes, for planners that have an option

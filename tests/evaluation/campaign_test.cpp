@@ -125,7 +125,9 @@ TEST(Campaign, OfNothingIsRefused) {
   campaign.planners.push_back(planner("a"));  // who of both would a report mean?
   EXPECT_THROW(static_cast<void>(runs_of(campaign)), InputError);
   campaign = small_campaign();
-  campaign.caps = {{"group", 0}};
+  campaign.caps = {{"group", 0, 1}};
+  EXPECT_THROW(static_cast<void>(runs_of(campaign)), InputError);
+  campaign.caps = {{"group", 1, 0}};
   EXPECT_THROW(static_cast<void>(runs_of(campaign)), InputError);
 }
 
@@ -166,9 +168,9 @@ TEST(Campaign, RunsPlannersThatKnowNoRegionInEachRegionAlike) {
 TEST(Campaign, RepeatsAGroupLessOftenWithTheSameSeedsAndOverAllOfTheTime) {
   Campaign campaign = small_campaign();
   campaign.planners[1].properties.groups = {"few"};
-  campaign.caps = {{"few", 3}};
+  campaign.caps = {{"few", 3, 1}};
   const std::vector<RunSpec> runs = runs_of(campaign);
-  EXPECT_EQ(runs.size(), 2U * 2U * (6U + 3U * 2U) + 2U * (3U + 3U * 2U));
+  EXPECT_EQ(runs.size(), 2U * 2U * (6U + 3U * 2U) + 2U * (3U + 3U * 1U));
   std::set<std::uint64_t> many, few;
   for (const RunSpec& run : runs) (run.planner == 1 ? few : many).insert(run.options.budget.seed);
   for (const std::uint64_t seed : few) EXPECT_TRUE(many.contains(seed));
@@ -182,7 +184,7 @@ TEST(Campaign, RepeatsAGroupLessOftenWithTheSameSeedsAndOverAllOfTheTime) {
 TEST(Campaign, ExplainsWhyThereAreSoManyRuns) {
   Campaign campaign = small_campaign();
   campaign.planners[1].properties.groups = {"few"};
-  campaign.caps = {{"few", 2}};
+  campaign.caps = {{"few", 2, 2}};
   campaign.profile = true;
   EXPECT_EQ(explain_runs(campaign),
             "76 runs\n"
