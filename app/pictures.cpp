@@ -39,6 +39,7 @@ Drawing drawing_of(const Scenario& scenario, const ResultRecord* record) {
   const PlanResult& result = record->result;
   if (result.path) drawing.path = &*result.path;
   if (result.tree) drawing.tree = &*result.tree;
+  drawing.margin = record->options.clearance.margin;
   drawing.caption = caption_of(scenario, *record);
   return drawing;
 }

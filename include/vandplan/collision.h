@@ -29,6 +29,25 @@ struct Surroundings {
   std::optional<OccupancyGrid> map = {};
 };
 
+/// Around a place the margin is less than elsewhere: `least` there, and it grows evenly with the
+/// distance of the rear axle until that is `reach`.
+struct MarginRamp {
+  Point centre = {};   ///< [m]
+  double least = 0.0;  ///< [m]; >= 0
+  double reach = 1.0;  ///< [m]; > 0
+  bool operator==(const MarginRamp&) const = default;
+};
+
+/// How far a vehicle keeps from things: the body from obstacles and map, the wheels from kerbs.
+struct Margin {
+  double wanted = 0.0;                 ///< [m]; >= 0
+  std::vector<MarginRamp> ramps = {};  ///< where less will do
+  bool operator==(const Margin&) const = default;
+
+  /// What is kept everywhere [m].
+  [[nodiscard]] double least() const noexcept;
+};
+
 /// Answers collision queries for one footprint in one set of obstacles. Immutable after
 /// construction and safe to share between threads.
 ///
@@ -43,12 +62,12 @@ class CollisionChecker {
   /// The polygons must be simple (see `World`).
   CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                    std::span<const Polygon> obstacles);
-  /// For all that a vehicle meets. The frame is that of the surroundings. The body keeps `margin`
-  /// from obstacles and map, the wheels keep it from kerbs [m]; >= 0.
-  CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings, double margin = 0.0);
+  /// For all that a vehicle meets. The frame is that of the surroundings.
+  CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings,
+                   const Margin& margin = {});
   /// For one of many vehicles on the same ground (`World::checker`).
   CollisionChecker(const Vehicle& vehicle, std::shared_ptr<const collision::Ground> ground,
-                   double margin = 0.0);
+                   const Margin& margin = {});
   ~CollisionChecker();
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;
@@ -60,6 +79,10 @@ class CollisionChecker {
 
   /// Everything swept from `from` along the segments, one after the other.
   [[nodiscard]] bool is_free(const Pose& from, std::span<const Segment> segments) const noexcept;
+
+  /// Distance of the body from the nearest obstacle or blocked cell, or of the wheels from the
+  /// nearest kerb, whichever is less, and no more than `most` [m]; 0 if they touch.
+  [[nodiscard]] double clearance(const Pose& pose, double most) const noexcept;
 
   /// Whether an obstacle of the map is at most this far from the point [m]. False without a map.
   [[nodiscard]] bool map_is_within(const Point& point, double distance) const noexcept;

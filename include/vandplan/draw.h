@@ -23,6 +23,7 @@ struct Drawing {
   const Scenario* scenario = nullptr;
   const Path* path = nullptr;          ///< or none
   const TreeSnapshot* tree = nullptr;  ///< or none
+  double margin = 0.0;                 ///< a band so wide is drawn around all that is swept [m]
   std::string caption = {};            ///< one line above the picture, UTF-8
 };
 

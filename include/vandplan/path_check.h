@@ -34,12 +34,22 @@ struct StatedCost {
   std::optional<double> gap = {};    ///< cost / bound - 1
 };
 
+/// How far somebody says that a path stays from things: the footprint from obstacles and the map,
+/// the wheels from kerbs. Of the ends of the path one with a clearance c below the margin has a
+/// ramp: with the rear axle d < `ramp` metres from it, c + (margin - c) d / ramp is enough, less a
+/// millimetre.
+struct StatedMargin {
+  double margin = 0.0;  ///< [m]
+  double ramp = 0.0;    ///< [m]; 0: the margin is kept everywhere
+};
+
 /// What somebody says about a path; whatever is stated is checked. A bound is not proven again, but
 /// must not be above the cost.
 struct PathClaims {
   std::optional<double> length = {};  ///< [m]
   std::optional<int> gear_changes = {};
   std::optional<StatedCost> cost = {};
+  std::optional<StatedMargin> margin = {};
   /// From end to end, at most 0.1 m apart, in the frame of the path; none: nothing is said.
   std::vector<StatedPose> poses = {};
 };
@@ -61,8 +71,9 @@ struct PathCheck {
 /// Judges a path in the scenario's frame, in this order: every number is finite, it
 /// begins at the start, every curvature is drivable, the rear axle stays in the bounds, the
 /// footprint touches no obstacle and no blocked cell and the wheels no kerb (looked at every
-/// millimetre that a point of the vehicle moves, skipping only what is proven to be free), it ends
-/// at the goal within 1e-6 m and 1e-6 rad, and what is claimed is true.
+/// millimetre that a point of the vehicle moves, skipping only what is proven to be free), they
+/// keep the margin that is claimed, it ends at the goal within 1e-6 m and 1e-6 rad, and what is
+/// claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});
 

@@ -3,9 +3,9 @@
 #pragma once
 // Which knobs does a run have?
 //
-// Four parts: how much work it may do, what driving costs, how far to stay away from things, and the
-// options of one planner, which its registration names (planner.h). An option that the chosen planner does not honour is an
-// error, never silence.
+// Four parts: how much work it may do, what driving costs, how far to stay away from things, and
+// the options of one planner, which its registration names (planner.h). An option that the chosen
+// planner does not honour is an error, never silence.
 
 #include <atomic>
 #include <cstdint>
@@ -46,8 +46,11 @@ struct CostOptions {
 /// How far the vehicle stays away from things.
 struct ClearanceOptions {
   /// The body keeps at least this far from every obstacle, the wheels from every kerb [m]; 0 to
-  /// 1000. A start or goal that is nearer counts as being in collision.
+  /// 1000. A start or goal that is nearer counts as being in collision, unless there is a ramp.
   double margin = 0.0;
+  /// Around a start or goal with a clearance c below the margin, less will do: with the rear axle d
+  /// metres from it, c + (margin - c) d / margin_ramp [m]; 0 to 1000, 0: nowhere.
+  double margin_ramp = 0.0;
   bool operator==(const ClearanceOptions&) const = default;
 };
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "vandplan/collision.h"
+#include "vandplan/plan_options.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
@@ -60,10 +61,11 @@ class World {
   /// The cleaned surroundings in the world's frame, which planners and the judge work in.
   [[nodiscard]] const Surroundings& local() const noexcept { return local_; }
 
-  /// The checker of a vehicle that keeps a margin [m], in the world's frame; made when a vehicle comes for the first time.
-  /// Throws InputError naming "vehicle.width" or another key that is wrong.
+  /// The checker of a vehicle that keeps a margin, in the world's frame. Kept with the world,
+  /// unless the margin has ramps. Throws InputError naming "vehicle.width" or another key that is
+  /// wrong.
   [[nodiscard]] std::shared_ptr<const CollisionChecker> checker(const Vehicle& vehicle,
-                                                                double margin = 0.0) const;
+                                                                const Margin& margin = {}) const;
 
   /// A value of that type that a part of the library keeps with the world: the one that `make`
   /// returns at the first call, the same one ever after. From any thread.
@@ -83,7 +85,7 @@ struct Task {
   std::shared_ptr<const World> world;
   std::shared_ptr<const CollisionChecker> checker;  ///< of the vehicle with its margin
   Vehicle vehicle;
-  double margin = 0.0;  ///< that the vehicle keeps from things [m]
+  double least_margin = 0.0;  ///< that the vehicle keeps from things wherever it is [m]
   Pose start;
   Pose goal;
 };
@@ -134,8 +136,8 @@ void check_map(const OccupancyGrid& map);
 [[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
                                    const Pose& start, const Pose& goal);
 
-/// The problem as planners see it when the vehicle keeps a margin [m].
-[[nodiscard]] Task task_with_margin(const Problem& problem, double margin);
+/// The problem as planners see it when the vehicle keeps its distance.
+[[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options);
 
 /// A pose of the scenario's frame in the world's frame, heading in [-pi, pi); and back. A scenario
 /// moved by whole metres has the same poses in its world, bit for bit, as long as its coordinates

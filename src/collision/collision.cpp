@@ -51,6 +51,32 @@ struct AlongTheWay {
   }
 };
 
+/// The margin wanted with the rear axle in a place, or the most that is wanted up to `around`
+/// metres from it; the least, if that is negative [m].
+double wanted_at(const Margin& margin, const Point& axle, double around) noexcept {
+  double wanted = margin.wanted;
+  for (const auto& [centre, least, reach] : margin.ramps) {
+    const double distance = std::hypot(axle.x - centre.x, axle.y - centre.y) + around;
+    if (distance >= reach) continue;
+    wanted = std::min(wanted, least + (margin.wanted - least) * std::max(distance, 0.0) / reach);
+  }
+  return wanted;
+}
+
+/// Distance of a footprint from the sides of polygons, no more than `most` [m].
+double distance_from(const Obstacles& obstacles, const Footprint& footprint,
+                     const Placement& placement, double most) noexcept {
+  if (obstacles.is_empty()) return most;
+  double least = most * most;
+  const auto lower = [&](const Sides& sides) {
+    least = std::min(least, squared_distance(footprint, placement, sides));
+    return least == 0;
+  };
+  const PlacedSegment standing(placement, Segment{});
+  (void)obstacles.any_near(Sweep(footprint, standing, most).box(), lower);
+  return std::sqrt(least);
+}
+
 /// Whether a side of polygons comes within a margin of a footprint on its way [m].
 bool is_crossed(const Obstacles& obstacles, const Footprint& footprint, double margin,
                 const PlacedSegment& placed) noexcept {
@@ -66,18 +92,18 @@ bool is_crossed(const Obstacles& obstacles, const Footprint& footprint, double m
 }  // namespace
 
 struct CollisionChecker::Data {
-  Data(const Footprint& body_outline, const Footprint& wheels_outline, double wanted,
+  Data(const Footprint& of_body, const Footprint& of_wheels, const Margin& kept,
        std::shared_ptr<const collision::Ground> on)
-      : body(body_outline),
-        margin(wanted),
-        discs(body_outline, wanted),
-        wheels(wheels_outline),
+      : body(of_body),
+        wheels(of_wheels),
+        margin(kept),
+        discs(of_body, kept.wanted),
         ground(std::move(on)) {}
 
   Footprint body;
-  double margin;   // around the body, and around the wheels [m]
-  DiscRows discs;  // that cover the body with its margin
   Footprint wheels;
+  Margin margin;
+  DiscRows discs;  // that cover the body with the margin wanted
   std::shared_ptr<const collision::Ground> ground;
 
   /// Whether nothing contains the place of a rear axle.
@@ -90,13 +116,36 @@ struct CollisionChecker::Data {
   /// of all that is enough: whatever is entered later is entered across a side.
   [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed,
                                      const Bounds& box) const noexcept {
-    return holds(box, placed.axle_box()) && !is_crossed(ground->walls, body, margin, placed) &&
-           !is_crossed(ground->kerbs, wheels, margin, placed) &&
-           !(ground->map && !ground->map->is_clear(body, margin, discs, placed));
+    return holds(box, placed.axle_box()) &&
+           (margin.ramps.empty() ? keeps(margin.wanted, discs, placed) : keeps_margin(placed));
   }
 
+  [[nodiscard]] bool keeps(double distance, const DiscRows& around,
+                           const PlacedSegment& placed) const noexcept {
+    return !is_crossed(ground->walls, body, distance, placed) &&
+           !is_crossed(ground->kerbs, wheels, distance, placed) &&
+           !(ground->map && !ground->map->is_clear(body, distance, around, placed));
+  }
+
+  [[nodiscard]] bool keeps_margin(const PlacedSegment& placed) const noexcept;
   [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept;
 };
+
+/// Whether the margin is kept where it changes on the way: what is asked for on a part of it lies
+/// between two numbers, which are told apart only if that decides.
+bool CollisionChecker::Data::keeps_margin(const PlacedSegment& placed) const noexcept {
+  constexpr double close_enough = 0.2e-3;  // [m]
+  const auto keeps_all = [&](double distance) {
+    return keeps(distance, DiscRows(body, distance), placed);
+  };
+  const double half = placed.length / 2;
+  const Point axle = placed.at(half).position;
+  const double most = wanted_at(margin, axle, half);
+  if (keeps_all(most)) return true;
+  const double least = wanted_at(margin, axle, -half);
+  if (most - least <= close_enough || !keeps_all(least)) return false;
+  return keeps_margin(placed.part(0, half)) && keeps_margin(placed.part(half, placed.length));
+}
 
 /// Whether a clothoid touches no side and keeps to the bounds; `placement` goes on to its end. Out
 /// of line, so that arcs and lines do not pay for it.
@@ -115,19 +164,26 @@ struct CollisionChecker::Data {
   return true;
 }
 
+double Margin::least() const noexcept {
+  double least = wanted;
+  for (const MarginRamp& ramp : ramps) least = std::min(least, ramp.least);
+  return least;
+}
+
 CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                                    std::span<const Polygon> obstacles)
     : data_(std::make_unique<const Data>(
-          footprint, footprint, 0.0,
+          footprint, footprint, Margin{},
           std::make_shared<const collision::Ground>(Surroundings{
               .bounds = bounds, .obstacles = {obstacles.begin(), obstacles.end()}}))) {}
 
 CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings,
-                                   double margin)
+                                   const Margin& margin)
     : CollisionChecker(vehicle, std::make_shared<const collision::Ground>(surroundings), margin) {}
 
 CollisionChecker::CollisionChecker(const Vehicle& vehicle,
-                                   std::shared_ptr<const collision::Ground> ground, double margin)
+                                   std::shared_ptr<const collision::Ground> ground,
+                                   const Margin& margin)
     : data_(std::make_unique<const Data>(footprint(vehicle), wheel_footprint(vehicle), margin,
                                          std::move(ground))) {}
 
@@ -153,6 +209,15 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
     placement = placed.to;
   }
   return true;
+}
+
+double CollisionChecker::clearance(const Pose& pose, double most) const noexcept {
+  if (!data_->is_outside({pose.x, pose.y})) return 0.0;
+  const Placement placement = placement_of(pose);
+  const auto& [body, wheels, margin, discs, ground] = *data_;
+  double least = distance_from(ground->walls, body, placement, most);
+  least = distance_from(ground->kerbs, wheels, placement, least);
+  return ground->map ? ground->map->clearance(body, placement, least) : least;
 }
 
 bool CollisionChecker::map_is_within(const Point& point, double distance) const noexcept {

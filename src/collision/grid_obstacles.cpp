@@ -67,6 +67,19 @@ class GridObstacles::Search {
     return finds_any({part.begin, middle}) || finds_any({middle, part.end});
   }
 
+  /// Distance of the body, without its margin, from the nearest edge cell where the segment begins,
+  /// no more than the margin [m].
+  [[nodiscard]] double distance(double margin) const {
+    const Rectangle near = around(0, 0);
+    const Footprint body{body_.rear - margin, body_.front - margin, body_.half_width - margin};
+    double least = margin * margin;
+    (void)any_run(near, [&](const CellBox& run) {
+      least = std::min(least, squared_distance(body, placed_.from, sides_of(square(run))));
+      return least == 0;
+    });
+    return std::sqrt(least);
+  }
+
  private:
   /// A rectangle that lies as the footprint does.
   struct Rectangle {
@@ -120,12 +133,17 @@ class GridObstacles::Search {
     return false;
   }
 
-  /// [3] Through blocks of cells.
   [[nodiscard]] bool finds_in(const Rectangle& near) const {
+    return any_run(near, [&](const CellBox& run) { return sweep_.touches(sides_of(square(run))); });
+  }
+
+  /// [3] Calls `look` for runs of edge cells near the rectangle, until it returns true; through
+  /// blocks of cells.
+  template <typename Look>
+  [[nodiscard]] bool any_run(const Rectangle& near, Look look) const {
     const CellBox box = grid_.cells_in(near.box());
     return finds(grid_.blocks_, grid_.block_shift_, box, near, [&](const CellBox& cells) {
-      return finds(grid_.cells_.edges(), 0, cells, near,
-                   [&](const CellBox& run) { return sweep_.touches(sides_of(square(run))); });
+      return finds(grid_.cells_.edges(), 0, cells, near, look);
     });
   }
 
@@ -211,6 +229,23 @@ bool GridObstacles::is_clear(const Footprint& body, double margin, const DiscRow
     if (search.finds_any(part)) return false;
   }
   return true;
+}
+
+double GridObstacles::clearance(const Footprint& body, const Placement& placement,
+                                double most) const noexcept {
+  const PlacedSegment placed = in_frame(PlacedSegment(placement, Segment{}));
+  const auto& [position, heading] = placed.from;
+  const DiscRow row = DiscRows(body).slim;
+  double nearest = most;
+  bool is_far = true;
+  for (int i = 0; i < row.count; ++i) {
+    const double ahead = row.first + i * row.step;
+    const auto [least, highest] = field_.around(
+        {(position.x + ahead * heading.x) / side_, (position.y + ahead * heading.y) / side_});
+    is_far = is_far && least * side_ - row.outer >= most;
+    nearest = std::min(nearest, highest * side_);
+  }
+  return is_far ? most : Search(*this, body, nearest, placed).distance(nearest);
 }
 
 bool GridObstacles::is_within(const Point& point, double distance) const noexcept {

@@ -31,6 +31,10 @@ class GridObstacles {
   [[nodiscard]] bool is_clear(const Footprint& body, double margin, const DiscRows& discs,
                               const PlacedSegment& placed) const noexcept;
 
+  /// Distance of the body from the nearest edge cell, no more than `most` [m].
+  [[nodiscard]] double clearance(const Footprint& body, const Placement& placement,
+                                 double most) const noexcept;
+
   /// Whether a blocked cell is at most this far from the point [m].
   [[nodiscard]] bool is_within(const Point& point, double distance) const noexcept;
 

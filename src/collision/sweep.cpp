@@ -52,6 +52,22 @@ Placement placement_of(const Pose& pose) noexcept {
   return {{pose.x, pose.y}, {cos, sin}};
 }
 
+double squared_distance(const Footprint& footprint, const Placement& placement,
+                        const Sides& sides) noexcept {
+  const Rectangle body{footprint.rear, footprint.front, footprint.half_width};
+  const auto& [position, heading] = placement;
+  std::array<Point, 5> corners;  // as the vehicle sees them
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Point to{sides.x[i] - position.x, sides.y[i] - position.y};
+    corners[i] = {dot(to, heading), cross(heading, to)};
+  }
+  double least = infinity;
+  for (std::size_t i = 0; i < 4; ++i) {
+    least = std::min(least, squared_distance(body, corners[i], corners[i + 1]));
+  }
+  return least;
+}
+
 PlacedSegment::PlacedSegment(const Placement& start, const Segment& segment) noexcept
     : from(start) {
   const Point& heading = from.heading;
@@ -73,6 +89,24 @@ Placement PlacedSegment::at(double driven) const noexcept {
   if (curvature == 0) return placed(0, 1, {driven, 0});
   const Turned part = turned(driven, curvature);
   return placed(part.sin, part.cos, part.end);
+}
+
+PlacedSegment PlacedSegment::part(double begin, double last) const noexcept {
+  PlacedSegment result = *this;
+  result.from = at(begin);
+  result.to = at(last);
+  const double gear = dot(forward, from.heading) < 0 ? -1 : 1;
+  const double side = cross(from.heading, left) < 0 ? -1 : 1;
+  const Point& heading = result.from.heading;
+  result.forward = {gear * heading.x, gear * heading.y};
+  result.left = {-side * heading.y, side * heading.x};
+  result.length = last - begin;
+  result.turn = result.length * curvature;
+  const Turned whole = turned(result.length, curvature);
+  result.sin = whole.sin;
+  result.cos = whole.cos;
+  result.end = whole.end;
+  return result;
 }
 
 Placement PlacedSegment::placed(double sin_of_turn, double cos_of_turn,
@@ -207,49 +241,13 @@ bool Sweep::touches(const Sides& sides) const noexcept {
   }
   if (!touched || margin_ == 0) return touched;
   for (std::size_t i = 0; i < 4; ++i) {  // [6]
-    if (first_.is_within(margin_, {x[i], y[i]}, {x[i + 1], y[i + 1]})) return true;
+    if (is_near_first({x[i], y[i]}, {x[i + 1], y[i + 1]})) return true;
   }
   return false;
 }
 
-Sweep::Rectangle Sweep::Rectangle::grown(double by) const noexcept {
-  return {back + by, front + by, half_width + by};
-}
-
-// Two convex sets are apart exactly if the normal of a side of one of them tells them apart.
-bool Sweep::Rectangle::meets(const Point& a, const Point& b) const noexcept {
-  const double middle = (front - back) / 2;
-  const double half_length = (front + back) / 2;
-  const double ax = a.x - middle;
-  const double bx = b.x - middle;
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  return (std::min(ax, bx) <= half_length) & (std::max(ax, bx) >= -half_length) &
-         (std::min(a.y, b.y) <= half_width) & (std::max(a.y, b.y) >= -half_width) &
-         (std::abs(ax * dy - a.y * dx) <= half_length * std::abs(dy) + half_width * std::abs(dx));
-}
-
-/// Of two convex sets that are apart one is nearest at a corner of the other.
-bool Sweep::Rectangle::is_within(double distance, const Point& a, const Point& b) const noexcept {
-  if (meets(a, b)) return true;
-  const double limit = distance * distance;
-  for (const Point& p : {a, b}) {
-    const double dx = std::max({-back - p.x, p.x - front, 0.0});
-    const double dy = std::max(std::abs(p.y) - half_width, 0.0);
-    if (dx * dx + dy * dy <= limit) return true;
-  }
-  const Point d{b.x - a.x, b.y - a.y};
-  const double squared = dot(d, d);
-  for (const double x : {-back, front}) {
-    for (const double y : {-half_width, half_width}) {
-      const Point to{x - a.x, y - a.y};
-      const double along = dot(to, d);
-      if (along <= 0 || along >= squared) continue;  // nearest at an end of the side
-      const double aside = cross(to, d);
-      if (aside * aside <= limit * squared) return true;
-    }
-  }
-  return false;
+bool Sweep::is_near_first(const Point& a, const Point& b) const noexcept {
+  return squared_distance(first_, a, b) <= margin_ * margin_;
 }
 
 /// Signed distance outwards from the circle of the rear axle, to first order; exactly,
@@ -365,8 +363,8 @@ bool Sweep::touches_side(const Point& a, const Point& b) const noexcept {
     return first_.meets(a, b) || first_.meets(from_end(a), from_end(b)) || covers(a) ||
            crosses_arc(a, b);
   }
-  return first_.is_within(margin_, a, b) || first_.is_within(margin_, from_end(a), from_end(b)) ||
-         covers(a) || crosses_arc(a, b) || passes_arc(a, b);
+  return is_near_first(a, b) || is_near_first(from_end(a), from_end(b)) || covers(a) ||
+         crosses_arc(a, b) || passes_arc(a, b);
 }
 
 /// Levels grow with the square of the distance: of a side that reaches far away only the part in a

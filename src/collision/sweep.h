@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "collision/rectangle.h"
 #include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 
@@ -27,6 +28,10 @@ struct Sides {
   std::array<double, 5> x;
   std::array<double, 5> y;
 };
+
+/// Square of the distance of a footprint from four sides of a polygon [m^2], 0 if they touch.
+[[nodiscard]] double squared_distance(const Footprint& footprint, const Placement& placement,
+                                      const Sides& sides) noexcept;
 
 /// How far the footprint is inflated before it is tested [m]: at its start and end, and on the
 /// arcs between. Two sizes, so that rounding opens no gap where they meet.
@@ -55,6 +60,9 @@ struct PlacedSegment {
   /// Where the vehicle is after that length, from 0 to all of it [m].
   [[nodiscard]] Placement at(double driven) const noexcept;
 
+  /// What is driven between two lengths, the first one not above the other [m].
+  [[nodiscard]] PlacedSegment part(double begin, double last) const noexcept;
+
  private:
   [[nodiscard]] Placement placed(double sin_of_turn, double cos_of_turn,
                                  const Point& place) const noexcept;
@@ -73,13 +81,6 @@ class Sweep {
   [[nodiscard]] bool touches(const Sides& sides) const noexcept;
 
  private:
-  // From `back` behind to `front` ahead of the rear axle, in the frame of the segment.
-  struct Rectangle {
-    double back, front, half_width;
-    [[nodiscard]] Rectangle grown(double by) const noexcept;
-    [[nodiscard]] bool meets(const Point& a, const Point& b) const noexcept;
-    [[nodiscard]] bool is_within(double distance, const Point& a, const Point& b) const noexcept;
-  };
   // Where a point of the footprint begins to draw a piece of the outline of the swept area.
   struct Arc {
     Point start;
@@ -87,6 +88,8 @@ class Sweep {
   };
 
   void build_arcs() noexcept;
+  /// Whether a side comes within the margin of the footprint at the start.
+  [[nodiscard]] bool is_near_first(const Point& a, const Point& b) const noexcept;
   [[nodiscard]] double level(const Point& p) const noexcept;
   [[nodiscard]] Point from_end(const Point& p) const noexcept;
   [[nodiscard]] bool is_reached(const Point& from, const Point& to) const noexcept;

@@ -124,6 +124,25 @@ std::vector<Point> swept(const Footprint& body, const Pose& from, const Pose& to
   return hull;
 }
 
+// All that is within the margin of what the vehicle sweeps, as one translucent area.
+void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
+  const Footprint body = footprint(scene.vehicle);
+  const double fine =
+      std::max(scene.vehicle.min_turning_radius / 8, length(scene.path->segments) / 5000);
+  cairo_push_group(cairo);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  for (const Stroke& part : strokes_of(*scene.path, fine)) {
+    for (std::size_t i = 1; i < part.poses.size(); ++i) {
+      add_polygon(cairo, view, swept(body, part.poses[i - 1], part.poses[i]));
+    }
+    set_colour(cairo, colour::margin, 1.0);
+    cairo_fill_preserve(cairo);
+    stroke(cairo, 2 * scene.margin * view.scale, colour::margin, 1.0);
+  }
+  cairo_pop_group_to_source(cairo);
+  cairo_paint_with_alpha(cairo, 0.35);
+}
+
 // All that the vehicle sweeps, as one translucent area in the colour of the gear, and outlines of
 // the vehicle every so often.
 void paint_sweep(cairo_t* cairo, const Scene& scene, const View& view) {
@@ -200,6 +219,7 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   if (scene.map) paint_map(cairo, *scene.map, view);
   paint_polygons(cairo, scene.obstacles, colour::obstacle, view);
   paint_tree(cairo, scene, view);
+  if (scene.path && scene.margin > 0.0) paint_margin(cairo, scene, view);
   if (scene.path) paint_sweep(cairo, scene, view);
   paint_vehicle(cairo, {body, scene.goal, colour::goal}, view);
   paint_vehicle(cairo, {body, scene.start, colour::start}, view);

@@ -115,6 +115,8 @@ Scene scene_of(const Drawing& drawing) {
   scene.map = scenario.map;
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");
   if (drawing.path) scene.path = moved(*drawing.path, scene.origin);
+  if (!(drawing.margin >= 0.0)) throw InputError("margin", "must be at least 0 [m]");
+  scene.margin = drawing.margin;
   if (drawing.tree) scene.tree = moved(*drawing.tree, scene.origin);
   return scene;
 }

@@ -22,7 +22,8 @@ struct Scene {
   std::vector<Polygon> kerbs;
   std::optional<OccupancyGrid> map;
   std::optional<Path> path;
-  TreeSnapshot tree;  ///< empty when there is none
+  double margin = 0.0;  ///< around what the path sweeps [m]
+  TreeSnapshot tree;    ///< empty when there is none
 };
 
 /// Throws InputError when the scenario is none (`check_scenario`), has no such goal, or a number of

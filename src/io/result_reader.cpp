@@ -112,14 +112,20 @@ void read_statistics(const Document& file, const Node& node, PlanResult& result,
   }
 }
 
-/// What the cost depends on; the defaults where a file does not say.
-void read_cost_rule(const Document& file, const Node& node, PlanOptions& options) {
+/// What the path is held to; the defaults where a file does not say.
+void read_options(const Document& file, const Node& node, PlanOptions& options) {
   CostOptions& cost = options.cost;
   if (const Node* const weight = file.find(node, "reverse_weight")) {
     cost.reverse_weight = file.number(*weight);
   }
   if (const Node* const price = file.find(node, "gear_change_cost")) {
     cost.gear_change_cost = file.number(*price);
+  }
+  if (const Node* const margin = file.find(node, "margin")) {
+    options.clearance.margin = file.number(*margin);
+  }
+  if (const Node* const ramp = file.find(node, "margin_ramp")) {
+    options.clearance.margin_ramp = file.number(*ramp);
   }
   if (const Node* const gear = file.find(node, "initial_gear")) {
     const std::string& word = file.text(*gear);
@@ -195,9 +201,11 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
     result.path = path_from(file, file.at(node, "path"), radius);
     record.claims = claims_from(file, node, lists);
     if (const Node* const options = file.find(node, "options")) {
-      read_cost_rule(file, *options, record.options);
+      read_options(file, *options, record.options);
     }
     record.claims.cost = cost_from(file, node, record);
+    const ClearanceOptions& clearance = record.options.clearance;
+    if (clearance.margin > 0.0) record.claims.margin = {clearance.margin, clearance.margin_ramp};
   }
   read_statistics(file, node, result, lists);
   return record;

@@ -42,8 +42,12 @@ struct MayComeNearer {
 
 class Survey {
  public:
-  Survey(const Track& track, const Ground& ground, const Outlines& outlines)
-      : track_(track), ground_(ground), outlines_(outlines), reach_(reach_of(outlines.body)) {}
+  Survey(const Track& track, const Ground& ground, const Outlines& outlines, const Keeping& keeping)
+      : track_(track),
+        ground_(ground),
+        outlines_(outlines),
+        keeping_(keeping),
+        reach_(reach_of(outlines.body)) {}
 
   /// Both lower `least`, until it is 0: then `touch` is where that was seen.
   void look_at_ends();
@@ -87,6 +91,7 @@ class Survey {
   const Track& track_;
   const Ground& ground_;
   const Outlines& outlines_;
+  const Keeping& keeping_;
   double reach_;
   double least_ = std::numeric_limits<double>::infinity();
   std::optional<Place> touch_;
@@ -97,8 +102,11 @@ double Survey::clearance(const Place& place, double half, double most) {
   const Stretch& stretch = track_.stretches[place.stretch];
   const auto curvature = static_cast<double>(curvature_at(stretch, place.t));
   const auto rate = static_cast<double>(stretch.rate);
-  return ground_.clearance({after(stretch, place.t), curvature, half, rate}, outlines_, most,
-                           effort_);
+  const Position axle = after(stretch, place.t);
+  const double kept = keeping_.most_within(axle, half);
+  const double clearance =
+      ground_.clearance({axle, curvature, half, rate}, outlines_, most + kept, effort_);
+  return std::max(clearance - kept, 0.0);
 }
 
 void Survey::look_at_ends() {
@@ -166,9 +174,20 @@ Place Survey::contact(const Part& part, const Place& last) {
 
 }  // namespace
 
-Nearest nearest_along(const Track& track, const Ground& ground, const Outlines& outlines) {
+double Keeping::most_within(const Position& place, double half) const {
+  double most = margin;
+  for (const auto& [centre, least, reach] : ramps) {
+    const auto middle = static_cast<double>(std::hypot(place.x - centre.x, place.y - centre.y));
+    const double part = (middle + half) / reach;
+    if (part < 1) most = std::min(most, least + (margin - least) * part);
+  }
+  return most;
+}
+
+Nearest nearest_along(const Track& track, const Ground& ground, const Outlines& outlines,
+                      const Keeping& keeping) {
   if (ground.is_empty()) return {std::numeric_limits<double>::infinity(), {}, {}};
-  Survey survey(track, ground, outlines);
+  Survey survey(track, ground, outlines, keeping);
   survey.look_at_ends();
   survey.look_between();
   std::optional<Place> touch = survey.touch();

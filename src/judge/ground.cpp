@@ -31,15 +31,16 @@ double Ground::clearance(const Passage& passage, const Outlines& outlines, doubl
   return std::clamp(least - aside, 0.0, most);
 }
 
-std::string Ground::hit_at(const Position& position, const Outlines& outlines) const {
+Thing Ground::first_within(double distance, const Position& position,
+                           const Outlines& outlines) const {
   const View view = view_of({position});
-  if (const auto first = obstacles_.first_touched(view, outlines.body)) {
-    return "the footprint hits obstacles[" + std::to_string(*first) + "]";
+  if (const auto first = obstacles_.first_within(distance, view, outlines.body)) {
+    return {"obstacles[" + std::to_string(*first) + "]", "the footprint"};
   }
-  if (const auto first = kerbs_.first_touched(view, outlines.wheels)) {
-    return "the wheels hit kerbs[" + std::to_string(*first) + "]";
+  if (const auto first = kerbs_.first_within(distance, view, outlines.wheels)) {
+    return {"kerbs[" + std::to_string(*first) + "]", "the wheels"};
   }
-  return "the footprint hits the map";
+  return {"the map", "the footprint"};
 }
 
 }  // namespace vandplan::judge

@@ -22,6 +22,12 @@ struct Outlines {
   Rectangle body, wheels;
 };
 
+/// What may be hit, and by what.
+struct Thing {
+  std::string name;  ///< such as "obstacles[2]" or "the map"
+  const char* part;  ///< of the vehicle: "the footprint" or "the wheels"
+};
+
 [[nodiscard]] Outlines outlines_of(const Vehicle& vehicle);
 
 /// Obstacles, kerbs and map, ready to be asked. Of no vehicle, so one serves all.
@@ -39,8 +45,9 @@ class Ground {
   [[nodiscard]] double clearance(const Passage& passage, const Outlines& outlines, double most,
                                  Effort& effort) const;
 
-  /// What has happened at a position where the clearance is 0, such as "the wheels hit kerbs[2]".
-  [[nodiscard]] std::string hit_at(const Position& position, const Outlines& outlines) const;
+  /// Something at a position that is at most so far from the vehicle [m].
+  [[nodiscard]] Thing first_within(double distance, const Position& position,
+                                   const Outlines& outlines) const;
 
  private:
   PolygonTree obstacles_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "judge/along.h"
@@ -23,6 +24,10 @@ constexpr double position_tolerance = 1e-6;
 constexpr double heading_tolerance = 1e-6;
 constexpr double curvature_slack = 1e-9;  // relative
 constexpr double bounds_slack = 1e-9;     // [m]
+constexpr double margin_slack = 1e-6;     // [m]
+// A vehicle beside a kerb, parallel to it, moves away with the square of the way that it drives; a
+// ramp grows evenly. Without a slack there would be no way out, however long the ramp is.
+constexpr double ramp_slack = 1e-3;  // [m]
 
 struct Fault {
   std::string reason;
@@ -146,6 +151,9 @@ std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
   return std::nullopt;
 }
 
+/// The wheels are many, the footprint is one.
+bool is_of_many(std::string_view part) { return part.ends_with('s'); }
+
 /// What can be hit in a world, ready to be asked; made when the judge needs it first.
 std::shared_ptr<const Ground> ground_of(const World& world) {
   return std::static_pointer_cast<const Ground>(
@@ -153,14 +161,50 @@ std::shared_ptr<const Ground> ground_of(const World& world) {
 }
 
 /// The first collision on the way; without one `least` is the clearance.
-std::optional<Fault> collision(const Track& track, const Task& task, double& least) {
-  const std::shared_ptr<const Ground> ground = ground_of(*task.world);
-  const Outlines outlines = outlines_of(task.vehicle);
-  const Nearest nearest = nearest_along(track, *ground, outlines);
+std::optional<Fault> collision(const Track& track, const Ground& ground, const Outlines& outlines,
+                               double& least) {
+  const Nearest nearest = nearest_along(track, ground, outlines);
   least = nearest.clearance;
   if (!nearest.touch) return std::nullopt;
   const auto& [stretch, t] = *nearest.touch;
-  return Fault{ground->hit_at(after(track.stretches[stretch], t), outlines), nearest.touch};
+  const auto [name, part] = ground.first_within(0, after(track.stretches[stretch], t), outlines);
+  return Fault{text("%s %s %s", part, is_of_many(part) ? "hit" : "hits", name.c_str()),
+               nearest.touch};
+}
+
+/// What is to be kept: less around the ends of the path, if there is less and a ramp.
+Keeping keeping_of(const Track& track, const Ground& ground, const Outlines& outlines,
+                   const StatedMargin& stated) {
+  Keeping keeping{stated.margin - margin_slack, {}};
+  if (!(stated.ramp > 0)) return keeping;
+  for (const Position& end : {track.stretches[0].start, track.end}) {
+    Effort effort;
+    const double clearance = ground.clearance({end}, outlines, stated.margin, effort);
+    if (clearance >= stated.margin) continue;
+    keeping.ramps.push_back({end, clearance - ramp_slack, stated.ramp});
+  }
+  return keeping;
+}
+
+/// The first place on the way that is nearer to something than it may be.
+std::optional<Fault> too_near(const Track& track, const Ground& ground, const Outlines& outlines,
+                              const StatedMargin& stated) {
+  const Keeping keeping = keeping_of(track, ground, outlines, stated);
+  const std::optional<Place> touch = nearest_along(track, ground, outlines, keeping).touch;
+  if (!touch) return std::nullopt;
+  const Position place = after(track.stretches[touch->stretch], touch->t);
+  Effort effort;
+  const double clearance = ground.clearance({place}, outlines, stated.margin, effort);
+  const auto [name, part] = ground.first_within(clearance, place, outlines);
+  const double kept = keeping.most_within(place, 0);
+  if (kept == keeping.margin) {
+    return Fault{text("%s %s only %.3f m from %s, the margin is %g m", part,
+                      is_of_many(part) ? "are" : "is", clearance, name.c_str(), stated.margin),
+                 touch};
+  }
+  return Fault{text("%s %s only %.3f m from %s, the ramp of the margin asks for %.3f m", part,
+                    is_of_many(part) ? "are" : "is", clearance, name.c_str(), kept),
+               touch};
 }
 
 std::optional<Fault> first_fault(const Task& task, const Track& track, const PathClaims& claims,
@@ -168,8 +212,13 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Pat
   if (auto f = off_pose(track.stretches[0].start, task.start, "begins", {0, 0})) return f;
   if (auto f = too_tight(track, task.vehicle.min_turning_radius)) return f;
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
+  const std::shared_ptr<const Ground> ground = ground_of(*task.world);
+  const Outlines outlines = outlines_of(task.vehicle);
   least = std::numeric_limits<double>::infinity();
-  if (auto f = collision(track, task, *least)) return f;
+  if (auto f = collision(track, *ground, outlines, *least)) return f;
+  if (claims.margin && *least < claims.margin->margin) {
+    if (auto f = too_near(track, *ground, outlines, *claims.margin)) return f;
+  }
   if (auto f = off_pose(track.end, task.goal, "ends", end_of(track))) return f;
   if (const auto reason = false_claim(track, claims)) return Fault{*reason, {}};
   return std::nullopt;

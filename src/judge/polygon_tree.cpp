@@ -220,12 +220,12 @@ double PolygonTree::clearance(const View& view, const Rectangle& body, double mo
   return holder == none ? search.least() : 0;
 }
 
-std::optional<std::size_t> PolygonTree::first_touched(const View& view,
-                                                      const Rectangle& body) const {
+std::optional<std::size_t> PolygonTree::first_within(double distance, const View& view,
+                                                     const Rectangle& body) const {
   if (nodes_.empty()) return std::nullopt;
   std::size_t first = none;
   Effort effort;
-  find_touched(nodes_[0], view, body, first);
+  find_within(distance, nodes_[0], view, body, first);
   find_holder(nodes_[0], view, first, effort);
   return first == none ? std::nullopt : std::optional(first);
 }
@@ -236,20 +236,20 @@ Point PolygonTree::corner(const Chain& chain, std::uint32_t i) const {
   return polygon[index == polygon.size() ? 0 : index];
 }
 
-void PolygonTree::find_touched(const Node& node, const View& view, const Rectangle& body,
-                               std::size_t& first) const {
-  constexpr double any = std::numeric_limits<double>::min();
-  const auto touches = [&](const Bar& bar) {
-    return clearance_of_bar(view.passage, body, judge::seen(view, bar), any) <= 0;
+void PolygonTree::find_within(double distance, const Node& node, const View& view,
+                              const Rectangle& body, std::size_t& first) const {
+  const double more = distance + std::numeric_limits<double>::min();
+  const auto is_within = [&](const Bar& bar) {
+    return clearance_of_bar(view.passage, body, judge::seen(view, bar), more) <= distance;
   };
-  if (!touches(node.bar) || (node.chain.sides > 0 && node.chain.polygon >= first)) return;
+  if (!is_within(node.bar) || (node.chain.sides > 0 && node.chain.polygon >= first)) return;
   if (node.child != 0) {
-    find_touched(nodes_[node.child], view, body, first);
-    find_touched(nodes_[node.child + 1], view, body, first);
+    find_within(distance, nodes_[node.child], view, body, first);
+    find_within(distance, nodes_[node.child + 1], view, body, first);
     return;
   }
   for (std::uint32_t i = 0; i < node.chain.sides; ++i) {
-    if (touches({corner(node.chain, i), corner(node.chain, i + 1)})) first = node.chain.polygon;
+    if (is_within({corner(node.chain, i), corner(node.chain, i + 1)})) first = node.chain.polygon;
   }
 }
 

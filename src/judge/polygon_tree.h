@@ -29,9 +29,9 @@ class PolygonTree {
   [[nodiscard]] double clearance(const View& view, const Rectangle& body, double most,
                                  Effort& effort) const;
 
-  /// Which polygon the body touches at a position, holds, or is in: the first one of them.
-  [[nodiscard]] std::optional<std::size_t> first_touched(const View& view,
-                                                         const Rectangle& body) const;
+  /// The first polygon that is at most so far from the body at a position [m], or holds it.
+  [[nodiscard]] std::optional<std::size_t> first_within(double distance, const View& view,
+                                                        const Rectangle& body) const;
 
   /// Sides of one polygon, one after the other; side i goes from corner i to the next.
   struct Chain {
@@ -53,8 +53,8 @@ class PolygonTree {
   [[nodiscard]] Point corner(const Chain& chain, std::uint32_t i) const;
   [[nodiscard]] bool is_crossed(const Node& node, const View& view) const;
   void find_holder(const Node& node, const View& view, std::size_t& first, Effort& effort) const;
-  void find_touched(const Node& node, const View& view, const Rectangle& body,
-                    std::size_t& first) const;
+  void find_within(double distance, const Node& node, const View& view, const Rectangle& body,
+                   std::size_t& first) const;
 
   std::span<const Polygon> polygons_;
   std::vector<Node> nodes_;  ///< the first is the root

@@ -54,10 +54,15 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   }
 }
 
+std::optional<StatedMargin> stated(const ClearanceOptions& options) {
+  if (options.margin == 0.0) return std::nullopt;
+  return StatedMargin{options.margin, options.margin_ramp};
+}
+
 /// What the judge says of standing at a pose.
-std::string reason_at(const Problem& problem, const Pose& pose) {
+std::string reason_at(const Problem& problem, const Pose& pose, const ClearanceOptions& options) {
   const Problem there = make_problem(problem.world(), problem.vehicle(), pose, pose);
-  return check_path(there, Path{pose, {}}, {}).reason;
+  return check_path(there, Path{pose, {}}, {.margin = stated(options)}).reason;
 }
 
 /// What needs no search: a start or goal that cannot be, and a goal that is the start.
@@ -80,18 +85,19 @@ std::optional<PlannerAnswer> settled(const Task& task) {
 }
 
 /// What is said about a path when it is shown to the judge.
-PathClaims claims_of(const PlanResult& result, const CostOptions& options) {
+PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
+  const CostOptions& options = all.cost;
   StatedCost cost{.cost = result.cost,
                   .reverse_weight = options.reverse_weight,
                   .gear_change_cost = options.gear_change_cost,
                   .initial_direction = direction_of(options.initial_gear)};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
-  return {.cost = cost};
+  return {.cost = cost, .margin = stated(all.clearance)};
 }
 
 /// Lets the judge see the path; takes it away if he rejects it.
 void judge(const Problem& problem, const PlanOptions& options, PlanResult& result) {
-  result.check = check_path(problem, *result.path, claims_of(result, options.cost));
+  result.check = check_path(problem, *result.path, claims_of(result, options));
   if (result.check->valid) {
     if (result.anytime.empty()) {  // a planner that keeps no trace
       result.anytime.push_back({result.time_total, result.iterations, result.cost});
@@ -197,15 +203,15 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
 PlanResult plan(const Problem& problem, const Planner& planner, const PlanOptions& options) {
   const PlanOptions all = complete(planner, options);
   const search::Budget clock(all.budget);
-  const Task task = task_with_margin(problem, all.clearance.margin);
+  const Task task = task_of(problem, all.clearance);
   std::optional<PlannerAnswer> answer = settled(task);
   if (!answer) answer = planner.function(task, all);
   PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());
   if (result.status == PlanStatus::start_in_collision) {
-    result.reason = reason_at(problem, problem.start());
+    result.reason = reason_at(problem, problem.start(), all.clearance);
   }
   if (result.status == PlanStatus::goal_in_collision) {
-    result.reason = reason_at(problem, problem.goal());
+    result.reason = reason_at(problem, problem.goal(), all.clearance);
   }
   if (!result.path) return result;
   search::GearSign gear = direction_of(all.cost.initial_gear);

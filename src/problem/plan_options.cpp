@@ -104,6 +104,9 @@ constexpr std::array options_of_all = {
                                      "driven before the start; any, forward or reverse"),
     clearance<&ClearanceOptions::margin>(
         "margin", "least distance from obstacles, of wheels from kerbs [m]; 0 to 1000"),
+    clearance<&ClearanceOptions::margin_ramp>(
+        "margin_ramp",
+        "way on which a start or goal that is nearer gains the margin [m]; 0 to 1000"),
 };
 
 void require(bool condition, std::string_view name, const std::string& value,
@@ -207,8 +210,10 @@ void validate(const PlanOptions& options) {
   const double change = options.cost.gear_change_cost;
   require(change >= 0.0 && change <= 10000.0, "gear_change_cost", text_of(change),
           "a number from 0 to 10000 [m]");
-  const double margin = options.clearance.margin;
+  const auto& [margin, ramp] = options.clearance;
   require(margin >= 0.0 && margin <= 1000.0, "margin", text_of(margin),
+          "a number from 0 to 1000 [m]");
+  require(ramp >= 0.0 && ramp <= 1000.0, "margin_ramp", text_of(ramp),
           "a number from 0 to 1000 [m]");
 }
 

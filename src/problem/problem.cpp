@@ -26,7 +26,7 @@ Surroundings checked(const Surroundings& given, const Point& origin) {
 /// A checker and whose it is.
 struct VehicleChecker {
   Vehicle vehicle;
-  double margin;
+  double margin;  // [m]
   CollisionChecker checker;
 };
 
@@ -41,17 +41,20 @@ World::World(const Surroundings& surroundings, const Point& near)
 World::~World() = default;
 
 std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle,
-                                                       double margin) const {
+                                                       const Margin& margin) const {
   check_vehicle(vehicle);
+  if (!margin.ramps.empty()) {
+    return std::make_shared<const CollisionChecker>(vehicle, ground_, margin);
+  }
   const auto found = std::static_pointer_cast<const VehicleChecker>(derived_->find_or_make(
       typeid(VehicleChecker),
       [&](const void* made) {
         const auto& known = *static_cast<const VehicleChecker*>(made);
-        return known.vehicle == vehicle && known.margin == margin;
+        return known.vehicle == vehicle && known.margin == margin.wanted;
       },
       [&] {
         return std::shared_ptr<const VehicleChecker>(
-            new VehicleChecker{vehicle, margin, CollisionChecker(vehicle, ground_, margin)});
+            new VehicleChecker{vehicle, margin.wanted, CollisionChecker(vehicle, ground_, margin)});
       }));
   return {found, &found->checker};
 }
@@ -99,9 +102,21 @@ Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
   return made;
 }
 
-Task task_with_margin(const Problem& problem, double margin) {
+Task task_of(const Problem& problem, const ClearanceOptions& options) {
   Task task = problem.task();
-  task.margin = margin;
+  if (options.margin == 0.0) return task;
+  Margin margin{.wanted = options.margin};
+  if (options.margin_ramp > 0.0) {
+    for (const Pose& pose : {task.start, task.goal}) {
+      const double clearance = task.checker->clearance(pose, options.margin);
+      if (clearance == 0.0 || clearance >= options.margin) continue;
+      // The checker asks for up to its tolerance more than the margin: so that the pose itself, at
+      // exactly its clearance, is free.
+      const double least = std::max(clearance - CollisionChecker::tolerance, 0.0);
+      margin.ramps.push_back({{pose.x, pose.y}, least, options.margin_ramp});
+    }
+  }
+  task.least_margin = margin.least();
   task.checker = task.world->checker(task.vehicle, margin);
   return task;
 }

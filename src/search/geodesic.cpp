@@ -73,7 +73,7 @@ Geodesic::Geodesic(const Task& task, double longest)
       from_{task.start.x, task.start.y},
       to_{task.goal.x, task.goal.y},
       longest_(longest) {
-  disc_ = inner_radius(footprint(task.vehicle)) + task.margin;
+  disc_ = inner_radius(footprint(task.vehicle)) + task.least_margin;
   const Bounds& bounds = ground_.bounds;
   const Bounds ways = box_of_ways(from_, to_, longest + disc_);
   box_ = {std::max(bounds.x_min, ways.x_min), std::min(bounds.x_max, ways.x_max),

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -191,7 +192,7 @@ TEST(CollisionLaw, SidesMayEndFarAway) {
 }
 
 TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
-  constexpr int count = 12000;
+  constexpr int count = 8000;
   int accepted = 0;
   int barely_accepted = 0;  // within 4 mm of the margin
   int rejected = 0;
@@ -210,7 +211,7 @@ TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
     }
     c.obstacles = {polygon};
     const CollisionChecker checker(
-        c.vehicle, Surroundings{.bounds = c.bounds, .obstacles = c.obstacles}, margin);
+        c.vehicle, Surroundings{.bounds = c.bounds, .obstacles = c.obstacles}, {.wanted = margin});
     if (checker.is_free(c.path.start, c.path.segments)) {
       EXPECT_FALSE(comes_within(margin, body, c.obstacles, c.path))
           << margin << "; " << described(c);
@@ -225,6 +226,85 @@ TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
   EXPECT_GT(accepted, cases(count) / 5);
   EXPECT_GT(rejected, cases(count) / 5);
   EXPECT_GT(barely_accepted, accepted / 4);
+}
+
+/// The least clearance beyond what is wanted, at poses that are two centimetres apart [m].
+double least_excess(const Margin& margin, const Footprint& body, const Case& c) {
+  double least = std::numeric_limits<double>::infinity();
+  const double whole = length(c.path.segments);
+  for (int i = 0; i <= 1000; ++i) {
+    const Pose pose = pose_at(c.path, whole * i / 1000);
+    double wanted = margin.wanted;
+    for (const MarginRamp& ramp : margin.ramps) {
+      const double part = std::hypot(pose.x - ramp.centre.x, pose.y - ramp.centre.y) / ramp.reach;
+      wanted = std::min(wanted, ramp.least + (margin.wanted - ramp.least) * part);
+    }
+    least = std::min(least, gap_at(body, c.obstacles, pose).distance - wanted);
+  }
+  return least;
+}
+
+TEST(CollisionLaw, ARampOfTheMarginIsKeptAndNoMoreThanThat) {
+  constexpr int count = 2500;
+  int accepted = 0;
+  int accepted_by_ramp = 0;  // and not with the whole margin
+  int rejected = 0;
+  for_each_case(6, count, [&](Rng& rng) {
+    Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
+    const double whole = length(c.path.segments);
+    if (whole > 20) return;
+    const Footprint body = footprint(c.vehicle);
+    Margin margin{.wanted = any_size(0.05, 2, rng)};
+    for (const Pose& end : {c.path.start, end_pose(c.path)}) {
+      margin.ramps.push_back(
+          {{end.x, end.y}, margin.wanted * uniform01(rng), any_size(0.1, 20, rng)});
+    }
+    const Pose near = pose_at(c.path, uniform(0, whole, rng));
+    Polygon polygon =
+        moved(any_polygon(rng), near.x + uniform(-15, 15, rng), near.y + uniform(-15, 15, rng));
+    const Gap gap = least_gap(body, std::span(&polygon, 1), c.path, 1e-3);
+    if (gap.distance > 0) {
+      const double part = 1 - margin.wanted * uniform(0, 1.2, rng) / gap.distance;
+      polygon = moved(polygon, part * (gap.on_body.x - gap.on_obstacle.x),
+                      part * (gap.on_body.y - gap.on_obstacle.y));
+    }
+    c.obstacles = {polygon};
+    const Surroundings yard{.bounds = c.bounds, .obstacles = c.obstacles};
+    if (CollisionChecker(c.vehicle, yard, margin).is_free(c.path.start, c.path.segments)) {
+      EXPECT_GE(least_excess(margin, body, c), 0) << described(c);
+      ++accepted;
+      const CollisionChecker strict(c.vehicle, yard, {.wanted = margin.wanted});
+      accepted_by_ramp += !strict.is_free(c.path.start, c.path.segments);
+    } else {
+      double steepest = 0;
+      for (const Segment& segment : c.path.segments) {
+        steepest = std::max(steepest, std::abs(segment.curvature));
+      }
+      const double reach = std::hypot(std::max(body.front, body.rear), body.half_width);
+      const double moved_between_looks = 0.02 * (1 + steepest * reach);
+      EXPECT_LE(least_excess(margin, body, c), CollisionChecker::tolerance + moved_between_looks)
+          << described(c);
+      ++rejected;
+    }
+  });
+  EXPECT_GT(accepted, cases(count) / 10);
+  EXPECT_GT(accepted_by_ramp, cases(count) / 40);
+  EXPECT_GT(rejected, cases(count) / 10);
+}
+
+TEST(CollisionLaw, TheClearanceIsTheDistanceOfTheOracle) {
+  constexpr int count = 10000;
+  int apart = 0;
+  for_each_case(7, count, [&](Rng& rng) {
+    const Case c = any_case(rng);
+    const Footprint body = footprint(c.vehicle);
+    const CollisionChecker checker(body, c.bounds, c.obstacles);
+    const double most = any_size(0.01, 100, rng);
+    const double expected = std::min(gap_at(body, c.obstacles, c.path.start).distance, most);
+    EXPECT_NEAR(checker.clearance(c.path.start, most), expected, 1e-9) << most << described(c);
+    apart += expected > 0 && expected < most;
+  });
+  EXPECT_GT(apart, cases(count) / 5);
 }
 
 bool judged_within(const Path& path, const Bounds& bounds) {

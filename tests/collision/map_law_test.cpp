@@ -85,8 +85,25 @@ TEST(MapLaw, CrowdedAndEnclosedMapsKeepItToo) {
   EXPECT_GT(counts.rejected, cases(count) / 2);
 }
 
+TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracle) {
+  constexpr int count = 4000;
+  int apart = 0;
+  for_each_case(5, count, [&](Rng& rng) {
+    const Vehicle vehicle = any_vehicle(rng);
+    const OccupancyGrid grid = any_grid(rng);
+    const CollisionChecker checker(vehicle, Surroundings{.bounds = wide, .map = grid});
+    const double most = any_size(0.01, 100, rng);
+    const Pose pose = any_edge(rng).start;
+    const double gap = gap_at(footprint(vehicle), squares_of(grid), pose).distance;
+    EXPECT_NEAR(checker.clearance(pose, most), std::min(gap, most), 1e-9)
+        << most << " at " << as_code(pose) << " on cells of " << as_code(grid.resolution);
+    apart += gap > 0 && gap < most;
+  });
+  EXPECT_GT(apart, cases(count) / 8);
+}
+
 TEST(MapLaw, AMarginIsKeptAndNoMoreThanThat) {
-  constexpr int count = 8000;
+  constexpr int count = 4000;
   int accepted = 0;
   int rejected = 0;
   for_each_case(4, count, [&](Rng& rng) {
@@ -97,7 +114,8 @@ TEST(MapLaw, AMarginIsKeptAndNoMoreThanThat) {
     OccupancyGrid grid = any_grid(rng);
     graze(grid, body, grazing, rng, margin);
     const std::vector<Polygon> squares = squares_of(grid);
-    const CollisionChecker checker(vehicle, Surroundings{.bounds = wide, .map = grid}, margin);
+    const CollisionChecker checker(vehicle, Surroundings{.bounds = wide, .map = grid},
+                                   {.wanted = margin});
     for (int i = 0; i < 3; ++i) {
       const Path path = i == 0 ? grazing : any_edge(rng);
       const bool is_free = checker.is_free(path.start, path.segments);

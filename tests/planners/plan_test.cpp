@@ -125,6 +125,62 @@ TEST(Plan, AScenarioIsPlannedLikeItsProblem) {
   EXPECT_EQ(result.path, plan(make_problem(yard()), iterations(800)).path);
 }
 
+// ---- margins ----
+
+/// The default truck beside a kerb, parallel to it, with a yard to its left; the goal is ahead.
+Problem beside_a_kerb(double gap) {
+  return problem_in({.bounds = wide_bounds,
+                     .obstacles = {box(10, -2, 12, 1)},
+                     .kerbs = {box(-30, -3, 60, -1.275 - gap)}},
+                    {0, 0, 0}, {30, 5, 0});
+}
+
+PlanOptions with_margin(double margin, double ramp = 0.0) {
+  PlanOptions options = iterations(3000);
+  options.clearance = {.margin = margin, .margin_ramp = ramp};
+  return options;
+}
+
+TEST(Margin, IsKept) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(12, -2, 14, 1)});
+  const PlanResult touching = plan(problem, with_margin(0));
+  const PlanResult result = plan(problem, with_margin(0.4));
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LT(*touching.check->clearance, 0.1);
+  EXPECT_GE(*result.check->clearance, 0.4 - 1e-6);
+  EXPECT_LE(*result.check->clearance, 0.42);
+  EXPECT_GT(result.cost, touching.cost);
+}
+
+TEST(Margin, AStartOrGoalThatIsNearerIsNamed) {
+  const PlanResult result = plan(beside_a_kerb(0.1), with_margin(0.3));
+  EXPECT_EQ(result.status, PlanStatus::start_in_collision);
+  EXPECT_EQ(result.reason, "the wheels are only 0.100 m from kerbs[0], the margin is 0.3 m");
+  const Problem goal = problem_of({0, 0, 0}, {30, 0, 0}, {box(36.1, -2, 40, 2)});
+  const PlanResult at_goal = plan(goal, with_margin(0.3));
+  EXPECT_EQ(at_goal.status, PlanStatus::goal_in_collision);
+  EXPECT_EQ(at_goal.reason, "the footprint is only 0.200 m from obstacles[0], the margin is 0.3 m");
+}
+
+TEST(Margin, ARampLeadsAwayFromAKerb) {
+  const Problem problem = beside_a_kerb(0.1);
+  const PlanResult result = plan(problem, with_margin(0.3, 15));
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_NEAR(*result.check->clearance, 0.1, 1.1e-3);
+  // Not for ever: the same path with a shorter ramp.
+  const StatedMargin shorter{.margin = 0.3, .ramp = 1};
+  EXPECT_FALSE(check_path(problem, *result.path, {.margin = shorter}).valid);
+}
+
+TEST(Margin, IsPartOfEveryPlannersTask) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(12, -2, 14, 1)});
+  for (const Planner& planner : planners()) {
+    const PlanResult result = plan(problem, planner, with_margin(0.4));
+    EXPECT_NE(result.status, PlanStatus::rejected) << planner.name << ": " << result.reason;
+    EXPECT_TRUE(!result.check || *result.check->clearance >= 0.4 - 1e-6) << planner.name;
+  }
+}
+
 // ---- planners of others ----
 
 Problem straight_ahead(std::vector<Polygon> obstacles = {}, const Bounds& bounds = wide_bounds) {
