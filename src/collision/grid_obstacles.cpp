@@ -213,6 +213,12 @@ bool GridObstacles::is_clear(const Footprint& body, double margin, const DiscRow
   return true;
 }
 
+DistanceField::Range GridObstacles::distance(const Point& point) const noexcept {
+  const Point p = in_frame(point);
+  const auto [least, most] = field_.around({p.x / side_, p.y / side_});
+  return {least * side_, most * side_};
+}
+
 bool GridObstacles::is_within(const Point& point, double distance) const noexcept {
   const Point p = in_frame(point);
   const auto [least, most] = field_.around({p.x / side_, p.y / side_});

@@ -31,6 +31,9 @@ class GridObstacles {
   [[nodiscard]] bool is_clear(const Footprint& body, double margin, const DiscRows& discs,
                               const PlacedSegment& placed) const noexcept;
 
+  /// Between which two numbers the distance of the point from the nearest blocked cell lies [m].
+  [[nodiscard]] DistanceField::Range distance(const Point& point) const noexcept;
+
   /// Whether a blocked cell is at most this far from the point [m].
   [[nodiscard]] bool is_within(const Point& point, double distance) const noexcept;
 
