@@ -32,6 +32,7 @@ Json json_of_planner(const Planner& planner) {
                         {"tries_goal", properties.tries_goal},
                         {"honours_prices", properties.honours_prices},
                         {"honours_threads", properties.honours_threads},
+                        {"honours_target_gap", properties.honours_target_gap},
                         {"anytime", properties.anytime},
                         {"deterministic", properties.deterministic},
                         {"groups", properties.groups}};

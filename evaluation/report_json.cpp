@@ -39,6 +39,7 @@ OrderedJson json_of(const MethodSummary& method, bool row) {
                       {"runs", method.runs},
                       {"solved", method.solved},
                       {"rejected", method.rejected},
+                      {"no_path", method.no_path},
                       {"solved_interval", json_of(method.solved_interval)},
                       {"first_solution", json_of(method.first_time)},
                       {"cost_at_10ms", json_of(method.cost_at_10ms)},

@@ -103,14 +103,20 @@ std::string phases_text(const MethodSummary& method) {
   return fmt::format("{:.0f}/{:.0f}/{:.0f}", 100.0 * ranking, 100.0 * steering, 100.0 * checking);
 }
 
+std::string solved_text(const MethodSummary& method) {
+  std::string text =
+      fmt::format("{}/{} [{:.0f}, {:.0f} %]", method.solved, method.runs,
+                  100.0 * method.solved_interval.low, 100.0 * method.solved_interval.high);
+  if (method.no_path > 0) text += fmt::format(", {} proved no path", method.no_path);
+  return text;
+}
+
 std::string scenario_table(const ScenarioSummary& scenario, bool row) {
   const auto cost = row ? ratio_text : cost_text;
   TextTable table({"planner", "solved", "first [ms]", "at 10 ms", "at 100 ms", "tree full",
                    "at the end", "nodes", "iterations", "time [ms]", "rank/steer/check [%]"});
   for (const MethodSummary& method : scenario.methods)
-    table.add({markdown(method.planner),
-               fmt::format("{}/{} [{:.0f}, {:.0f} %]", method.solved, method.runs,
-                           100.0 * method.solved_interval.low, 100.0 * method.solved_interval.high),
+    table.add({markdown(method.planner), solved_text(method),
                with_interval(method.first_time, time_text), cost(method.cost_at_10ms.median),
                cost(method.cost_at_100ms.median),
                method.full > 0 ? cost(method.cost_when_full.median) : none,

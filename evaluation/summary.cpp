@@ -155,8 +155,12 @@ MethodSummary summarize_method(const Runs& runs, const Runs& profiled, const Sce
   MethodSummary summary;
   summary.runs = static_cast<int>(runs.size());
   summary.solved = count_solved(runs);
-  summary.rejected = static_cast<int>(std::ranges::count_if(
-      runs, [](const RunRecord* run) { return run->result.status == PlanStatus::rejected; }));
+  const auto ended = [&](PlanStatus status) {
+    return static_cast<int>(std::ranges::count_if(
+        runs, [status](const RunRecord* run) { return run->result.status == status; }));
+  };
+  summary.rejected = ended(PlanStatus::rejected);
+  summary.no_path = ended(PlanStatus::no_path);
   summary.solved_interval = share_interval(summary.solved, summary.runs, confidence);
   summary.first_time = median_of(values_of(runs, first_solution_time), confidence);
   summarize_costs(runs, unit, summary);

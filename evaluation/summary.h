@@ -49,6 +49,7 @@ struct MethodSummary {
   int runs = 0;
   int solved = 0;
   int rejected = 0;  ///< by the judge
+  int no_path = 0;   ///< runs that proved that there is none: an answer, too
   Interval solved_interval;
   MedianEstimate first_time;  ///< of the first solution [s]
   MedianEstimate cost_at_10ms;

@@ -10,7 +10,8 @@ function renderMethods(c) {
     {title: 'solved', best: 'high', value: (m) => m.solved / m.runs,
       show: (m) => element('span', {}, `${m.solved}/${m.runs} `, element('small', {},
         `[${percent(m.solved_interval[0])}, ${percent(m.solved_interval[1])}]` +
-          (m.rejected ? `, ${m.rejected} rejected` : '')))},
+          (m.rejected ? `, ${m.rejected} rejected` : '') +
+          (m.no_path ? `, ${m.no_path} proved no path` : '')))},
     {title: 'first solution [ms]', best: 'low', value: (m) => m.first_solution.median,
       show: (m) => withInterval(m.first_solution, milliseconds)},
     {title: 'cost at 10 ms', best: 'low', value: (m) => m.cost_at_10ms.median, show: (m) => cost(m.cost_at_10ms.median)},

@@ -87,6 +87,14 @@ class CollisionChecker {
   /// Whether an obstacle of the map is at most this far from the point [m]. False without a map.
   [[nodiscard]] bool map_is_within(const Point& point, double distance) const noexcept;
 
+  /// Two numbers between which a distance lies [m].
+  struct Range {
+    double least, most;
+  };
+
+  /// How far the nearest obstacle of the map is from the point, quickly. Infinite without a map.
+  [[nodiscard]] Range map_distance(const Point& point) const noexcept;
+
  private:
   struct Data;
   std::unique_ptr<const Data> data_;

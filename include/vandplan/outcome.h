@@ -74,6 +74,7 @@ struct PlannerAnswer {
   std::vector<Counter> counters = {};
   std::vector<PhaseTime> phases = {};     ///< when the planner was asked to measure them
   std::optional<TreeSnapshot> tree = {};  ///< in the task's frame, when it was asked for
+  std::string reason = {};                ///< why there is no path, one line; or empty
 };
 
 }  // namespace vandplan

@@ -25,7 +25,10 @@ struct BudgetOptions {
   std::optional<std::int64_t> max_iterations = {};  ///< >= 0; repeats bit for bit; none: no limit
   std::uint64_t seed = 1;                           ///< of the random numbers
   int threads = 1;                                  ///< that share the work; [1, 256]; same answer
-  const std::atomic<bool>* stop = nullptr;          ///< the run ends soon after this becomes true
+  /// The run ends as soon as its path is proven to cost at most 1 + `target_gap` times what any
+  /// path does; [0, 1000]; none: it goes on for as long as it may.
+  std::optional<double> target_gap = {};
+  const std::atomic<bool>* stop = nullptr;  ///< the run ends soon after this becomes true
   bool operator==(const BudgetOptions&) const = default;
 };
 

@@ -32,6 +32,7 @@ struct PlannerProperties {
   bool tries_goal = false;               ///< tries the goal from every new node
   bool honours_prices = false;           ///< CostOptions; else its cost is the length
   bool honours_threads = false;          ///< BudgetOptions::threads
+  bool honours_target_gap = false;       ///< BudgetOptions::target_gap: it proves lower bounds
   bool anytime = false;                  ///< goes on improving its path for as long as it may
   bool deterministic = true;             ///< same seed and iterations, same path
   std::vector<std::string> groups = {};  ///< sets that it belongs to: "thesis"
@@ -53,7 +54,7 @@ struct Planner {
 /// What a run brought. Poses are in the scenario's frame.
 struct PlanResult {
   PlanStatus status = PlanStatus::stopped;
-  std::string reason = {};        ///< what start or goal hit, what the judge rejected; or empty
+  std::string reason = {};        ///< why there is no path, or no valid one; or empty
   std::optional<Path> path = {};  ///< from the start as it was given to the goal
   double cost = 0.0;              ///< of the path [m]
   double lower_bound = 0.0;       ///< no path costs less [m]; proven; 0: nothing is

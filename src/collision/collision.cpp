@@ -224,4 +224,11 @@ bool CollisionChecker::map_is_within(const Point& point, double distance) const 
   return data_->ground->map && data_->ground->map->is_within(point, distance);
 }
 
+CollisionChecker::Range CollisionChecker::map_distance(const Point& point) const noexcept {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!data_->ground->map) return {infinity, infinity};
+  const auto [least, most] = data_->ground->map->distance(point);
+  return {least, most};
+}
+
 }  // namespace vandplan

@@ -248,6 +248,12 @@ double GridObstacles::clearance(const Footprint& body, const Placement& placemen
   return is_far ? most : Search(*this, body, nearest, placed).distance(nearest);
 }
 
+DistanceField::Range GridObstacles::distance(const Point& point) const noexcept {
+  const Point p = in_frame(point);
+  const auto [least, most] = field_.around({p.x / side_, p.y / side_});
+  return {least * side_, most * side_};
+}
+
 bool GridObstacles::is_within(const Point& point, double distance) const noexcept {
   const Point p = in_frame(point);
   const auto [least, most] = field_.around({p.x / side_, p.y / side_});

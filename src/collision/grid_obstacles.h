@@ -35,6 +35,9 @@ class GridObstacles {
   [[nodiscard]] double clearance(const Footprint& body, const Placement& placement,
                                  double most) const noexcept;
 
+  /// Between which two numbers the distance of the point from the nearest blocked cell lies [m].
+  [[nodiscard]] DistanceField::Range distance(const Point& point) const noexcept;
+
   /// Whether a blocked cell is at most this far from the point [m].
   [[nodiscard]] bool is_within(const Point& point, double distance) const noexcept;
 

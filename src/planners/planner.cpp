@@ -115,6 +115,7 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
 
 PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time) {
   PlanResult result{.status = answer.status,
+                    .reason = std::move(answer.reason),
                     .lower_bound = answer.lower_bound,
                     .iterations = answer.iterations,
                     .time_total = time,
@@ -162,6 +163,7 @@ bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
   if (common_option(option) == nullptr) return false;
   if (option == "threads") return planner.properties.honours_threads;
+  if (option == "target_gap") return planner.properties.honours_target_gap;
   const bool is_price =
       option == "reverse_weight" || option == "gear_change_cost" || option == "initial_gear";
   return !is_price || planner.properties.honours_prices;

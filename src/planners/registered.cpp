@@ -20,6 +20,7 @@ Planner anytime_planner() {
           .properties = {.family = "anytime",
                          .honours_prices = true,
                          .honours_threads = true,
+                         .honours_target_gap = true,
                          .anytime = true},
           .options = {region_option()},
           .function = anytime::plan_anytime};

@@ -97,6 +97,8 @@ constexpr std::array options_of_all = {
     budget<&BudgetOptions::max_iterations>("max_iterations",
                                            "reproduces bit for bit; >= 0 or null"),
     budget<&BudgetOptions::threads>("threads", "that share the work; 1 to 256"),
+    budget<&BudgetOptions::target_gap>(
+        "target_gap", "ends the run when so near to the optimum, proven; 0 to 1000 or null"),
     cost<&CostOptions::reverse_weight>("reverse_weight", "cost of a metre in reverse; 1 to 1000"),
     cost<&CostOptions::gear_change_cost>("gear_change_cost",
                                          "cost of one gear change [m]; 0 to 10000"),
@@ -197,13 +199,15 @@ OptionValue fitting_value(const OptionInfo& info, const OptionValue& given) {
 }
 
 void validate(const PlanOptions& options) {
-  const auto& [time, iterations, seed, threads, stop] = options.budget;
+  const auto& [time, iterations, seed, threads, gap, stop] = options.budget;
   require(!time || (std::isfinite(*time) && *time >= 0.0), "time_limit", text_of(time),
           "a number >= 0 [s]");
   require(!iterations || *iterations >= 0, "max_iterations", text_of(iterations),
           "a whole number >= 0");
   require(threads >= 1 && threads <= 256, "threads", text_of(threads),
           "a whole number from 1 to 256");
+  require(!gap || (*gap >= 0.0 && *gap <= 1000.0), "target_gap", text_of(gap),
+          "a number from 0 to 1000");
   const double weight = options.cost.reverse_weight;
   require(weight >= 1.0 && weight <= 1000.0, "reverse_weight", text_of(weight),
           "a number from 1 to 1000");

@@ -22,38 +22,6 @@ constexpr std::size_t most_nodes = 400000;
 
 double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-/// Adds to [low, high] the places on the line at height `y` that are within `near` of a point.
-void add_disc(const Point& p, double y, double near, double& low, double& high) {
-  const double square = near * near - (y - p.y) * (y - p.y);
-  if (square < 0) return;
-  low = std::min(low, p.x - std::sqrt(square));
-  high = std::max(high, p.x + std::sqrt(square));
-}
-
-/// The same for the box around a side, `near` wide to each hand.
-void add_box(const Point& a, const Point& b, double y, double near, double& low, double& high) {
-  const double length = distance(a, b);
-  if (length == 0.0) return;
-  const Point u{(b.x - a.x) / length, (b.y - a.y) / length};
-  double first = -infinity;
-  double last = infinity;
-  const auto clip = [&](double slope, double at_zero, double from, double to) {
-    if (slope == 0.0) {
-      if (at_zero < from || at_zero > to) last = -infinity;
-      return;
-    }
-    const double one = (from - at_zero) / slope;
-    const double other = (to - at_zero) / slope;
-    first = std::max(first, std::min(one, other));
-    last = std::min(last, std::max(one, other));
-  };
-  clip(u.x, (y - a.y) * u.y, 0.0, length);   // along, as a function of x - a.x
-  clip(-u.y, (y - a.y) * u.x, -near, near);  // aside
-  if (first > last) return;
-  low = std::min(low, a.x + first);
-  high = std::max(high, a.x + last);
-}
-
 /// Around the ellipse of all places on ways of that length between two points.
 Bounds box_of_ways(const Point& p, const Point& q, double length) {
   const double dx = (q.x - p.x) / 2;
@@ -68,13 +36,12 @@ Bounds box_of_ways(const Point& p, const Point& q, double length) {
 }  // namespace
 
 Geodesic::Geodesic(const Task& task, double longest)
-    : ground_(task.world->local()),
-      checker_(*task.checker),
+    : task_(task),
       from_{task.start.x, task.start.y},
       to_{task.goal.x, task.goal.y},
       longest_(longest) {
   disc_ = inner_radius(footprint(task.vehicle)) + task.least_margin;
-  const Bounds& bounds = ground_.bounds;
+  const Bounds& bounds = task.world->local().bounds;
   const Bounds ways = box_of_ways(from_, to_, longest + disc_);
   box_ = {std::max(bounds.x_min, ways.x_min), std::min(bounds.x_max, ways.x_max),
           std::max(bounds.y_min, ways.y_min), std::min(bounds.y_max, ways.y_max)};
@@ -87,91 +54,42 @@ bool Geodesic::next_lattice() {
   side_ /= 2;
   const double extent = std::max(box_.x_max - box_.x_min, box_.y_max - box_.y_min);
   if (side_ < finest * disc_ || side_ * most_cells < extent) return false;
-  near_ = disc_ - side_ * std::sqrt(0.5) - rounding_near;
-  if (!(near_ > 0)) return false;
-  columns_ = static_cast<std::int32_t>((box_.x_max - box_.x_min) / side_) + 1;
-  rows_ = static_cast<std::int32_t>((box_.y_max - box_.y_min) / side_) + 1;
-  runs_.assign(static_cast<std::size_t>(rows_), {});
-  is_known_.assign(static_cast<std::size_t>(rows_), false);
+  const double near = disc_ - side_ * std::sqrt(0.5) - rounding_near;
+  if (!(near > 0)) return false;
+  lattice_ = OpenRows(task_, box_, side_, near);
   turn_costs_.clear();
   open_ = {};
-  const auto in_cells = [&](const Point& p) {
-    return Point{(p.x - box_.x_min) / side_, (p.y - box_.y_min) / side_};
-  };
-  goal_ = in_cells(to_);
+  goal_ = lattice_.in_cells(to_);
   goal_run_ = run_at(goal_);
-  const Point start = in_cells(from_);
+  const Point start = lattice_.in_cells(from_);
   const RunId start_run = run_at(start);
   if (!(start_run == goal_run_)) spread(start, 0.0, start_run, {-1, -1});
   return true;
 }
 
 Geodesic::RunId Geodesic::run_at(const Point& point) {
-  const std::int32_t row = std::clamp(static_cast<std::int32_t>(point.y), 0, rows_ - 1);
-  const std::vector<Run>& all = runs(row);
-  const auto after = std::upper_bound(all.begin(), all.end(), point.x,
-                                      [](double x, const Run& run) { return x < run.begin; });
+  const std::int32_t row = std::clamp(static_cast<std::int32_t>(point.y), 0, lattice_.rows() - 1);
+  const OpenRows::Row& all = runs(row);
+  const auto after =
+      std::upper_bound(all.begin(), all.end(), point.x,
+                       [](double x, const OpenRows::Run& run) { return x < run.begin; });
   assert(after != all.begin());
   return {row, static_cast<std::int32_t>(after - all.begin()) - 1};
 }
 
-// Cells whose middle is near to a side of a polygon.
-void Geodesic::block_near_sides(double y, std::vector<char>& is_blocked) const {
-  const auto place = [&](double x) {
-    return std::clamp((x - box_.x_min) / side_ - 0.5, -1.0, columns_ + 0.0);
-  };
-  // From the first middle in there to the last one.
-  const auto block = [&](double low, double high) {
-    const auto last = static_cast<std::int32_t>(std::floor(place(high)));
-    for (auto x = static_cast<std::int32_t>(std::ceil(place(low))); x <= last; ++x) {
-      if (x >= 0) is_blocked[static_cast<std::size_t>(x)] = 1;
-    }
-  };
-  for (const Polygon& polygon : ground_.obstacles) {
-    Point a = polygon.back();
-    for (const Point& b : polygon) {
-      double low = infinity;
-      double high = -infinity;
-      add_disc(b, y, near_, low, high);
-      add_box(a, b, y, near_, low, high);
-      block(low, high);
-      a = b;
-    }
-  }
-}
-
-const std::vector<Geodesic::Run>& Geodesic::runs(std::int32_t row) {
-  const auto place = static_cast<std::size_t>(row);
-  std::vector<Run>& found = runs_[place];
-  if (is_known_[place]) return found;
-  is_known_[place] = true;
-  work_ += columns_ / cells_per_work;
-  const double y = box_.y_min + (row + 0.5) * side_;
-  std::vector<char> is_blocked(static_cast<std::size_t>(columns_) + 1, 0);
-  block_near_sides(y, is_blocked);
-  for (std::int32_t x = 0; x < columns_; ++x) {
-    const auto cell = static_cast<std::size_t>(x);
-    const Point middle{box_.x_min + (x + 0.5) * side_, y};
-    if (!is_blocked[cell] && checker_.map_is_within(middle, near_)) is_blocked[cell] = 1;
-  }
-  is_blocked.back() = 1;
-  std::int32_t begin = 0;
-  for (std::int32_t x = 0; x <= columns_; ++x) {
-    if (!is_blocked[static_cast<std::size_t>(x)]) continue;
-    if (x > begin) found.push_back({begin, x});
-    begin = x + 1;
-  }
-  return found;
+const OpenRows::Row& Geodesic::runs(std::int32_t row) {
+  if (!lattice_.is_known(row)) work_ += lattice_.columns() / cells_per_work;
+  return lattice_.row(row);
 }
 
 template <typename Visit>
 void Geodesic::for_neighbours(const RunId& id, std::int32_t line, Visit visit) {
-  const Run run = runs(id.row)[static_cast<std::size_t>(id.index)];
+  const OpenRows::Run run = runs(id.row)[static_cast<std::size_t>(id.index)];
   const std::int32_t row = line > id.row ? line : line - 1;
-  if (row < 0 || row >= rows_) return;
-  const std::vector<Run>& others = runs(row);
+  if (row < 0 || row >= lattice_.rows()) return;
+  const OpenRows::Row& others = runs(row);
   auto other = std::lower_bound(others.begin(), others.end(), run.begin,
-                                [](const Run& r, std::int32_t x) { return r.end < x; });
+                                [](const OpenRows::Run& r, std::int32_t x) { return r.end < x; });
   for (; other != others.end() && other->begin <= run.end; ++other) {
     const Interval shared{static_cast<double>(std::max(run.begin, other->begin)),
                           static_cast<double>(std::min(run.end, other->end)), true, true};
@@ -193,8 +111,8 @@ double Geodesic::rank(const Node& node) const {
 
 // Whether no shorter way to the corner is known.
 bool Geodesic::reaches(const Point& corner, double cost) {
-  const auto key =
-      static_cast<std::int64_t>(corner.y) * (columns_ + 1) + static_cast<std::int64_t>(corner.x);
+  const auto key = static_cast<std::int64_t>(corner.y) * (lattice_.columns() + 1) +
+                   static_cast<std::int64_t>(corner.x);
   double& least = turn_costs_.try_emplace(key, cost).first->second;
   if (cost > least + rounding) return false;
   least = std::min(least, cost);

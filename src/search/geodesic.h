@@ -15,6 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "search/open_rows.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::search {
@@ -35,11 +36,8 @@ class Geodesic {
   [[nodiscard]] double bound() const { return std::min(bound_, longest_); }
 
  private:
-  /// Open cells of a row, from the lattice line `begin` to `end`.
-  struct Run {
-    std::int32_t begin, end;
-  };
-  /// A run by its row and its place there.
+  /// Open cells side by side, from the lattice line `begin` to `end`, by its row and its place
+  /// there.
   struct RunId {
     std::int32_t row, index;
     bool operator==(const RunId&) const = default;
@@ -64,8 +62,7 @@ class Geodesic {
   };
 
   bool next_lattice();
-  [[nodiscard]] const std::vector<Run>& runs(std::int32_t row);
-  void block_near_sides(double y, std::vector<char>& is_blocked) const;
+  [[nodiscard]] const OpenRows::Row& runs(std::int32_t row);
   [[nodiscard]] RunId run_at(const Point& point);
   [[nodiscard]] double rank(const Node& node) const;
   void push(Node node);
@@ -79,19 +76,14 @@ class Geodesic {
   void expand(const Node& node);
   void spread(const Point& root, double cost, const RunId& in, const RunId& from);
 
-  const Surroundings& ground_;
-  const CollisionChecker& checker_;
+  const Task& task_;
   Point from_, to_;  // [m]
   double longest_;   // [m]
   Bounds box_;       // paths up to that length stay in it
   double disc_;
   double side_ = 0.0;  // of a cell [m]
-  double near_ = 0.0;  // no obstacle is within this distance of the middle of an open cell [m]
-  std::int32_t columns_ = 0;
-  std::int32_t rows_ = 0;
-  std::vector<std::vector<Run>> runs_;  // rows that were looked at
-  std::vector<bool> is_known_;          // which these are
-  Point goal_;                          // this and all below in cells
+  OpenRows lattice_;
+  Point goal_;  // this and all below in cells
   RunId goal_run_{};
   std::priority_queue<Node, std::vector<Node>, IsWorse> open_;
   std::unordered_map<std::int64_t, double> turn_costs_;  // least cost of a way to a corner

@@ -207,6 +207,11 @@ INSTANTIATE_TEST_SUITE_P(
                            {}},
                     NoPath{"iteration_limit", "", "", "", {"--max-iterations", "0"}},
                     NoPath{"time_limit", "", "", "", {"--time", "0"}},
+                    NoPath{"no_path",
+                           "proven: nothing as wide as the vehicle gets from the start to the goal",
+                           "[12, -9], [13, -9], [13, 9], [12, 9]",
+                           "[12, -60], [13, -60], [13, 60], [12, 60]",
+                           {}},
                     // Shut in by walls, so that the tree fills up.
                     NoPath{"node_limit",
                            "",

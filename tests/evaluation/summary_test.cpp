@@ -37,6 +37,15 @@ const MethodSummary& method(const Summary& summary, const std::string& planner) 
   throw std::out_of_range(planner);
 }
 
+TEST(Summary, CountsRunsThatProvedThatThereIsNoPath) {
+  std::vector<RunRecord> runs = {made_up_run("a", 1, 50.0), made_up_run("a", 2, {})};
+  runs.push_back(made_up_run("a", 3, {}));
+  runs.back().result.status = PlanStatus::no_path;
+  const Summary summary = summary_of({open_ground("open")}, runs);
+  EXPECT_EQ(method(summary, "a").no_path, 1);
+  EXPECT_EQ(method(summary, "a").solved, 1);
+}
+
 TEST(Summary, TakesTheCostAsItStoodAtATime) {
   const RunRecord run = made_up_run("a", 1, 70.0, 0.01);
   EXPECT_EQ(first_solution_time(run), 0.01);

@@ -79,6 +79,20 @@ TEST(Anytime, OfTheShortestPathsItTakesOneWithFewGearChanges) {
   }
 }
 
+TEST(Anytime, EndsAsSoonAsItIsProvenToBeNearTheOptimum) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
+  PlanOptions options = iterations(20000);
+  const PlanResult whole = run(problem, options);
+  EXPECT_EQ(whole.iterations, 20000);
+  options.budget.target_gap = 0.2;
+  const PlanResult near = run(problem, options);
+  ASSERT_TRUE(near.path);
+  EXPECT_LE(near.cost, 1.2 * near.lower_bound);
+  EXPECT_LT(near.iterations, 10000);
+  options.budget.target_gap = 0.0;  // is not proven here
+  EXPECT_EQ(run(problem, options).iterations, 20000);
+}
+
 // Parallel to a kerb, 0.3 m from the lorries before and behind.
 TEST(Anytime, LeavesAVeryTightSlotAndGetsIntoIt) {
   const std::vector<Polygon> street = {box(-12, -1.5, -1.9, 1.5), box(6.2, -1.5, 16, 1.5),

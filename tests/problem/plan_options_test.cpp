@@ -51,8 +51,11 @@ PlanOptions with(const char* name, OptionValue value) {
 
 TEST(PlanOptions, EveryCommonOptionReadsBackWhatItWrites) {
   PlanOptions options;
-  options.budget = {
-      .time_limit = 0.1, .max_iterations = 7, .seed = 18446744073709551615U, .threads = 3};
+  options.budget = {.time_limit = 0.1,
+                    .max_iterations = 7,
+                    .seed = 18446744073709551615U,
+                    .threads = 3,
+                    .target_gap = 0.02};
   options.cost = {
       .reverse_weight = 1.7, .gear_change_cost = 0.1, .initial_gear = InitialGear::reverse};
   PlanOptions copy;
@@ -84,6 +87,8 @@ TEST(PlanOptions, ValidateRejectsWhatIsOutOfRange) {
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.max_iterations = -1; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.threads = 0; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.threads = 257; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.target_gap = -0.1; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.budget.target_gap = nan; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.reverse_weight = 0.9; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.reverse_weight = nan; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.gear_change_cost = -1; }));
@@ -163,6 +168,7 @@ TEST(PlannerOptions, PricesAndThreadsAreRefusedByTheTrees) {
   EXPECT_EQ(message_of_setting("rrt-opt-rs", "gear_change_cost", "2"), refusal("gear_change_cost"));
   EXPECT_EQ(message_of_setting("rrt-opt-rs", "initial_gear", "reverse"), refusal("initial_gear"));
   EXPECT_EQ(message_of_setting("rrt-opt-rs", "threads", "2"), refusal("threads"));
+  EXPECT_EQ(message_of_setting("rrt-opt-rs", "target_gap", "0.1"), refusal("target_gap"));
   const auto completing = [](auto change) {
     PlanOptions options;
     change(options);

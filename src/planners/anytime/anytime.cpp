@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "planners/anytime/island.h"
 #include "planners/shared_options.h"
+#include "search/enclosure.h"
 #include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -18,6 +19,9 @@ namespace {
 
 constexpr std::size_t island_count = 5;
 constexpr int tidy_trials = 1000;
+constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
+constexpr std::int64_t coarse_looks = 64;         // in a round, on lattices that know all walls
+constexpr std::int64_t fine_looks = 4;            // and on those for narrow gaps
 
 // An island, and its iterations in one round: none before its first one, so that what is cheap is
 // tried first; then until there is a route, and from then on.
@@ -58,19 +62,26 @@ class Run {
 
   void try_open_ground();
   void round();
+  void look_for_walls();
   void tidy(std::uint64_t seed);
   [[nodiscard]] bool is_optimal() const;
+  /// Whether the best route is proven to be as near to the optimum as was asked for.
+  [[nodiscard]] bool is_good_enough() const;
+  [[nodiscard]] bool is_walled_in() const { return enclosure_ && enclosure_->is_proven(); }
   [[nodiscard]] Budget& budget() { return budget_; }
   [[nodiscard]] PlannerAnswer result() const;
 
  private:
   void merge(Slice& slice);
+  [[nodiscard]] double lower_bound() const;
 
   const Task& task_;
   CostRule rule_;
   int threads_;
+  std::optional<double> target_gap_;
   Budget budget_;
   std::deque<Island> islands_;
+  std::optional<search::Enclosure> enclosure_;
   double open_ground_;  // no path costs less
   std::optional<Route> best_;
   std::vector<CostSample> trace_;
@@ -81,6 +92,7 @@ Run::Run(const Task& task, const PlanOptions& options)
     : task_(task),
       rule_(cost_rule(options.cost)),
       threads_(options.budget.threads),
+      target_gap_(options.budget.target_gap),
       budget_(options.budget),
       open_ground_(open_ground_bound(task, rule_)) {
   const Bounds region = sampling_region(task, planning::region_of(options));
@@ -100,6 +112,16 @@ void Run::try_open_ground() {
 }
 
 bool Run::is_optimal() const { return best_ && best_->cost <= open_ground_ * (1 + 1e-12); }
+
+double Run::lower_bound() const {
+  double bound = open_ground_;
+  for (const Island& island : islands_) bound = std::max(bound, island.shortest());
+  return bound;
+}
+
+bool Run::is_good_enough() const {
+  return best_ && target_gap_ && best_->cost <= (1 + *target_gap_) * lower_bound();
+}
 
 void Run::merge(Slice& slice) {
   for (const CostSample& sample : slice.improvements) {
@@ -129,6 +151,17 @@ void Run::round() {
                [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
   for (Slice& slice : slices) merge(slice);  // [8]
   ++rounds_;
+  if (!best_ && rounds_ >= first_look_for_walls) look_for_walls();  // [9]
+}
+
+// As long as there is no route: perhaps there is none. These looks are no iterations: what a budget
+// of iterations brings does not depend on them.
+void Run::look_for_walls() {
+  if (!enclosure_) enclosure_.emplace(task_);
+  const std::int64_t looks = enclosure_->is_coarse() ? coarse_looks : fine_looks;
+  for (std::int64_t left = looks * growth(rounds_); left > 0; --left) {
+    if (budget_.is_interrupted() || !enclosure_->step()) return;
+  }
 }
 
 // Among paths of the least length one with fewer gear changes, by a price of theirs that is next to
@@ -153,10 +186,9 @@ PlannerAnswer Run::result() const {
   PlannerAnswer result;
   result.iterations = budget_.iterations();
   result.anytime = trace_;
-  result.lower_bound = open_ground_;
+  result.lower_bound = lower_bound();
   std::int64_t nodes = 0, solves = 0, checks = 0;
   for (const Island& island : islands_) {
-    result.lower_bound = std::max(result.lower_bound, island.shortest());
     solves += island.solves();
     checks += island.checks();
     nodes += static_cast<std::int64_t>(island.nodes());
@@ -176,13 +208,16 @@ PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
   Run run(task, options);
   run.try_open_ground();  // [1]
   std::optional<PlanStatus> end;
-  while (!run.is_optimal() && !end) {
+  while (!run.is_optimal() && !run.is_good_enough() && !run.is_walled_in() && !end) {
     end = run.budget().exhausted();
-    if (!end) run.round();  // [2] to [8]
+    if (!end) run.round();  // [2] to [9]
   }
-  if (run.is_optimal()) run.tidy(options.budget.seed);  // [9]
+  if (run.is_optimal()) run.tidy(options.budget.seed);  // [10]
   PlannerAnswer answer = run.result();
-  if (!answer.segments) answer.status = *end;
+  if (answer.segments) return answer;
+  answer.status = end.value_or(PlanStatus::no_path);
+  if (!end)
+    answer.reason = "proven: nothing as wide as the vehicle gets from the start to the goal";
   return answer;
 }
 

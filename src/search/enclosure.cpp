@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/enclosure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/trigonometry.h"
+
+namespace vandplan::search {
+namespace {
+
+constexpr double coarsest = 0.5;     // cell of the first lattice [disc radii]: no wall is too thin
+constexpr double finest = 1.0 / 64;  // of the last one
+constexpr double most_cells = 1e8;   // along a side of a lattice
+constexpr double slack = 1e-5;       // of distances and bounds; more than the judge's [m]
+constexpr int work_of_step = 128;    // runs, and looks at what is near
+
+/// Around both boxes.
+Bounds hull(const Bounds& a, const Bounds& b) {
+  return {std::min(a.x_min, b.x_min), std::max(a.x_max, b.x_max), std::min(a.y_min, b.y_min),
+          std::max(a.y_max, b.y_max)};
+}
+
+Bounds widened(const Bounds& box, double by) {
+  return {box.x_min - by, box.x_max + by, box.y_min - by, box.y_max + by};
+}
+
+/// Where something stands in the way, with both ends.
+Bounds scene_of(const Surroundings& ground, const std::array<Point, 2>& ends) {
+  Bounds scene = bounding_box(ends);
+  for (const Polygon& polygon : ground.obstacles) scene = hull(scene, bounding_box(polygon));
+  if (ground.map) scene = hull(scene, bounding_box(outline(*ground.map)));
+  return scene;
+}
+
+}  // namespace
+
+// The disc lies as near to the rear axle as it may. A way of its centre that leaves the scene can
+// be moved, place by place, to the nearest point of a box around the scene, where nothing is near:
+// so what is connected at all is connected in that box, within the bounds.
+Enclosure::Enclosure(const Task& task) : task_(task) {
+  const Footprint body = footprint(task.vehicle);
+  const double radius = std::min(body.half_width, (body.front + body.rear) / 2);
+  const double ahead = std::clamp(0.0, radius - body.rear, body.front - radius);
+  disc_ = radius + task.least_margin;
+  const auto centre = [&](const Pose& pose) {
+    const auto [sin, cos] = base::sin_cos(pose.heading);
+    return Point{pose.x + ahead * cos, pose.y + ahead * sin};
+  };
+  ends_ = {centre(task.start), centre(task.goal)};
+  const Surroundings& ground = task.world->local();
+  const Bounds within = widened(ground.bounds, std::abs(ahead) + slack);
+  const Bounds scene = widened(scene_of(ground, ends_), 3 * disc_);
+  box_ = {std::max(within.x_min, scene.x_min), std::min(within.x_max, scene.x_max),
+          std::max(within.y_min, scene.y_min), std::min(within.y_max, scene.y_max)};
+  side_ = 2 * coarsest * disc_;
+  if (!next_lattice()) side_ = 0.0;
+}
+
+// One on which start and goal are not side by side.
+bool Enclosure::next_lattice() {
+  const double extent = std::max(box_.x_max - box_.x_min, box_.y_max - box_.y_min);
+  do {
+    side_ /= 2;
+    const double near = disc_ - side_ * std::sqrt(0.5) - slack;
+    if (side_ < finest * disc_ || !(near > 0) || !(extent < most_cells * side_)) return false;
+    rows_ = OpenRows(task_, box_, side_, near);
+    owners_.clear();
+  } while (!begin(start) || !begin(goal));
+  return true;
+}
+
+/// False where the end lies in no open cell, or in a run of the other end.
+bool Enclosure::begin(End end) {
+  const Point root = rows_.in_cells(ends_[end]);
+  floods_[end] = {root, 0, {}};
+  const auto row = static_cast<std::int32_t>(std::floor(root.y));
+  if (row < 0 || row >= rows_.rows()) return false;
+  const OpenRows::Row& runs = rows_.row(row);
+  const auto run = std::find_if(runs.begin(), runs.end(), [&](const OpenRows::Run& r) {
+    return r.begin <= root.x && root.x <= r.end;
+  });
+  if (run == runs.end()) return false;
+  return !reach(end, row, static_cast<std::int32_t>(run - runs.begin()));
+}
+
+/// True when the other end has been there.
+bool Enclosure::reach(End end, std::int32_t row, std::int32_t index) {
+  const OpenRows::Row& runs = rows_.row(row);
+  const auto place = static_cast<std::size_t>(index);
+  std::vector<std::uint8_t>& owners = owners_.try_emplace(row, runs.size(), nobody).first->second;
+  if (owners[place] != nobody) return owners[place] != end;
+  owners[place] = end;
+  const Point& other = floods_[end == start ? goal : start].root;
+  const double x = std::clamp<double>(other.x, runs[place].begin, runs[place].end);
+  floods_[end].front.push({row, index, std::hypot(other.x - x, other.y - row)});
+  return false;
+}
+
+/// On from the run that is nearest to the other end. True when the floods meet.
+bool Enclosure::advance(End end) {
+  Flood& flood = floods_[end];
+  const Node node = flood.front.top();
+  flood.front.pop();
+  ++flood.work;
+  const OpenRows::Run run = rows_.row(node.row)[static_cast<std::size_t>(node.index)];
+  for (const std::int32_t row : {node.row - 1, node.row + 1}) {
+    if (row < 0 || row >= rows_.rows()) continue;
+    const std::int64_t looks = rows_.looks();
+    const OpenRows::Row& runs = rows_.row(row);
+    flood.work += rows_.looks() - looks;
+    auto other = std::upper_bound(runs.begin(), runs.end(), run.begin,
+                                  [](std::int32_t x, const OpenRows::Run& r) { return x < r.end; });
+    for (; other != runs.end() && other->begin < run.end; ++other) {
+      if (reach(end, row, static_cast<std::int32_t>(other - runs.begin()))) return true;
+    }
+  }
+  return false;
+}
+
+bool Enclosure::step() {
+  if (side_ == 0.0 || is_proven_) return false;
+  const std::int64_t last = floods_[start].work + floods_[goal].work + work_of_step;
+  while (floods_[start].work + floods_[goal].work < last) {
+    const End end = floods_[start].work <= floods_[goal].work ? start : goal;
+    if (floods_[end].front.empty()) {
+      is_proven_ = true;
+      return false;
+    }
+    if (!advance(end)) continue;
+    if (!next_lattice()) side_ = 0.0;
+    return side_ != 0.0;
+  }
+  return true;
+}
+
+}  // namespace vandplan::search

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/open_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vandplan::search {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-9;  // of distances from the map [m]
+
+/// Adds to [low, high] the places on the line at height `y` that are within `near` of a point.
+void add_disc(const Point& p, double y, double near, double& low, double& high) {
+  const double square = near * near - (y - p.y) * (y - p.y);
+  if (square < 0) return;
+  low = std::min(low, p.x - std::sqrt(square));
+  high = std::max(high, p.x + std::sqrt(square));
+}
+
+/// Adds to [low, high] the places on the line at height `y` in the box around the line from `a` to
+/// `b`, `near` wide to each hand.
+void add_box(const Point& a, const Point& b, double y, double near, double& low, double& high) {
+  const double length = std::hypot(a.x - b.x, a.y - b.y);
+  if (length == 0.0) return;
+  const Point u{(b.x - a.x) / length, (b.y - a.y) / length};
+  double first = -infinity;
+  double last = infinity;
+  const auto clip = [&](double slope, double at_zero, double from, double to) {
+    if (slope == 0.0) {
+      if (at_zero < from || at_zero > to) last = -infinity;
+      return;
+    }
+    const double one = (from - at_zero) / slope;
+    const double other = (to - at_zero) / slope;
+    first = std::max(first, std::min(one, other));
+    last = std::min(last, std::max(one, other));
+  };
+  clip(u.x, (y - a.y) * u.y, 0.0, length);   // along, as a function of x - a.x
+  clip(-u.y, (y - a.y) * u.x, -near, near);  // aside
+  if (first > last) return;
+  low = std::min(low, a.x + first);
+  high = std::max(high, a.x + last);
+}
+
+}  // namespace
+
+OpenRows::OpenRows(const Task& task, const Bounds& box, double side, double near)
+    : task_(&task),
+      box_(box),
+      side_(side),
+      near_(near),
+      columns_(static_cast<std::int32_t>((box.x_max - box.x_min) / side) + 1),
+      rows_(static_cast<std::int32_t>((box.y_max - box.y_min) / side) + 1) {
+  const Surroundings& ground = task.world->local();
+  for (const Polygon& polygon : ground.obstacles) {
+    Point a = polygon.back();
+    for (const Point& b : polygon) {
+      sides_.push_back({a, b, std::min(a.y, b.y) - near, std::max(a.y, b.y) + near});
+      a = b;
+    }
+  }
+  if (!ground.map) return;
+  map_box_ = bounding_box(outline(*ground.map));
+  const double reach = near + side;
+  map_box_ = {map_box_.x_min - reach, map_box_.x_max + reach, map_box_.y_min - reach,
+              map_box_.y_max + reach};
+}
+
+/// In cells from the middle of the first one; a place beside the lattice just beside it.
+double OpenRows::place_of(double x) const noexcept {
+  return std::clamp((x - box_.x_min) / side_ - 0.5, -1.0, columns_ + 0.0);
+}
+
+/// All cells whose middle is in there.
+void OpenRows::close(double low, double high) {
+  const auto first = std::max(0, static_cast<std::int32_t>(std::ceil(place_of(low))));
+  const auto last = static_cast<std::int32_t>(std::floor(place_of(high)));
+  if (first <= last) closed_.push_back({first, std::min(last + 1, columns_)});
+}
+
+void OpenRows::close_near_sides(double y) {
+  for (const Side& side : sides_) {
+    if (y < side.y_min || y > side.y_max) continue;
+    double low = infinity;
+    double high = -infinity;
+    add_disc(side.a, y, near_, low, high);
+    add_disc(side.b, y, near_, low, high);
+    add_box(side.a, side.b, y, near_, low, high);
+    close(low, high);
+    ++looks_;
+  }
+}
+
+/// Where the field says how far the next obstacle is, as many cells are settled at once.
+void OpenRows::close_near_map(double y) {
+  const Surroundings& ground = task_->world->local();
+  if (!ground.map) return;
+  const bool is_open_outside = ground.map->unknown_is_free;
+  if (!is_open_outside && (y < map_box_.y_min || y > map_box_.y_max)) close(-infinity, infinity);
+  if (y < map_box_.y_min || y > map_box_.y_max) return;
+  const auto begin = static_cast<std::int32_t>(std::max(0.0, std::ceil(place_of(map_box_.x_min))));
+  const auto end = static_cast<std::int32_t>(std::floor(place_of(map_box_.x_max))) + 1;
+  if (!is_open_outside) {
+    closed_.push_back({0, std::min(begin, columns_)});
+    closed_.push_back({std::min(end, columns_), columns_});
+  }
+  for (std::int32_t x = begin; x < std::min(end, columns_);) {
+    const Point middle{box_.x_min + (x + 0.5) * side_, y};
+    const CollisionChecker::Range range = task_->checker->map_distance(middle);
+    const bool is_open = range.least > near_ + rounding;
+    const bool is_closed = range.most < near_ - rounding;
+    const double sure = is_open     ? range.least - near_ - rounding
+                        : is_closed ? near_ - rounding - range.most
+                                    : 0.0;
+    const double cells = std::min(sure / side_, 1e6);
+    const std::int32_t next = x + 1 + static_cast<std::int32_t>(cells);
+    if (is_closed || (!is_open && task_->checker->map_is_within(middle, near_))) {
+      closed_.push_back({x, std::min(next, columns_)});
+    }
+    x = next;
+    ++looks_;
+  }
+}
+
+const OpenRows::Row& OpenRows::row(std::int32_t y) {
+  const auto [found, is_new] = known_.try_emplace(y);
+  Row& runs = found->second;
+  if (!is_new) return runs;
+  closed_.clear();
+  const double height = box_.y_min + (y + 0.5) * side_;
+  close_near_sides(height);
+  close_near_map(height);
+  std::sort(closed_.begin(), closed_.end(),
+            [](const Run& a, const Run& b) { return a.begin < b.begin; });
+  std::int32_t begin = 0;
+  for (const Run& closed : closed_) {
+    if (closed.begin > begin) runs.push_back({begin, closed.begin});
+    begin = std::max(begin, closed.end);
+  }
+  if (begin < columns_) runs.push_back({begin, columns_});
+  return runs;
+}
+
+}  // namespace vandplan::search
