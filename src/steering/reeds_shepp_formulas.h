@@ -19,8 +19,9 @@ namespace vandplan::steering::reeds_shepp_formulas {
 using base::atan_2;
 
 /// The nine formulas, by the words that they give: l and r are arcs, s is a line, `_` a change of
-/// gear.
-enum class Formula { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l };
+/// gear. The last two are never shortest, but may need the fewest changes of gear: their inner arc
+/// is more than half a turn.
+enum class Formula { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l, lrl, r_lr_wide };
 
 /// Lengths of the parts of a word. Where a word is not shortest, `first` and `last` may need whole
 /// turns to be added; `length` is right where they do not.
@@ -108,6 +109,22 @@ inline Arcs r_lsr_l(const Circles& p) {  // 8.11
   const double d = root(p.rl);
   const double h = atan_2(2 * y - d * x, d * y + 2 * x);
   return {d - 4 + 2 * quarter + 2 * h, h + p.a, quarter, d - 4, h - p.a};
+}
+
+inline Arcs lrl(const Circles& p) {  // Dubins
+  const double x = p.x - 2 * p.s, y = p.y;
+  const double d_squared = x * x + y * y;
+  const double h = atan_2(y, x);
+  const double half = std::numbers::pi - atan_2(root(d_squared), root(16 - d_squared));
+  return {2 * p.a + 4 * half, p.a + half + h, 2 * half, 0, p.a + half - h};
+}
+
+inline Arcs r_lr_wide(const Circles& p) {  // 8.4 by the other circle that touches both
+  const double x = p.x + 2 * p.s, y = p.y;
+  const double d_squared = x * x + y * y;
+  const double h = atan_2(y, x);
+  const double half = std::numbers::pi - atan_2(root(d_squared), root(16 - d_squared));
+  return {2 * (h + half), h + p.a - half, 2 * half, 0, h - p.a + half};
 }
 
 /// The shortest word and its arcs.

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <numbers>
 
 #include "base/parallel.h"
 #include "planners/anytime/island.h"
+#include "planners/anytime/open_ground.h"
 #include "planners/shared_options.h"
 #include "search/enclosure.h"
-#include "vandplan/dubins.h"
-#include "vandplan/reeds_shepp.h"
+#include "steering/words.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -41,21 +40,6 @@ constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 6
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
 
-// The least that any path between the poses costs: it is driven forward, or in reverse, or changes
-// gear; one of the first two may have to change gear before it begins.
-double open_ground_bound(const Task& task, const CostRule& rule) {
-  const double radius = task.vehicle.min_turning_radius;
-  const auto turned = [](const Pose& p) { return Pose{p.x, p.y, p.heading + std::numbers::pi}; };
-  const double shortest = reeds_shepp_length(task.start, task.goal, radius);
-  if (rule.is_length()) return shortest;
-  const double forward = rule.forward_weight * dubins_length(task.start, task.goal, radius);
-  const double reverse =
-      rule.reverse_weight * dubins_length(turned(task.start), turned(task.goal), radius);
-  return std::min({forward + change_cost(rule, rule.initial_gear, 1),
-                   reverse + change_cost(rule, rule.initial_gear, -1),
-                   shortest + rule.gear_change_cost});
-}
-
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options);
@@ -82,7 +66,7 @@ class Run {
   Budget budget_;
   std::deque<Island> islands_;
   std::optional<search::Enclosure> enclosure_;
-  double open_ground_;  // no path costs less
+  OpenGround open_ground_;
   std::optional<Route> best_;
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0;
@@ -94,7 +78,7 @@ Run::Run(const Task& task, const PlanOptions& options)
       threads_(options.budget.threads),
       target_gap_(options.budget.target_gap),
       budget_(options.budget),
-      open_ground_(open_ground_bound(task, rule_)) {
+      open_ground_(open_ground(task, rule_)) {
   const Bounds region = sampling_region(task, planning::region_of(options));
   for (std::size_t i = 0; i < island_count; ++i) {
     islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i));
@@ -111,11 +95,15 @@ void Run::try_open_ground() {
   trace_.push_back({budget_.elapsed(), 0, best_->cost});
 }
 
-bool Run::is_optimal() const { return best_ && best_->cost <= open_ground_ * (1 + 1e-12); }
+bool Run::is_optimal() const {
+  return best_ && best_->cost <= open_ground_.bound * (1 + 1e-12) + open_ground_.leeway;
+}
 
 double Run::lower_bound() const {
-  double bound = open_ground_;
-  for (const Island& island : islands_) bound = std::max(bound, island.shortest());
+  double bound = open_ground_.bound;
+  // Ends that are off may save so much on the way around, too.
+  const double off = rule_.is_length() ? 0.0 : 2 * steering::judged.position;
+  for (const Island& island : islands_) bound = std::max(bound, island.shortest() - off);
   return bound;
 }
 
@@ -179,7 +167,7 @@ void Run::tidy(std::uint64_t seed) {
   }
   Route tidied = shortener.route();
   tidied.cost = cost_of(rule_, tidied);
-  if (tidied.cost <= open_ground_ * (1 + 1e-9)) best_ = std::move(tidied);
+  if (tidied.cost <= open_ground_.bound * (1 + 1e-9)) best_ = std::move(tidied);
 }
 
 PlannerAnswer Run::result() const {

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/trigonometry.h"
+#include "steering/words.h"
+
+namespace vandplan::steering {
+namespace {
+
+constexpr int most_rounds = 8;
+constexpr double damping = 1e-9;  // of the steps, relative; what no length can change stays
+
+using Vector = std::array<double, 3>;  // x, y [m] and heading [rad]
+
+/// From the end of a piece to where it should be, under headings of the world.
+Vector missing(const Pose& end, const Pose& to) {
+  return {to.x - end.x, to.y - end.y, wrap_angle(to.heading - end.heading)};
+}
+
+bool is_within(const Vector& missing, const Closing& closing) {
+  return std::hypot(missing[0], missing[1]) <= closing.position &&
+         std::abs(missing[2]) <= closing.heading;
+}
+
+/// A piece, where its segments begin, and where it ends.
+struct Driven {
+  std::array<Pose, 6> poses;
+
+  Driven(const Pose& from, const Piece& piece) {
+    poses[0] = from;
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      poses[i + 1] = advance(poses[i], piece.segments[i]);
+    }
+  }
+};
+
+/// How the end of the piece moves for each metre that segment `i` gets longer: along the heading
+/// there, and around the circle of the segment's end.
+Vector slope(const Piece& piece, const Driven& driven, std::size_t i) {
+  const Segment& segment = piece.segments[i];
+  const Pose& at = driven.poses[i + 1];
+  const Pose& end = driven.poses[piece.count];
+  const double gear = segment.length < 0.0 ? -1.0 : 1.0;
+  const double turn = gear * segment.curvature;
+  const auto [sin, cos] = base::sin_cos(at.heading);
+  return {gear * cos - turn * (end.y - at.y), gear * sin + turn * (end.x - at.x), turn};
+}
+
+/// The solution of a symmetric positive definite 3 x 3 system, lower triangle given, by Cholesky.
+Vector solved(const std::array<Vector, 3>& m, const Vector& right) {
+  std::array<Vector, 3> l{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = m[i][j];
+      for (std::size_t k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
+      l[i][j] = i == j ? std::sqrt(std::max(sum, 1e-300)) : sum / l[j][j];
+    }
+  }
+  Vector x = right;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < i; ++k) x[i] -= l[i][k] * x[k];
+    x[i] /= l[i][i];
+  }
+  for (std::size_t i = 3; i-- > 0;) {
+    for (std::size_t k = i + 1; k < 3; ++k) x[i] -= l[k][i] * x[k];
+    x[i] /= l[i][i];
+  }
+  return x;
+}
+
+/// The least change of all lengths that brings the end nearer by `missing`: J' (J J' + d)^-1 e.
+std::array<double, 5> least_change(const Piece& piece, const Driven& driven,
+                                   const Vector& missing) {
+  std::array<Vector, 5> columns;
+  std::array<Vector, 3> square{};
+  for (std::size_t s = 0; s < piece.count; ++s) {
+    columns[s] = slope(piece, driven, s);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) square[i][j] += columns[s][i] * columns[s][j];
+    }
+  }
+  const double trace = square[0][0] + square[1][1] + square[2][2];
+  for (std::size_t i = 0; i < 3; ++i) square[i][i] += damping * trace;
+  const Vector weights = solved(square, missing);
+  std::array<double, 5> change{};
+  for (std::size_t s = 0; s < piece.count; ++s) {
+    for (std::size_t i = 0; i < 3; ++i) change[s] += columns[s][i] * weights[i];
+  }
+  return change;
+}
+
+/// Changes the lengths; what would become shorter than nothing is left out.
+Piece changed(const Piece& piece, const std::array<double, 5>& change) {
+  Piece result;
+  for (std::size_t s = 0; s < piece.count; ++s) {
+    Segment segment = piece.segments[s];
+    const double size = std::abs(segment.length) + change[s];
+    if (size <= 0.0) continue;
+    segment.length = std::copysign(size, segment.length);
+    result.segments[result.count++] = segment;
+    result.length += size;
+  }
+  return result;
+}
+
+}  // namespace
+
+// Gauss-Newton, to where rounding ends it: the least of what is missing wins.
+std::optional<Piece> mended(const Pose& from, const Pose& to, const Piece& piece,
+                            const Closing& closing) {
+  Piece trial = piece;
+  std::optional<Piece> best;
+  double least = 0.0;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Driven driven(from, trial);
+    const Vector off = missing(driven.poses[trial.count], to);
+    const double square = off[0] * off[0] + off[1] * off[1] + off[2] * off[2];
+    if (is_within(off, closing)) {
+      const bool settled = best && square > 0.25 * least;
+      if (!best || square < least) {
+        best = trial;
+        least = square;
+      }
+      if (settled) break;
+    }
+    if (trial.count == 0 || square == 0.0) break;
+    trial = changed(trial, least_change(trial, driven, off));
+  }
+  if (best) best->length = length(best->view());
+  return best;
+}
+
+}  // namespace vandplan::steering

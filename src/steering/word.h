@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do the arcs of a formula become the segments of a piece?
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include "steering/mean_frame.h"
+#include "steering/reeds_shepp_formulas.h"
+#include "vandplan/path.h"
+
+namespace vandplan::steering {
+
+/// One turn or line of a word.
+struct Step {
+  double turn;       ///< 1 left, 0 straight, -1 right
+  double gear;       ///< 1 forward, -1 reverse
+  std::size_t part;  ///< of `Arcs`: 0 first, 1 inner, 2 line, 3 last
+};
+
+struct Steps {
+  std::array<Step, 5> list{};
+  std::size_t count = 0;
+  bool same_sense = false;  ///< the first and the last step turn the heading the same way
+};
+
+/// From turns and gears, such as "L+R-L+".
+constexpr Steps steps_from(std::string_view text) {
+  Steps steps;
+  steps.count = text.size() / 2;
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const double turn = text[2 * i] == 'L' ? 1 : text[2 * i] == 'R' ? -1 : 0;
+    const std::size_t part = i == 0 ? 0 : i == steps.count - 1 ? 3 : turn == 0 ? 2 : 1;
+    steps.list[i] = {turn, text[2 * i + 1] == '+' ? 1.0 : -1.0, part};
+  }
+  const Step& last = steps.list[steps.count - 1];
+  steps.same_sense = steps.list[0].turn * steps.list[0].gear == last.turn * last.gear;
+  return steps;
+}
+
+inline const Steps& steps_of(reeds_shepp_formulas::Formula formula) {
+  static constexpr Steps steps[] = {
+      steps_from("L+S+L+"),      // 8.1
+      steps_from("L+S+R+"),      // 8.2
+      steps_from("L+R-L+"),      // 8.3
+      steps_from("R-L+R+"),      // 8.4
+      steps_from("L-R-L+R+"),    // 8.7
+      steps_from("R-L+R+L-"),    // 8.8
+      steps_from("R-L+S+R+"),    // 8.9
+      steps_from("R-L+S+L+"),    // 8.10
+      steps_from("R-L+S+R+L-"),  // 8.11
+      steps_from("L+R+L+"),      // Dubins
+      steps_from("R-L+R+"),      // 8.4 with a wide inner arc
+  };
+  return steps[static_cast<std::size_t>(formula)];
+}
+
+/// Which signs of the mean frame change; each change maps paths onto paths.
+struct Symmetry {
+  bool x, y, half_turn;
+
+  [[nodiscard]] Circles of(Circles p) const {
+    if (x) p.x = -p.x;
+    if (y) {
+      p.y = -p.y;
+      std::swap(p.lr, p.rl);
+    }
+    if (half_turn) {
+      p.a = -p.a;
+      p.s = -p.s;
+    }
+    return p;
+  }
+  [[nodiscard]] bool swaps_gears() const { return x; }
+  [[nodiscard]] bool swaps_sides() const { return x != half_turn; }
+  [[nodiscard]] bool swaps_ends() const { return (x != y) != half_turn; }
+};
+
+/// A word at `radius` [m] as `symmetry` makes it; parts of no length are left out.
+inline Piece piece_of(reeds_shepp_formulas::Formula formula, const reeds_shepp_formulas::Arcs& arcs,
+                      const Symmetry& symmetry, double radius) {
+  const Steps& steps = steps_of(formula);
+  const double parts[] = {arcs.first, arcs.inner, arcs.line, arcs.last};
+  const double curvature = symmetry.swaps_sides() ? -1 / radius : 1 / radius;
+  const double scale = symmetry.swaps_gears() ? -radius : radius;
+  Piece piece;
+  piece.length = arcs.length * radius;
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const Step& step = steps.list[symmetry.swaps_ends() ? steps.count - 1 - i : i];
+    const double part = parts[step.part];
+    if (part <= 0) continue;
+    piece.segments[piece.count++] = {step.turn * curvature, step.gear * part * scale};
+  }
+  return piece;
+}
+
+/// Takes back what rounding pushed below zero on the border between two words; the sum of all
+/// turns stays the same.
+inline reeds_shepp_formulas::Arcs without_noise(reeds_shepp_formulas::Formula formula,
+                                                reeds_shepp_formulas::Arcs arcs) {
+  double& lesser = arcs.first < arcs.last ? arcs.first : arcs.last;
+  double& greater = arcs.first < arcs.last ? arcs.last : arcs.first;
+  if (lesser < 0) {
+    greater += steps_of(formula).same_sense ? lesser : -lesser;
+    lesser = 0;
+  }
+  return arcs;
+}
+
+}  // namespace vandplan::steering

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "steering/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "steering/mean_frame.h"
+#include "steering/reeds_shepp_formulas.h"
+#include "steering/word.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+using namespace steering;
+using namespace steering::reeds_shepp_formulas;
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+/// What `for_each_word` needs to know of a formula.
+struct Kind {
+  Formula formula;
+  Arcs (*arcs)(const Circles&);
+  double (*margin)(const Circles&);  ///< the word exists where this is >= 0
+  Symmetry own;  ///< maps the word onto itself; none for a word that has eight images
+  int gear_changes;
+  bool is_wide = false;  ///< the inner arc is more than half a turn
+};
+
+double from_left_to_left(const Circles& p) { return (p.x - 2 * p.s) * (p.x - 2 * p.s) + p.y * p.y; }
+double from_right_to_right(const Circles& p) {
+  return (p.x + 2 * p.s) * (p.x + 2 * p.s) + p.y * p.y;
+}
+
+constexpr Symmetry none{false, false, false};
+constexpr Symmetry in_x{true, false, false};
+constexpr Symmetry in_y{false, true, false};
+constexpr Symmetry in_half_turn{false, false, true};
+
+constexpr std::array<Kind, 11> kinds = {{
+    {Formula::lsl, lsl, [](const Circles&) { return 0.0; }, in_y, 0},
+    {Formula::lsr, lsr, [](const Circles& p) { return p.lr; }, in_half_turn, 0},
+    {Formula::l_r_l, l_r_l, [](const Circles& p) { return 16 - from_left_to_left(p); }, in_y, 2},
+    {Formula::r_lr, r_lr, [](const Circles& p) { return 16 - from_right_to_right(p); }, none, 1},
+    {Formula::lr_lr, lr_lr, [](const Circles& p) { return -p.lr; }, in_x, 1},
+    {Formula::r_lr_l, r_lr_l, [](const Circles& p) { return std::min(p.rl, 32 - p.rl); },
+     in_half_turn, 2},
+    {Formula::r_lsr, r_lsr, [](const Circles& p) { return from_right_to_right(p) - 8; }, none, 1},
+    {Formula::r_lsl, r_lsl, [](const Circles& p) { return p.rl; }, none, 1},
+    {Formula::r_lsr_l, r_lsr_l, [](const Circles& p) { return p.rl - 16; }, in_half_turn, 2},
+    {Formula::lrl, lrl, [](const Circles& p) { return 16 - from_left_to_left(p); }, in_y, 0, true},
+    {Formula::r_lr_wide, r_lr_wide, [](const Circles& p) { return 16 - from_right_to_right(p); },
+     none, 1, true},
+}};
+constexpr std::size_t reeds_shepp_kinds = 9;
+
+/// In [0, 2 pi), but what rounding pushed below zero stays there.
+double in_one_turn(double arc) {
+  const double wrapped = arc - full_turn * std::floor(arc / full_turn);
+  return wrapped < full_turn - 1e-12 ? wrapped : wrapped - full_turn;
+}
+
+/// A word of a formula between two poses, as one symmetry makes it.
+struct Word {
+  const Kind& kind;
+  Symmetry symmetry;
+  Arcs arcs;  ///< the first and the last in one turn
+  double margin;
+};
+
+/// Calls `take` with each word of a kind whose margin is at least `least`.
+template <typename Take>
+void for_each_word(const Circles& circles, const Kind& kind, double least, Take take) {
+  for (const bool x : {false, true}) {
+    for (const bool y : {false, true}) {
+      for (const bool half_turn : {false, true}) {
+        if ((x && kind.own.x) || (y && kind.own.y) || (half_turn && kind.own.half_turn)) continue;
+        const Symmetry symmetry{x, y, half_turn};
+        const Circles image = symmetry.of(circles);
+        const double margin = kind.margin(image);
+        if (margin < least) continue;
+        Arcs arcs = kind.arcs(image);
+        arcs.first = in_one_turn(arcs.first);
+        arcs.last = in_one_turn(arcs.last);
+        take(Word{kind, symmetry, arcs, margin});
+      }
+    }
+  }
+}
+
+/// In turning radii; a first or last arc that rounding made negative shortens it by next to
+/// nothing.
+double length_of(const Word& word) {
+  const Arcs& a = word.arcs;
+  const double parts[] = {a.first, a.inner, a.line, a.last};
+  const Steps& steps = steps_of(word.kind.formula);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < steps.count; ++i) sum += parts[steps.list[i].part];
+  return sum;
+}
+
+/// The segments of a word, those of no length left out.
+Piece piece_of(const Word& word, double radius) {
+  const Formula formula = word.kind.formula;
+  Piece piece = piece_of(formula, without_noise(formula, word.arcs), word.symmetry, radius);
+  piece.length = length(piece.view());
+  return piece;
+}
+
+/// Leaves parts of a word out that are shorter than `reach`, or longer than a turn less `reach`.
+Arcs without_vanishing(Arcs arcs, double reach) {
+  for (double* part : {&arcs.first, &arcs.inner, &arcs.line, &arcs.last}) {
+    const bool is_whole = part != &arcs.line && *part > full_turn - reach;
+    if (is_whole || *part < reach) *part = 0.0;
+  }
+  return arcs;
+}
+
+/// Makes such parts tiny at least, whereupon `mended` finds what they should be.
+Arcs with_tiny(Arcs arcs, double reach) {
+  const double tiny = reach / 100;
+  for (double* part : {&arcs.first, &arcs.inner, &arcs.line, &arcs.last}) {
+    const bool is_whole = part != &arcs.line && *part > full_turn - reach;
+    *part = is_whole ? tiny : std::max(*part, tiny);
+  }
+  return arcs;
+}
+
+/// Neighbours that go on alike become one segment, without a whole turn if that is what it has too
+/// much.
+Piece joined(const Piece& piece, double radius, double reach) {
+  Piece result;
+  for (const Segment& segment : piece.view()) {
+    Segment* const last = result.count > 0 ? &result.segments[result.count - 1U] : nullptr;
+    if (last != nullptr && last->curvature == segment.curvature &&
+        last->length * segment.length > 0) {
+      last->length += segment.length;
+    } else {
+      result.segments[result.count++] = segment;
+    }
+  }
+  for (Segment& segment : std::span(result.segments.data(), result.count)) {
+    const double turns = std::abs(segment.length) / radius;
+    if (segment.curvature == 0.0 || turns < full_turn - reach) continue;
+    segment.length = std::copysign(std::max(turns - full_turn, 0.0) * radius, segment.length);
+  }
+  return result;
+}
+
+/// What a word becomes where parts of it vanish.
+class Guesses {
+ public:
+  /// `shift` is how far the end of a word may be off [turning radii].
+  Guesses(double radius, double shift) : radius_(radius), reach_(4 * std::sqrt(shift)) {}
+
+  /// The guesses that the word is good for: none, if it has no part that is next to nothing or next
+  /// to a whole turn.
+  void add(const Word& word) {
+    if (word.margin >= 0.0 && !is_near(word)) return;
+    for (const Arcs& arcs : {without_vanishing(word.arcs, reach_), with_tiny(word.arcs, reach_)}) {
+      const Piece piece = piece_of(Word{word.kind, word.symmetry, arcs, 0.0}, radius_);
+      guesses_.push_back(joined(piece, radius_, reach_));
+    }
+  }
+  [[nodiscard]] const std::vector<Piece>& list() const { return guesses_; }
+
+ private:
+  [[nodiscard]] bool is_near(const Word& word) const {
+    const double parts[] = {word.arcs.first, word.arcs.inner, word.arcs.line, word.arcs.last};
+    const Steps& steps = steps_of(word.kind.formula);
+    return std::any_of(steps.list.data(), steps.list.data() + steps.count, [&](const Step& step) {
+      const double part = parts[step.part];
+      return part < reach_ || (step.turn != 0.0 && part > full_turn - reach_);
+    });
+  }
+
+  double radius_;
+  double reach_;  // where a line or an arc is short, its length is as the root of a shift
+  std::vector<Piece> guesses_;
+};
+
+}  // namespace
+
+namespace steering {
+
+void find_words(const Pose& from, const Pose& to, double radius, const Wanted& wanted,
+                std::vector<Piece>& words) {
+  const Circles circles(mean_frame(from, to, radius));
+  const double shift = wanted.closing.position / radius + wanted.closing.heading;
+  Guesses guesses(radius, shift);
+  words.clear();
+  for (const Kind& kind : kinds) {
+    if (kind.gear_changes != wanted.gear_changes) continue;
+    if (kind.is_wide && !wanted.wide_arcs) continue;
+    for_each_word(circles, kind, -16 * shift, [&](const Word& word) {
+      guesses.add(word);
+      if (word.margin < 0.0 || length_of(word) * radius >= wanted.longest) return;
+      const Piece piece = piece_of(word, radius);
+      if (piece.length < wanted.longest) words.push_back(piece);
+    });
+  }
+  for (const Piece& guess : guesses.list()) {
+    const std::optional<Piece> piece = mended(from, to, guess, wanted.closing);
+    if (piece && piece->length < wanted.longest) words.push_back(*piece);
+  }
+}
+
+}  // namespace steering
+
+std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double radius) {
+  const Circles circles(mean_frame(from, to, radius));
+  std::vector<Piece> words;
+  for (const Kind& kind : std::span(kinds).first(reeds_shepp_kinds)) {
+    for_each_word(circles, kind, 0.0,
+                  [&](const Word& word) { words.push_back(piece_of(word, radius)); });
+  }
+  return words;
+}
+
+}  // namespace vandplan
