@@ -109,6 +109,10 @@ Campaign campaign_of(const EvaluateArguments& arguments) {
   for (const std::string& path : arguments.scenarios)
     for (const std::string& file : scenario_files(path))
       campaign.scenarios.push_back({read_scenario_file(file), file});
+  for (const auto& [scenario, file] : campaign.scenarios)
+    if (!scenario.options.empty())
+      warn(
+          {file + ": options: left out, all scenarios are compared with the same options (--set)"});
   return campaign;
 }
 

@@ -122,8 +122,10 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
       ->allow_extra_args(false);
 }
 
-PlanOptions options_for(const Planner& planner, const std::vector<TypedOption>& typed) {
+PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_by_file,
+                        const std::vector<TypedOption>& typed) {
   PlanOptions options;
+  set_honoured(options, planner, wanted_by_file);
   for (const TypedOption& given : typed) {
     try {
       set_option(options, planner, given.option, given.value);

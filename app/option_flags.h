@@ -7,6 +7,7 @@
 // is honoured, and what it may be, depends on it.
 
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,10 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed);
 /// "KEY=VALUE" as it stands behind --set. Throws InputError for anything else.
 [[nodiscard]] TypedOption typed_setting(const std::string& setting);
 
-/// What was typed, for a planner. Throws InputError naming what was typed when the planner does not
-/// honour it or the value is no good.
+/// What a file wants as far as the planner honours it, and above that what was typed. Throws
+/// InputError naming what was typed when the planner does not honour it or the value is no good.
 [[nodiscard]] PlanOptions options_for(const Planner& planner,
+                                      std::span<const Setting> wanted_by_file,
                                       const std::vector<TypedOption>& typed);
 
 /// A line for each option that all planners have.

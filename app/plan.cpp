@@ -86,13 +86,25 @@ void write_results(const std::string& output, const ScenarioFile& file,
   writer.commit();
 }
 
+void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted,
+                     const Planner& planner) {
+  for (const Setting& setting : wanted) {
+    if (honours(planner, setting.name)) continue;
+    warn({fmt::format("{}: options.{}: {} does not honour it", file, setting.name, planner.name)});
+  }
+}
+
 int run(const PlanArguments& arguments) {
   const Planner& planner = planner_named(arguments.planner);
-  PlanOptions options = complete(planner, options_for(planner, arguments.options));
-  options.budget.stop = stop_on_signal();
+  (void)complete(planner, options_for(planner, {}, arguments.options));  // before a long read
+  const std::atomic<bool>* const stop = stop_on_signal();
   check_outputs(arguments);
   const ScenarioProblems read = read_problems(arguments.scenario);
+  PlanOptions options =
+      complete(planner, options_for(planner, read.file.options, arguments.options));
+  options.budget.stop = stop;
   warn(read.file.warnings);
+  warn_of_ignored(arguments.scenario, read.file.options, planner);
   if (arguments.poses) {
     const auto processors = static_cast<int>(std::thread::hardware_concurrency());
     const int jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1, processors);

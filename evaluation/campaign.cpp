@@ -194,8 +194,7 @@ std::vector<RunSpec> runs_of(const Campaign& campaign) {
 
 PlanOptions options_of(const Campaign& campaign, const Planner& planner) {
   PlanOptions options;
-  for (const Setting& setting : campaign.settings)
-    if (honours(planner, setting.name)) set_option(options, planner, setting.name, setting.value);
+  set_honoured(options, planner, campaign.settings);
   return complete(planner, options);
 }
 

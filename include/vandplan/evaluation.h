@@ -28,11 +28,7 @@ struct CampaignScenario {
   std::string file;  ///< where it was read from: reports and commands name it
 };
 
-/// An option by its name, with its value as text: {"time_limit", "0.1"}, {"goal_bias", "0.2"}.
-struct Setting {
-  std::string name;
-  std::string value;
-};
+using vandplan::Setting;
 
 /// A limit on the repeats of the planners of one group (`PlannerProperties::groups`).
 struct RepeatCap {

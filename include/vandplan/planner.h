@@ -92,6 +92,17 @@ struct PlanResult {
 void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
                 std::string_view text);
 
+/// An option by its name, with its value as text: {"margin", "0.3"}, {"goal_bias", "0.2"}.
+struct Setting {
+  std::string name;
+  std::string value;
+  bool operator==(const Setting&) const = default;
+};
+
+/// Sets those options that the planner honours, and passes over the others. Throws InputError
+/// naming the option whose value is no good.
+void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings);
+
 /// Plans a path. A run without limit of time or iterations takes `default_time_limit`. Throws
 /// InputError for options that `complete` refuses. A path that the judge rejects, whoever planned
 /// it, is none: the status is `rejected`, and `check` says why.

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "vandplan/planner.h"
 #include "vandplan/problem.h"
 
 namespace vandplan {
@@ -28,6 +29,8 @@ struct RowGoal {
 struct ScenarioFile {
   Scenario scenario = {};         ///< of a row what its problems share; its goal is the first one
   std::vector<RowGoal> row = {};  ///< empty for `goal:`
+  /// What the file wants of every planner that honours it, `set_honoured`: no option of the budget.
+  std::vector<Setting> options = {};
   /// What deserves a look though nothing is wrong, "file:line: key: what".
   std::vector<std::string> warnings = {};
 

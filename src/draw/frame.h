@@ -42,6 +42,7 @@ struct LegendContent {
   bool path = false;
   bool tree = false;
   bool obstacles = false;
+  bool margin = false;
   bool kerbs = false;
   bool unknown = false;  ///< cells of a map
   bool outside = false;  ///< ground out of bounds

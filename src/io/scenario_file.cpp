@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "io/document.h"
@@ -86,6 +87,33 @@ bool unknown_from(const Document& file, const Node& node) {
   return text == "free";
 }
 
+/// An option that some planner honours, its value one that it takes.
+Setting setting_from(const Document& file, const Node& map, std::size_t i) {
+  const Node& value = map.items[i];
+  const Setting setting{map.keys[i].text, file.text(value)};
+  const auto honouring = std::ranges::find_if(
+      planners(), [&](const Planner& planner) { return honours(planner, setting.name); });
+  try {
+    PlanOptions options;
+    const Planner& planner = honouring == planners().end() ? default_planner() : *honouring;
+    set_option(options, planner, setting.name, setting.value);
+    if (options.budget == BudgetOptions{}) return setting;
+  } catch (const InputError& error) {
+    file.fail(value, error.problem());
+  }
+  file.fail(value, "is an option of the budget, expected one of what is planned: --set " +
+                       setting.name + "=" + setting.value);
+}
+
+std::vector<Setting> settings_from(const Document& file, const Node& node) {
+  if (node.kind != Node::Kind::map) file.fail(node, "is no map, expected options by their names");
+  std::vector<Setting> settings;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    settings.push_back(setting_from(file, node, i));
+  }
+  return settings;
+}
+
 using Map = std::optional<OccupancyGrid>;
 
 /// The map that a scenario names, relative to itself.
@@ -132,7 +160,7 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     file.fail(*image, "belongs into a map, expected a scenario that names this file as its map");
   }
   file.allow_only(root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals",
-                         "obstacles", "kerbs", "map", "unknown"});
+                         "obstacles", "kerbs", "map", "unknown", "options"});
   const Node* const goals = file.find(root, "goals");
   const Node* const goal = file.find(root, "goal");
   if (goals != nullptr && goal != nullptr) {
@@ -152,6 +180,9 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   if (goals != nullptr) result.row = row_from(file, *goals);
   scenario.goal = goals != nullptr ? result.row.front().goal : pose_from(file, *goal);
   read_ground(file, where, map, scenario);
+  if (const Node* const options = file.find(root, "options")) {
+    result.options = settings_from(file, *options);
+  }
   warn_of_degrees(file, file.at(root, "start"), result.warnings);
   if (goal != nullptr) warn_of_degrees(file, *goal, result.warnings);
   if (goals != nullptr) {
@@ -321,6 +352,10 @@ std::string to_yaml(const ScenarioFile& file) {
   if (scenario.map) {
     text += fmt::format("map: {}\n", quoted(scenario.map_file));
     if (scenario.map->unknown_is_free) text += "unknown: free\n";
+  }
+  if (!file.options.empty()) text += "options:\n";
+  for (const Setting& setting : file.options) {
+    text += fmt::format("  {}: {}\n", setting.name, setting.value);
   }
   return text + "obstacles:" + yaml_of(scenario.obstacles, "  ");
 }

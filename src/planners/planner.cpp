@@ -193,6 +193,12 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
   options = changed;
 }
 
+void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings) {
+  for (const auto& [name, value] : settings) {
+    if (honours(planner, name)) set_option(options, planner, name, value);
+  }
+}
+
 PlanOptions complete(const Planner& planner, const PlanOptions& options) {
   validate(options);
   refuse_ignored(planner, options);

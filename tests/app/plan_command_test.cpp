@@ -50,6 +50,21 @@ TEST_F(PlanCommand, SummaryNamesPlannerAndOutcome) {
   EXPECT_EQ(outcome.out.find("gap"), std::string::npos) << "proven by nobody: " << outcome.out;
 }
 
+TEST_F(PlanCommand, TheScenarioMayWantOptions) {
+  write_content(scenario_, yard() + "options: {margin: 0.4, gear_change_cost: 2}\n");
+  const auto options_of = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--json", "--max-iterations", "300"});
+    return Json::parse(plan(options).out).at("options");
+  };
+  EXPECT_EQ(options_of({}).at("margin"), 0.4);
+  EXPECT_EQ(options_of({}).at("gear_change_cost"), 2);
+  EXPECT_EQ(options_of({"--set", "margin=0"}).at("margin"), 0);
+  const Outcome outcome = plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "100"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "vandplan: warning: " + scenario_ +
+                             ": options.gear_change_cost: rrt-opt-rs-goal does not honour it\n");
+}
+
 TEST_F(PlanCommand, SummarySaysHowFarFromTheShortestAPathMayBe) {
   const Outcome outcome = plan({"--max-iterations", "300"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

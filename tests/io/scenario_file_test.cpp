@@ -66,6 +66,7 @@ void expect_equal(const ScenarioFile& one, const ScenarioFile& other) {
   EXPECT_EQ(a.start, b.start);
   EXPECT_EQ(a.goal, b.goal);
   EXPECT_EQ(a.obstacles, b.obstacles);
+  EXPECT_EQ(one.options, other.options);
   ASSERT_EQ(one.row.size(), other.row.size());
   for (std::size_t i = 0; i < one.row.size(); ++i) {
     EXPECT_EQ(one.row[i].distance, other.row[i].distance);
@@ -353,6 +354,18 @@ std::vector<BadFile> bad_files() {
       spoilt("[[1, 2], [3, 2], [3, 4]]", "[[0, 0], [1, 1], [1, 0], [0, 1]]",
              "11: obstacles[0]: crosses or touches itself where the sides that begin at [0, 0] and "
              "[1, 0] meet, expected a simple polygon"),
+      // Options
+      spoilt("bounds:", "options: [margin]\nbounds:",
+             "4: options: is no map, expected options by their names"),
+      spoilt("bounds:", "options: {margin: -1}\nbounds:",
+             "4: options.margin: is -1, expected a number from 0 to 1000 [m]"),
+      spoilt("bounds:", "options: {margin: [1]}\nbounds:",
+             "4: options.margin: is a list, expected a text"),
+      spoilt("bounds:", "options: {margn: 1}\nbounds:",
+             "4: options.margn: unknown option, expected one of seed"),
+      spoilt("bounds:", "options: {seed: 7}\nbounds:",
+             "4: options.seed: is an option of the budget, expected one of what is planned: --set "
+             "seed=7"),
       // Rows
       spoilt_row("  - distance: 20\n    goal: {x: 20, y: 0, heading: 0}\n"
                  "  - {distance: 40, goal: {x: 40, y: 0, heading: 0}, obstacles: [[[1, 2], [3, 2], "
@@ -397,6 +410,21 @@ TEST(ScenarioFile, WritingAndReadingBackChangesNothing) {
     scenario.vehicle.width = 0.1 + 0.2;
     expect_equal(scenario_from_yaml(to_yaml(file), "s.yaml"), file);
   }
+}
+
+TEST(ScenarioFile, OptionsAreReadAndWritten) {
+  const std::string text = exchanged(
+      valid, "bounds:", "options: {margin: 0.3, initial_gear: forward, goal_bias: .1}\nbounds:");
+  const ScenarioFile file = scenario_from_yaml(text, "s.yaml");
+  EXPECT_EQ(
+      file.options,
+      (std::vector<Setting>{{"margin", "0.3"}, {"initial_gear", "forward"}, {"goal_bias", ".1"}}));
+  expect_equal(scenario_from_yaml(to_yaml(file), "s.yaml"), file);
+  PlanOptions options;
+  set_honoured(options, planner_named("rrt-bsc-rs"), file.options);  // which knows no prices
+  EXPECT_EQ(options.clearance.margin, 0.3);
+  EXPECT_EQ(options.cost.initial_gear, InitialGear::any);
+  EXPECT_EQ(options.planner.number("goal_bias"), 0.1);
 }
 
 TEST(ScenarioFile, OurScenariosReadBackUnchanged) {
