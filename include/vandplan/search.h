@@ -140,11 +140,18 @@ class Connector {
 
   /// The word of least cost; the shortest one under a neutral rule. Under another rule arcs that
   /// vanish are left out: the piece then ends at a pose on the way but for rounding, at the goal of
-  /// the task within what the judge allows.
-  [[nodiscard]] Piece steer(const Pose& from, const Pose& to, const Gears& gears = {});
+  /// the task within what the judge allows. If no word costs less than `cutoff` [m], the joints to
+  /// both gears included, it is any word: most calls for a cheaper way end so, and sooner.
+  [[nodiscard]] Piece steer(const Pose& from, const Pose& to, const Gears& gears = {},
+                            double cutoff = std::numeric_limits<double>::infinity());
 
-  /// Length of the shortest path on open ground: no path between the poses costs less [m].
-  [[nodiscard]] double least_cost(const Pose& from, const Pose& to);
+  /// What no path between the poses costs less than, with the joints to both gears [m]: on open
+  /// ground it is driven forward, or in reverse, or changes gear. The length of the shortest path
+  /// under a neutral rule.
+  [[nodiscard]] double least_cost(const Pose& from, const Pose& to, const Gears& gears = {});
+
+  /// Length of the shortest path on open ground [m].
+  [[nodiscard]] double least_length(const Pose& from, const Pose& to) const;
 
   /// Cost of a piece between two others [m]; the joint to the next one is its part, if there is
   /// one.
@@ -170,7 +177,7 @@ class Connector {
 
  private:
   [[nodiscard]] Piece cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
-                                    const Piece& shortest);
+                                    const Piece& shortest, double cutoff);
 
   const CollisionChecker& checker_;
   double radius_;

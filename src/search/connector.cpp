@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "steering/words.h"
+#include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
 
@@ -28,25 +29,25 @@ Connector::Connector(const Task& task, const CostRule& rule, bool profile)
       checking_(profile) {}
 
 std::optional<Connection> Connector::connect(const Pose& from, const Pose& to, const Terms& terms) {
-  const Piece piece = steer(from, to, terms.gears);
+  const Piece piece = steer(from, to, terms.gears, terms.cutoff - terms.cost_so_far);
   const double total = terms.cost_so_far + cost(piece, terms.gears);
   if (total >= terms.cutoff || !is_free(from, piece)) return std::nullopt;
   return Connection{piece, total};
 }
 
-Piece Connector::steer(const Pose& from, const Pose& to, const Gears& gears) {
+Piece Connector::steer(const Pose& from, const Pose& to, const Gears& gears, double cutoff) {
   ++solves_;
   steering_.start();
   Piece best = reeds_shepp(from, to, radius_);
-  if (!rule_.is_length()) best = cheapest_word(from, to, gears, best);
+  if (!rule_.is_length()) best = cheapest_word(from, to, gears, best, cutoff);
   steering_.stop();
   return best;
 }
 
 // Among all words, those with the fewest gear changes first: each one more has to be worth its
-// price. Where costs are equal, the fewest segments.
+// price, and most of them are not. Where costs are equal, the fewest segments.
 Piece Connector::cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
-                               const Piece& shortest) {
+                               const Piece& shortest, double cutoff) {
   // The piece to the goal is the last one: nothing is added to where it ends. Wide arcs seldom fit
   // between obstacles, and would hide the words that do.
   const bool is_last = to == goal_;
@@ -54,7 +55,8 @@ Piece Connector::cheapest_word(const Pose& from, const Pose& to, const Gears& ge
   Piece best = shortest;
   double best_cost = cost(best, gears);
   for (const int changes : {0, 1, 2}) {
-    const double longest = best_cost + least_worth - changes * rule_.gear_change_cost;
+    const double most = std::min(best_cost + least_worth, cutoff);
+    const double longest = most - changes * rule_.gear_change_cost;
     if (longest < shortest.length) break;
     steering::find_words(from, to, radius_, {changes, longest, closing, is_last}, words_);
     for (const Piece& word : words_) {
@@ -68,8 +70,24 @@ Piece Connector::cheapest_word(const Pose& from, const Pose& to, const Gears& ge
   return best;
 }
 
-double Connector::least_cost(const Pose& from, const Pose& to) {
+double Connector::least_cost(const Pose& from, const Pose& to, const Gears& gears) {
   ++solves_;
+  const double shortest = reeds_shepp_length(from, to, radius_);
+  if (rule_.is_length()) return shortest;
+  double least = shortest + rule_.gear_change_cost;
+  for (const GearSign gear : {1, -1}) {
+    const double weight = gear > 0 ? rule_.forward_weight : rule_.reverse_weight;
+    const double joints =
+        change_cost(rule_, gears.before, gear) + change_cost(rule_, gear, gears.after);
+    if (weight * shortest + joints >= least) continue;
+    const double length =
+        gear > 0 ? dubins_length(from, to, radius_) : dubins_length(to, from, radius_);
+    least = std::min(least, weight * length + joints);
+  }
+  return least;
+}
+
+double Connector::least_length(const Pose& from, const Pose& to) const {
   return reeds_shepp_length(from, to, radius_);
 }
 

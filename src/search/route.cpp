@@ -3,6 +3,7 @@
 #include "search/route.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vandplan::search {
 
@@ -38,6 +39,42 @@ Route reversed(const Route& route) {
     result.legs.push_back({reversed(route.legs[i - 1].piece), route.begin_of(i - 1)});
   }
   return result;
+}
+
+Route part_of(const Route& route, double begin, double end) {
+  Route result{route.start, {}, 0.0};
+  double driven = 0.0;
+  for (std::size_t i = 0; i < route.legs.size() && driven < end; ++i) {
+    const Leg& leg = route.legs[i];
+    const double next = driven + leg.piece.length;
+    const bool is_last = next >= end;
+    if (next > begin) {
+      const Piece head = is_last && next > end ? prefix(leg.piece, end - driven) : leg.piece;
+      const Pose to = is_last && next > end ? end_of(route.begin_of(i), head) : leg.end;
+      const bool is_cut = begin > driven;
+      if (is_cut) result.start = end_of(route.begin_of(i), prefix(leg.piece, begin - driven));
+      if (result.legs.empty() && !is_cut) result.start = route.begin_of(i);
+      const Piece piece = is_cut ? suffix(head, begin - driven) : head;
+      if (piece.count > 0) result.legs.push_back({piece, to});
+    }
+    driven = next;
+  }
+  return result;
+}
+
+bool are_alike(const Route& a, const Route& b, double near) {
+  constexpr int places = 16;
+  const Path path_a = path_of(a);
+  const Path path_b = path_of(b);
+  if (gear_changes(path_a) != gear_changes(path_b)) return false;
+  const double length_a = length(path_a);
+  const double length_b = length(path_b);
+  for (int i = 1; i < places; ++i) {
+    const Pose p = pose_at(path_a, length_a * i / places);
+    const Pose q = pose_at(path_b, length_b * i / places);
+    if (std::hypot(p.x - q.x, p.y - q.y) > near) return false;
+  }
+  return true;
 }
 
 Path path_of(const Route& route) {

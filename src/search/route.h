@@ -38,6 +38,14 @@ struct Route {
 /// A route driven backwards: from its end to its start.
 [[nodiscard]] Route reversed(const Route& route);
 
+/// What of a route is driven from `begin` to `end` [m], 0 <= begin < end <= its length; without a
+/// cost. Empty if they are equal.
+[[nodiscard]] Route part_of(const Route& route, double begin, double end);
+
+/// Whether two routes between the same poses change gear alike and stay within `near` [m] of each
+/// other, as far as a few places on them tell.
+[[nodiscard]] bool are_alike(const Route& a, const Route& b, double near);
+
 [[nodiscard]] Path path_of(const Route& route);
 
 }  // namespace vandplan::search

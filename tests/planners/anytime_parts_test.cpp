@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "../support/cases.h"
 #include "../support/problems.h"
+#include "planners/anytime/detours.h"
 #include "planners/anytime/lattice.h"
+#include "planners/anytime/rotation.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/trees.h"
 #include "vandplan/path_check.h"
@@ -16,7 +19,9 @@
 namespace vandplan {
 namespace {
 
+using anytime::Detours;
 using anytime::Lattice;
+using anytime::Rotation;
 using anytime::Shortener;
 using anytime::TwoTrees;
 using search::Connector;
@@ -51,6 +56,7 @@ void expect_valid(const Problem& problem, const CostRule& rule, const Route& rou
               route.cost, 1e-6);
 }
 
+constexpr double pi = std::numbers::pi;
 constexpr CostRule rules[] = {{}, {1.0, 2.0, 3.0, 0}};
 
 TEST(TwoTrees, WhatTheyFindIsARoute) {
@@ -85,6 +91,61 @@ TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
       cost = lattice.route().cost;
     }
   });
+}
+
+TEST(Rotation, EveryRouteIsValidAndOfInterest) {
+  for_each_case(5, 40, [](Rng& rng) {
+    const Problem problem = random_problem(rng);
+    const CostRule rule{1.0, 2.0, 3.0, 0};
+    GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.goal(), problem.start());
+    while (guide.step()) {
+    }
+    Rotation rotation(problem.task(), rule, problem.start(), problem.goal(), guide);
+    double cutoff = 150.0;
+    for (int i = 0; i < 3000 && !rotation.is_finished(); ++i) {
+      if (!rotation.step(cutoff)) continue;
+      Route route = rotation.route();
+      route.cost = cost_of(rule, route);
+      expect_valid(problem, rule, route);
+      EXPECT_LT(route.cost, 4 * 1.1 * cutoff);  // under four times the price of a change
+      cutoff = std::min(cutoff, route.cost);
+    }
+  });
+}
+
+// Where a cutoff leaves nothing every search ends, and so does the rotation.
+TEST(Rotation, EndsWhenNothingCheaperIsLeft) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
+  GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.goal(), problem.start());
+  while (guide.step()) {
+  }
+  Rotation rotation(problem.task(), {1.0, 2.0, 5.0, 0}, problem.start(), problem.goal(), guide);
+  for (int i = 0; i < 50000 && !rotation.is_finished(); ++i) EXPECT_FALSE(rotation.step(9.0));
+  EXPECT_TRUE(rotation.is_finished());
+}
+
+// A route that turns long after the end of the wall.
+TEST(Detours, FindAnotherWayBetweenTwoPlacesOfARoute) {
+  const Problem problem = problem_of({0, 0, 0}, {0, 20, pi}, {box(-60, 9, 30, 11)});
+  for (const CostRule& rule : rules) {
+    Connector connector(problem.task(), rule);
+    Route route{problem.start(), {}, 0.0};
+    for (const Pose& via : {Pose{80, 0, 0}, Pose{80, 20, pi}, problem.goal()}) {
+      const Pose from = route.legs.empty() ? route.start : route.legs.back().end;
+      route.legs.push_back({connector.steer(from, via), via});
+    }
+    route.cost = cost_of(rule, route);
+    expect_valid(problem, rule, route);
+    Detours detours(problem.task(), rule, 1);
+    detours.set_route(route);
+    double best = route.cost;
+    for (int i = 0; i < 20000; ++i) {
+      if (!detours.step()) continue;
+      expect_valid(problem, rule, detours.route());
+      best = std::min(best, detours.route().cost);
+    }
+    EXPECT_LT(best, 0.7 * route.cost);
+  }
 }
 
 TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {

@@ -149,5 +149,50 @@ TEST(Anytime, DearGearChangesBecomeFew) {
   EXPECT_LE(dear_changes, cheap_changes);
 }
 
+// A small truck faces away from two gates in long walls. To drive forward it has to go around both;
+// one stroke back turns it.
+Problem gates() {
+  const Vehicle small{4.4, 1.1, 1.6, 2.5, 7.0};
+  return problem_of(
+      {-18, 0, pi}, {45, 0, 0},
+      {box(0, -30, 1, -2.2), box(0, 2.2, 1, 30), box(20, -30, 21, 4), box(20, 8.4, 21, 30)},
+      wide_bounds, small);
+}
+
+TEST(Anytime, WithPricesItLooksForAnotherKindOfPath) {
+  PlanOptions options = iterations(5000);
+  options.cost = {.reverse_weight = 2, .gear_change_cost = 5};
+  for (options.budget.seed = 1; options.budget.seed <= 5; ++options.budget.seed) {
+    const PlanResult result = run(gates(), options);
+    EXPECT_LT(result.cost, 90.0) << options.budget.seed;  // 108 without a change
+    EXPECT_EQ(gear_changes(result.path->segments), 1) << options.budget.seed;
+  }
+}
+
+TEST(Anytime, APriceDoesNotMakeTheSearchWorse) {
+  PlanOptions options = iterations(5000);
+  for (options.budget.seed = 1; options.budget.seed <= 5; ++options.budget.seed) {
+    options.cost = {};
+    const PlanResult shortest = run(gates(), options);
+    options.cost = {.gear_change_cost = 1};
+    const PlanResult priced = run(gates(), options);
+    const double price = shortest.cost + gear_changes(shortest.path->segments);
+    EXPECT_LE(priced.cost, 1.02 * price) << options.budget.seed;
+  }
+}
+
+TEST(Anytime, WithPricesAnyNumberOfThreadsGivesTheSameAnswer) {
+  PlanOptions options = iterations(6000);
+  options.cost = {.reverse_weight = 2, .gear_change_cost = 5};
+  const PlanResult one = run(gates(), options);
+  for (const int threads : {2, 6, 16}) {
+    options.budget.threads = threads;
+    const PlanResult many = run(gates(), options);
+    EXPECT_EQ(many.path, one.path) << threads;
+    EXPECT_EQ(many.iterations, one.iterations) << threads;
+    EXPECT_EQ(many.lower_bound, one.lower_bound) << threads;
+  }
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -16,7 +16,7 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::size_t island_count = 5;
+constexpr std::size_t island_count = 6;
 constexpr int tidy_trials = 1000;
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
 constexpr std::int64_t coarse_looks = 64;         // in a round, on lattices that know all walls
@@ -29,13 +29,15 @@ struct Plan {
   std::int64_t first_round;
   std::int64_t before;
   std::int64_t after;
+  std::int64_t after_with_prices;  // looking for other kinds of path is worth more then
 };
 
-constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64},
-                                                   {Work::search_from_start, 2, 64, 64},
-                                                   {Work::random_trees, 0, 16, 32},
-                                                   {Work::refine, 0, 0, 256},
-                                                   {Work::bound, 0, 0, 2}}};
+constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64, 128},
+                                                   {Work::search_from_start, 2, 64, 64, 128},
+                                                   {Work::random_trees, 0, 16, 32, 32},
+                                                   {Work::refine, 0, 0, 256, 128},
+                                                   {Work::bound, 0, 0, 2, 2},
+                                                   {Work::detours, 0, 0, 0, 128}}};
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
@@ -129,7 +131,8 @@ void Run::round() {
   for (std::size_t i = 0; i < island_count; ++i) {
     if (!islands_[i].has_work() && !(best_ && plans[i].work == Work::refine)) continue;
     const bool waits = !best_ && rounds_ < plans[i].first_round;
-    const std::int64_t share = best_ ? plans[i].after * growth(rounds_) : plans[i].before;
+    const std::int64_t after = rule_.is_length() ? plans[i].after : plans[i].after_with_prices;
+    const std::int64_t share = best_ ? after * growth(rounds_) : plans[i].before;
     wanted[i] = budget_.left(waits ? 0 : share, granted);
     granted += wanted[i];
   }

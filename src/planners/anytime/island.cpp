@@ -19,7 +19,8 @@ Island::Island(Work work, const Task& task, const CostRule& rule, const Bounds& 
       work_(work),
       seed_(seed),
       connector_(task, rule),
-      best_cost_(std::numeric_limits<double>::infinity()) {}
+      best_cost_(std::numeric_limits<double>::infinity()),
+      detoured_cost_(best_cost_) {}
 
 // At the first run: what another island finds before it may make it needless.
 void Island::prepare() {
@@ -37,6 +38,9 @@ void Island::prepare() {
     case Work::random_trees:  // [2]
       attempts_.emplace(task_, rule, region_, stream_seed(seed_, 0));
       break;
+    case Work::detours:  // [8]
+      detours_.emplace(task_, rule, stream_seed(seed_, 0));
+      break;
     case Work::bound:  // [7]
       geodesic_.emplace(task_, best_cost_);
       break;
@@ -44,21 +48,24 @@ void Island::prepare() {
 }
 
 std::int64_t Island::solves() const {
-  return connector_.solves() + (ladder_ ? ladder_->connector().solves() : 0) +
-         (attempts_ ? attempts_->connector().solves() : 0);
+  return connector_.solves() + (ladder_ ? ladder_->solves() : 0) +
+         (attempts_ ? attempts_->connector().solves() : 0) + (detours_ ? detours_->solves() : 0);
 }
 
 std::int64_t Island::checks() const {
-  return connector_.checks() + (ladder_ ? ladder_->connector().checks() : 0) +
-         (attempts_ ? attempts_->connector().checks() : 0);
+  return connector_.checks() + (ladder_ ? ladder_->checks() : 0) +
+         (attempts_ ? attempts_->connector().checks() : 0) + (detours_ ? detours_->checks() : 0);
 }
 
 std::size_t Island::nodes() const {
-  return ladder_ ? ladder_->size() : attempts_ ? attempts_->size() : 0;
+  return ladder_     ? ladder_->size()
+         : attempts_ ? attempts_->size()
+         : detours_  ? detours_->size()
+                     : 0;
 }
 
 bool Island::has_work() const {
-  return !is_prepared_ || candidate_ || attempts_ || (geodesic_ && !bound_is_final_) ||
+  return !is_prepared_ || candidate_ || attempts_ || detours_ || (geodesic_ && !bound_is_final_) ||
          (ladder_ && !ladder_->is_finished());
 }
 
@@ -72,6 +79,8 @@ bool Island::is_hopeless() const {
 std::optional<Route> Island::search() {
   if (geodesic_) {
     bound_is_final_ = !geodesic_->step();
+  } else if (detours_) {
+    if (detours_->step()) return detours_->route();
   } else if (ladder_) {
     ladder_->set_cutoff(best_cost_);
     if (ladder_->step()) return ladder_->route();
@@ -113,6 +122,10 @@ Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budg
   Slice slice;
   if (best != nullptr) take_over(*best);
   if (!is_prepared_ && iterations > 0) prepare();
+  if (detours_ && best != nullptr && best->cost < detoured_cost_) {
+    detoured_cost_ = best->cost;
+    detours_->set_route(*best);
+  }
   while (slice.iterations < iterations && has_work()) {
     if (slice.iterations % checks_of_time == 0 && budget.is_interrupted()) break;
     ++slice.iterations;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "planners/anytime/detours.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/sources.h"
 #include "search/geodesic.h"
@@ -19,7 +20,8 @@ enum class Work {
   search_from_start,  ///< lattice searches
   search_from_goal,
   random_trees,
-  bound,  ///< prove how short no path can be
+  bound,    ///< prove how short no path can be
+  detours,  ///< look for other ways between two places of the best route
 };
 
 /// What an island did in one round.
@@ -67,12 +69,14 @@ class Island {
   double best_cost_;  // of the routes it knows of
   std::optional<Ladder> ladder_;
   std::optional<Attempts> attempts_;
+  std::optional<Detours> detours_;
   std::optional<Geodesic> geodesic_;
   bool is_prepared_ = false;
   bool bound_is_final_ = false;
   std::optional<Shortener> candidate_;  // a route that may win yet
   std::optional<Route> offer_;          // a route that has won
   std::int64_t trials_ = 0;             // spent on the candidate
+  double detoured_cost_;                // of the route that detours lead off
   std::uint64_t candidates_ = 0;        // so far; each has a seed
 };
 

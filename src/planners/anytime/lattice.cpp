@@ -88,6 +88,10 @@ Lattice::Entry Lattice::pop() {
   return entry;
 }
 
+GearSign Lattice::gear_of(const Node& node) const {
+  return node.parent < 0 ? connector_.rule().initial_gear : search::gear_of(node.segment);
+}
+
 void Lattice::open(const Node& node) {
   const double around = guide_.at(node.pose.x, node.pose.y);
   if (node.cost_to_come + guide_trust * around >= cutoff_) return;
@@ -132,9 +136,11 @@ std::optional<Lattice::Entry> Lattice::next() {
     Entry entry = pop();
     if (entry.open_ground > 0.0) return entry;
     const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-    entry.open_ground = connector_.least_cost(node.pose, target_);
-    if (entry.open_ground <= entry.around) return entry;
-    entry.rank = node.cost_to_come + options_.greediness * entry.open_ground;
+    entry.open_ground = connector_.least_cost(node.pose, target_, {gear_of(node), 0});
+    const double open_ground =
+        options_.goes_by_length ? connector_.least_length(node.pose, target_) : entry.open_ground;
+    if (open_ground <= entry.around) return entry;
+    entry.rank = node.cost_to_come + options_.greediness * open_ground;
     if (open_.empty() || open_.front() < entry) return entry;
     push(entry);
   }
@@ -146,7 +152,7 @@ std::optional<Lattice::Entry> Lattice::next() {
 bool Lattice::shoot(const Entry& entry) {
   if (entry.around > hopeless_shot * entry.open_ground + cell_) return false;
   const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-  const GearSign gear = node.parent < 0 ? connector_.rule().initial_gear : gear_of(node.segment);
+  const GearSign gear = gear_of(node);
   const std::optional<Connection> shot =
       connector_.connect(node.pose, target_, {node.cost_to_come, cutoff_, {gear, 0}});
   if (!shot) return false;
@@ -157,7 +163,7 @@ bool Lattice::shoot(const Entry& entry) {
 
 void Lattice::expand(std::int32_t id) {
   const Node node = nodes_[static_cast<std::size_t>(id)];
-  const GearSign gear = node.parent < 0 ? connector_.rule().initial_gear : gear_of(node.segment);
+  const GearSign gear = gear_of(node);
   for (const double side : {1.0, 0.0, -1.0}) {
     for (const double direction : {1.0, -1.0}) {
       const double stretch = side == 0.0 ? straight_cells * cell_ : step_length_;

@@ -20,6 +20,8 @@ struct LatticeOptions {
   int headings = 24;        ///< cells of a full turn; an arc step turns by one of them
   double cell = 0.25;       ///< side of a position cell [turning radii]
   double greediness = 1.0;  ///< weight of the cost-to-go; >= 1
+  /// The cost-to-go is told by length alone, prices or not: a first route comes sooner.
+  bool goes_by_length = false;
 };
 
 /// One search from `root` to `target`.
@@ -50,7 +52,7 @@ class Lattice {
   struct Entry {
     double rank;
     double around;
-    double open_ground;  // 0 until it is known
+    double open_ground;  // what no way on open ground costs less than; 0 until it is known
     std::int32_t node;
     bool operator<(const Entry& other) const {  // a heap has its greatest in front
       return rank != other.rank ? rank > other.rank : node > other.node;
@@ -58,6 +60,7 @@ class Lattice {
   };
 
   [[nodiscard]] std::uint64_t key_of(const Node& node) const;
+  [[nodiscard]] GearSign gear_of(const Node& node) const;
   void open(const Node& node);
   void push(const Entry& entry);
   [[nodiscard]] Entry pop();

@@ -44,30 +44,37 @@ Pose Shortener::perturbed(const Pose& pose) {
   return compose(pose, local);
 }
 
-// Puts the trial in the place of the legs [first, last) if that is cheaper and free. `fresh` are
-// the legs of the trial that have to be checked; the others were cut from the route.
-bool Shortener::replace(std::size_t first, std::size_t last, std::span<const Leg> fresh) {
+double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) const {
   const CostRule& rule = connector_.rule();
-  const Gears gears = gears_around(rule, route_, first, last);
-  const auto cost = [&](std::span<const Leg> stretch) {
-    GearSign gear = gears.before;
-    double sum = 0.0;
-    for (const Leg& leg : stretch) {
-      sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), gear);
-    }
-    return sum + change_cost(rule, gear, gears.after);
-  };
-  const double gain = cost(std::span(route_.legs).subspan(first, last - first)) - cost(trial_);
+  GearSign gear = gears.before;
+  double sum = 0.0;
+  for (const Leg& leg : legs) {
+    sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), gear);
+  }
+  return sum + change_cost(rule, gear, gears.after);
+}
+
+// The legs that a trial would replace, and what it has to undercut.
+Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const {
+  const Gears gears = gears_around(connector_.rule(), route_, first, last);
+  return {first, last, gears,
+          cost_of_legs(std::span(route_.legs).subspan(first, last - first), gears)};
+}
+
+// Puts the trial in the place of the stretch if that is cheaper and free. `fresh` are the legs of
+// the trial that have to be checked; the others were cut from the route.
+bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
+  const double gain = old.cost - cost_of_legs(trial_, old.gears);
   if (gain < least_gain) return false;
   for (const Leg& leg : fresh) {
     const bool is_first = &leg == trial_.data();
-    const Pose& from = is_first ? route_.begin_of(first) : (&leg - 1)->end;
+    const Pose& from = is_first ? route_.begin_of(old.first) : (&leg - 1)->end;
     if (!connector_.is_free(from, leg.piece)) return false;
   }
-  const auto at = route_.legs.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto next = route_.legs.erase(at, at + static_cast<std::ptrdiff_t>(last - first));
+  const auto at = route_.legs.begin() + static_cast<std::ptrdiff_t>(old.first);
+  const auto next = route_.legs.erase(at, at + static_cast<std::ptrdiff_t>(old.last - old.first));
   route_.legs.insert(next, trial_.begin(), trial_.end());
-  route_.cost = cost_of(rule, route_);
+  route_.cost = cost_of(connector_.rule(), route_);
   return true;
 }
 
@@ -81,11 +88,16 @@ bool Shortener::shortcut() {
   const Pose to = pose_at(b);
   const Piece head = prefix(route_.legs[a.leg].piece, a.s);
   const Piece tail = suffix(route_.legs[b.leg].piece, b.s);
+  const Stretch old = stretch(a.leg, b.leg + 1);
+  const double kept =
+      connector_.cost(head, {old.gears.before, 0}) + connector_.cost(tail, {0, old.gears.after});
+  const Gears gears{head.count > 0 ? last_gear(head) : old.gears.before,
+                    tail.count > 0 ? first_gear(tail) : old.gears.after};
   trial_.clear();
   if (head.count > 0) trial_.push_back({head, from});
-  trial_.push_back({connector_.steer(from, to, {last_gear(head), first_gear(tail)}), to});
+  trial_.push_back({connector_.steer(from, to, gears, old.cost - kept), to});
   if (tail.count > 0) trial_.push_back({tail, route_.legs[b.leg].end});
-  return replace(a.leg, b.leg + 1, std::span(trial_).subspan(head.count > 0 ? 1 : 0, 1));
+  return replace(old, std::span(trial_).subspan(head.count > 0 ? 1 : 0, 1));
 }
 
 // Leaves a via pose out.
@@ -94,9 +106,26 @@ bool Shortener::drop_via() {
   if (legs < 2) return false;
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
   const Pose& to = route_.legs[i + 1].end;
-  const Gears gears = gears_around(connector_.rule(), route_, i, i + 2);
-  trial_.assign(1, {connector_.steer(route_.begin_of(i), to, gears), to});
-  return replace(i, i + 2, trial_);
+  const Stretch old = stretch(i, i + 2);
+  trial_.assign(1, {connector_.steer(route_.begin_of(i), to, old.gears, old.cost), to});
+  return replace(old, trial_);
+}
+
+// Drives the stretch by way of another pose.
+bool Shortener::replace_by_way_of(const Pose& via, const Stretch& old) {
+  const Pose& from = route_.begin_of(old.first);
+  const Pose& to = route_.legs[old.last - 1].end;
+  double left = old.cost;
+  if (!connector_.rule().is_length()) {
+    left -= connector_.least_cost(via, to, {0, old.gears.after});
+    if (left <= 0.0) return false;
+  }
+  trial_.assign(1, {connector_.steer(from, via, {old.gears.before, 0}, left), via});
+  const GearSign gear = last_gear(trial_[0].piece);
+  const double spent = connector_.cost(trial_[0].piece, {old.gears.before, 0});
+  if (!connector_.rule().is_length() && spent >= left) return false;
+  trial_.push_back({connector_.steer(via, to, {gear, old.gears.after}, old.cost - spent), to});
+  return replace(old, trial_);
 }
 
 // Moves a via pose and steers anew from the one before and to the one after it.
@@ -105,22 +134,14 @@ bool Shortener::move_via() {
   if (legs < 2) return move_place();
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
   const Pose via = perturbed(route_.legs[i].end);
-  const Pose& to = route_.legs[i + 1].end;
-  const Gears gears = gears_around(connector_.rule(), route_, i, i + 2);
-  trial_.assign(1, {connector_.steer(route_.begin_of(i), via, {gears.before, 0}), via});
-  trial_.push_back({connector_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
-  return replace(i, i + 2, trial_);
+  return replace_by_way_of(via, stretch(i, i + 2));
 }
 
 // Makes a via pose beside a place of the route.
 bool Shortener::move_place() {
   const Place place = random_place();
   const Pose via = perturbed(pose_at(place));
-  const Pose& to = route_.legs[place.leg].end;
-  const Gears gears = gears_around(connector_.rule(), route_, place.leg, place.leg + 1);
-  trial_.assign(1, {connector_.steer(route_.begin_of(place.leg), via, {gears.before, 0}), via});
-  trial_.push_back({connector_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
-  return replace(place.leg, place.leg + 1, trial_);
+  return replace_by_way_of(via, stretch(place.leg, place.leg + 1));
 }
 
 bool Shortener::step() {

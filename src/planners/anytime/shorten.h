@@ -32,6 +32,14 @@ class Shortener {
     double s;
   };
 
+  // Legs of the route, the gears around them, and what they cost.
+  struct Stretch {
+    std::size_t first;
+    std::size_t last;  // the one after them
+    Gears gears;
+    double cost;
+  };
+
   [[nodiscard]] Place random_place();
   [[nodiscard]] Pose pose_at(const Place& place) const;
   [[nodiscard]] Pose perturbed(const Pose& pose);
@@ -39,7 +47,10 @@ class Shortener {
   bool drop_via();
   bool move_via();
   bool move_place();
-  bool replace(std::size_t first, std::size_t last, std::span<const Leg> fresh);
+  [[nodiscard]] double cost_of_legs(std::span<const Leg> legs, const Gears& gears) const;
+  [[nodiscard]] Stretch stretch(std::size_t first, std::size_t last) const;
+  bool replace_by_way_of(const Pose& via, const Stretch& old);
+  bool replace(const Stretch& old, std::span<const Leg> fresh);
 
   Connector& connector_;
   Route route_;

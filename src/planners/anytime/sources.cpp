@@ -12,10 +12,10 @@ namespace {
 // Each search is twice as fine as the one before it but one. The first ones are greedy: they find
 // a first route; the third looks for the best; the others find ways out of ever tighter slots.
 constexpr std::array<LatticeOptions, 8> searches = {
-    LatticeOptions{12, 0.5, 2.0},    LatticeOptions{24, 0.25, 1.5},
-    LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
-    LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
-    LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
+    LatticeOptions{12, 0.5, 2.0, true}, LatticeOptions{24, 0.25, 1.5},
+    LatticeOptions{36, 0.17, 1.2},      LatticeOptions{48, 0.125, 2.0},
+    LatticeOptions{96, 0.06, 2.0},      LatticeOptions{192, 0.03, 3.0},
+    LatticeOptions{384, 0.015, 3.0},    LatticeOptions{768, 0.0075, 3.0}};
 constexpr std::size_t most_nodes = 300'000;  // of one search: some 30 MB
 constexpr double first_guide_side = 1.0;     // [vehicle widths]
 constexpr double fine_guide_side = 0.5;      // of all searches but the first
@@ -70,6 +70,8 @@ bool Ladder::step() {
     if (!guided_) next_guide();
     return false;
   }
+  if (!rule_.is_length() && cutoff_ < std::numeric_limits<double>::infinity())
+    return step_rotation();
   if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_nodes) {
     if (level_ == 1 && guide_side_ > fine_guide_side / 2) {
       next_guide();
@@ -82,15 +84,47 @@ bool Ladder::step() {
   return !lattice_->is_exhausted() && lattice_->step();
 }
 
+bool Ladder::step_rotation() {
+  if (!rotation_) {
+    lattice_.reset();
+    if (guide_side_ > fine_guide_side / 2) {
+      next_guide();
+      return false;
+    }
+    rotation_.emplace(task_, connector_.rule(), from_, to_, *guide_);
+  }
+  const bool found = rotation_->step(cutoff_);
+  finished_ = rotation_->is_finished();
+  return found;
+}
+
+std::int64_t Ladder::solves() const {
+  return connector_.solves() + (rotation_ ? rotation_->solves() : 0);
+}
+
+std::int64_t Ladder::checks() const {
+  return connector_.checks() + (rotation_ ? rotation_->checks() : 0);
+}
+
+std::size_t Ladder::size() const {
+  return rotation_ ? rotation_->size() : lattice_ ? lattice_->size() : 0;
+}
+
 Route Ladder::route() const {
-  if (root_ == Root::start) return lattice_->route();
-  Route route = reversed(lattice_->route());
+  const Route& found = rotation_ ? rotation_->route() : lattice_->route();
+  if (rule_.is_length() && root_ == Root::start) return found;
+  Route route = root_ == Root::start ? found : reversed(found);
   route.cost = cost_of(rule_, route);
   return route;
 }
 
 Attempts::Attempts(const Task& task, const CostRule& rule, const Bounds& region, std::uint64_t seed)
-    : task_(task), region_(region), connector_(task, rule), seed_(seed), patience_(first_patience) {
+    : task_(task),
+      region_(region),
+      rule_(rule),
+      connector_(task),
+      seed_(seed),
+      patience_(first_patience) {
   next_attempt();
 }
 
@@ -100,6 +134,12 @@ void Attempts::next_attempt() {
   ++attempt_;
   samples_ = 0;
   met_ = false;
+}
+
+Route Attempts::route() const {
+  Route route = trees_->route();
+  if (!rule_.is_length()) route.cost = cost_of(rule_, route);
+  return route;
 }
 
 bool Attempts::step() {

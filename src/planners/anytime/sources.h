@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "planners/anytime/lattice.h"
+#include "planners/anytime/rotation.h"
 #include "planners/anytime/trees.h"
 #include "search/grid_distance.h"
 #include "search/route.h"
@@ -16,7 +17,8 @@ namespace vandplan::anytime {
 /// Which end a systematic search begins at.
 enum class Root { start, goal };
 
-/// Lattice searches from coarse to fine, all from the same root.
+/// Lattice searches from coarse to fine, all from the same root; when driving has prices and a
+/// route is known, searches of many kinds in turns.
 class Ladder {
  public:
   Ladder(const Task& task, const CostRule& rule, Root root);
@@ -30,10 +32,12 @@ class Ladder {
   [[nodiscard]] Route route() const;
   /// The finest search is done: nothing will come.
   [[nodiscard]] bool is_finished() const { return finished_; }
-  [[nodiscard]] const Connector& connector() const { return connector_; }
-  [[nodiscard]] std::size_t size() const { return lattice_ ? lattice_->size() : 0; }
+  [[nodiscard]] std::int64_t solves() const;
+  [[nodiscard]] std::int64_t checks() const;
+  [[nodiscard]] std::size_t size() const;
 
  private:
+  bool step_rotation();
   void next_search();
   void next_guide();
 
@@ -51,6 +55,7 @@ class Ladder {
   std::size_t level_ = 0;
   double cutoff_;
   std::optional<Lattice> lattice_;
+  std::optional<Rotation> rotation_;
 };
 
 /// Pairs of trees, one attempt after the other.
@@ -59,7 +64,7 @@ class Attempts {
   Attempts(const Task& task, const CostRule& rule, const Bounds& region, std::uint64_t seed);
 
   [[nodiscard]] bool step();
-  [[nodiscard]] Route route() const { return trees_->route(); }
+  [[nodiscard]] Route route() const;
   [[nodiscard]] const Connector& connector() const { return connector_; }
   [[nodiscard]] std::size_t size() const { return trees_->size(); }
 
@@ -68,7 +73,8 @@ class Attempts {
 
   const Task& task_;
   Bounds region_;
-  Connector connector_;
+  CostRule rule_;        // of the route
+  Connector connector_;  // of the trees: by length
   std::uint64_t seed_;
   std::uint64_t attempt_ = 0;
   std::int64_t patience_;     // samples after which an attempt is given up

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/detours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "planners/shared_options.h"
+
+namespace vandplan::anytime {
+namespace {
+
+constexpr double least_stretch = 2.0;  // [turning radii]
+constexpr double guide_side = 0.5;     // of a cell of the grid [vehicle widths]
+constexpr double slack = 1.1;          // what shortening may take off a way of another kind
+constexpr std::array<LatticeOptions, 4> searches = {
+    LatticeOptions{24, 0.25, 1.5}, LatticeOptions{24, 0.25, 1.2}, LatticeOptions{36, 0.17, 1.2},
+    LatticeOptions{48, 0.125, 1.5}};
+constexpr std::int64_t least_expansions = 256;
+constexpr std::uint64_t doublings = 4;  // of `least_expansions`, at random
+
+// No path from focus to focus that is no longer than `length` leaves it.
+Bounds ellipse_box(const Pose& a, const Pose& b, double length, const Bounds& scene) {
+  const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
+  const double apart = std::hypot(dx, dy);
+  const double minor = std::sqrt(std::max(length * length - apart * apart, 0.0)) / 2;
+  const double share = apart > 0 ? dx / apart : 0.0;
+  const double along = apart > 0 ? dy / apart : 0.0;
+  const double x = std::hypot(share * length / 2, along * minor);
+  const double y = std::hypot(along * length / 2, share * minor);
+  const Point m{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  // A route may leave the scene.
+  return {std::min({std::max(scene.x_min, m.x - x), a.x, b.x}),
+          std::max({std::min(scene.x_max, m.x + x), a.x, b.x}),
+          std::min({std::max(scene.y_min, m.y - y), a.y, b.y}),
+          std::max({std::min(scene.y_max, m.y + y), a.y, b.y})};
+}
+
+}  // namespace
+
+Detours::Detours(const Task& task, const CostRule& rule, std::uint64_t seed)
+    : task_(task), rule_(rule), scene_(sampling_region(task, Region::scene)), rng_(seed) {}
+
+std::int64_t Detours::solves() const { return solves_ + (connector_ ? connector_->solves() : 0); }
+std::int64_t Detours::checks() const { return checks_ + (connector_ ? connector_->checks() : 0); }
+
+// Long stretches and short ones alike; those at the ends of the route more often.
+void Detours::choose() {
+  const double whole = base_.length();
+  const double least = std::min(whole, least_stretch * task_.vehicle.min_turning_radius);
+  const double length = least * std::pow(whole / least, uniform01(rng_));
+  const double middle = uniform(0.0, whole, rng_);
+  const double begin = std::max(middle - length / 2, 0.0);
+  const double end = middle + length / 2 < whole ? middle + length / 2 : whole;
+  before_ = part_of(base_, 0.0, begin);
+  old_ = part_of(base_, begin, end);
+  after_ = part_of(base_, end, whole);
+  backwards_ = uniform01(rng_) < 0.5;
+  options_ = searches[rng_() % searches.size()];
+  left_ = least_expansions << (rng_() % doublings);
+}
+
+void Detours::begin() {
+  choose();
+  CostRule rule = rule_;
+  if (!before_.legs.empty()) rule.initial_gear = last_gear(before_.legs.back().piece);
+  old_.cost = cost_of(rule, old_);
+  const Pose& first = old_.start;
+  const Pose& last = old_.legs.back().end;
+  if (backwards_) {
+    const GearSign next = after_.legs.empty() ? 0 : first_gear(after_.legs.front().piece);
+    rule = {rule_.reverse_weight, rule_.forward_weight, rule_.gear_change_cost, -next};
+  }
+  connector_.emplace(task_, rule);
+  const Bounds box = ellipse_box(first, last, slack * old_.cost, scene_);
+  guide_.emplace(task_, box, guide_side, backwards_ ? first : last, backwards_ ? last : first);
+  guided_ = false;
+}
+
+void Detours::end() {
+  solves_ += connector_->solves();
+  checks_ += connector_->checks();
+  lattice_.reset();
+  guide_.reset();
+  connector_.reset();
+}
+
+// The whole route with the new stretch.
+bool Detours::offer() {
+  const Route stretch = backwards_ ? reversed(lattice_->route()) : lattice_->route();
+  found_ = before_;
+  found_.legs.insert(found_.legs.end(), stretch.legs.begin(), stretch.legs.end());
+  found_.legs.insert(found_.legs.end(), after_.legs.begin(), after_.legs.end());
+  found_.cost = cost_of(rule_, found_);
+  return found_.cost < base_.cost || !are_alike(stretch, old_, task_.vehicle.min_turning_radius);
+}
+
+bool Detours::step() {
+  if (!guide_) begin();
+  if (!guided_) {
+    guided_ = !guide_->step();
+    return false;
+  }
+  if (!lattice_) {
+    const Pose& first = old_.start;
+    const Pose& last = old_.legs.back().end;
+    lattice_.emplace(backwards_ ? last : first, backwards_ ? first : last, options_, *guide_,
+                     *connector_);
+    lattice_->set_cutoff(slack * old_.cost);
+  }
+  if (left_-- == 0 || lattice_->is_exhausted()) {
+    end();
+    return false;
+  }
+  return lattice_->step() && offer();
+}
+
+}  // namespace vandplan::anytime

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which other way is there from one place of a route to another? Shortening keeps to a way; a
+// search over the whole task finds few of its kinds. One between two places of a good route is
+// small.
+
+#include <cstdint>
+#include <optional>
+
+#include "planners/anytime/lattice.h"
+#include "search/grid_distance.h"
+#include "search/route.h"
+#include "vandplan/random.h"
+
+namespace vandplan::anytime {
+
+/// Replaces random stretches of a route by what a lattice search finds between their ends.
+class Detours {
+ public:
+  Detours(const Task& task, const CostRule& rule, std::uint64_t seed);
+
+  /// What it looks for ways off from its next search on. The route is longer than nothing.
+  void set_route(const Route& route) { base_ = route; }
+
+  /// Expands one pose, or settles some cells of a grid; needs a route. True when a route was found
+  /// that is cheaper, or of another kind and not much dearer: `route`.
+  [[nodiscard]] bool step();
+
+  [[nodiscard]] const Route& route() const { return found_; }
+  [[nodiscard]] std::int64_t solves() const;
+  [[nodiscard]] std::int64_t checks() const;
+  [[nodiscard]] std::size_t size() const { return lattice_ ? lattice_->size() : 0; }
+
+ private:
+  void choose();
+  void begin();
+  void end();
+  bool offer();
+
+  const Task& task_;
+  CostRule rule_;
+  Bounds scene_;
+  Rng rng_;
+  Route base_;              // the route
+  Route before_, after_;    // what stays of it
+  Route old_;               // what is to be replaced
+  bool backwards_ = false;  // the search begins at the end of the stretch
+  std::optional<Connector> connector_;
+  std::optional<GridDistance> guide_;
+  bool guided_ = false;
+  LatticeOptions options_;
+  std::optional<Lattice> lattice_;
+  std::int64_t left_ = 0;  // expansions of this search
+  Route found_;
+  std::int64_t solves_ = 0;  // of the searches before
+  std::int64_t checks_ = 0;
+};
+
+}  // namespace vandplan::anytime

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/rotation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace vandplan::anytime {
+namespace {
+
+struct Style {
+  LatticeOptions lattice;
+  double price;  // of a gear change, times the true one; 0: by length alone
+  double slack;  // what shortening may take off its routes
+};
+
+constexpr std::array<Style, 10> styles = {{{{12, 0.5, 2.0}, 1.0, 1.15},
+                                           {{24, 0.25, 1.5}, 1.0, 1.1},
+                                           {{36, 0.17, 1.2}, 1.0, 1.1},
+                                           {{48, 0.125, 2.0}, 1.0, 1.1},
+                                           {{24, 0.25, 1.2}, 4.0, 1.1},
+                                           {{24, 0.25, 1.2}, 0.0, 1.1},
+                                           {{96, 0.06, 2.0}, 1.0, 1.05},
+                                           {{192, 0.03, 3.0}, 1.0, 1.05},
+                                           {{384, 0.015, 3.0}, 1.0, 1.05},
+                                           {{768, 0.0075, 3.0}, 1.0, 1.05}}};
+constexpr std::size_t first_joined = 6;      // styles that take turns from the beginning
+constexpr std::int64_t first_turn = 256;     // expansions
+constexpr std::int64_t first_of_all = 1024;  // the coarsest search begins with more
+constexpr std::size_t most_nodes = 100'000;  // of one search
+
+CostRule priced(const CostRule& rule, double price) {
+  if (price == 0.0) return {1.0, 1.0, 0.0, rule.initial_gear};
+  return {rule.forward_weight, rule.reverse_weight, price * rule.gear_change_cost,
+          rule.initial_gear};
+}
+
+}  // namespace
+
+Rotation::Rotation(const Task& task, const CostRule& rule, const Pose& root, const Pose& target,
+                   const GridDistance& guide)
+    : root_(root), target_(target), guide_(guide), joined_(first_joined), turn_(first_turn) {
+  for (const Style& style : styles) {
+    searches_.push_back(std::make_unique<Search>(task, priced(rule, style.price)));
+  }
+  current_ = joined_ - 1;
+}
+
+// The next search that is not done; false if there is none.
+bool Rotation::begin_turn() {
+  for (std::size_t tried = 0; tried <= searches_.size(); ++tried) {
+    if (++current_ >= joined_) {
+      current_ = 0;
+      if (tried > 0 || left_ == 0) turn_ = turn_ * 3 / 2;
+      joined_ = std::min(joined_ + 1, searches_.size());
+    }
+    Search& search = *searches_[current_];
+    if (search.done) continue;
+    if (!search.lattice) {
+      search.lattice = std::make_unique<Lattice>(root_, target_, styles[current_].lattice, guide_,
+                                                 search.connector);
+    }
+    left_ = current_ == 0 && !search.began ? first_of_all : turn_;
+    search.began = true;
+    return true;
+  }
+  finished_ = true;
+  return false;
+}
+
+bool Rotation::step(double cutoff) {
+  if (left_ == 0 && !begin_turn()) return false;
+  --left_;
+  Search& search = *searches_[current_];
+  Lattice& lattice = *search.lattice;
+  if (lattice.is_exhausted() || lattice.size() > most_nodes) {
+    search.lattice.reset();
+    search.done = true;
+    left_ = 0;
+    return false;
+  }
+  // Under dearer prices a route costs more than it will.
+  const Style& style = styles[current_];
+  lattice.set_cutoff(style.slack * std::max(style.price, 1.0) * cutoff);
+  return lattice.step();
+}
+
+const Route& Rotation::route() const { return searches_[current_]->lattice->route(); }
+
+std::int64_t Rotation::solves() const {
+  std::int64_t sum = 0;
+  for (const auto& search : searches_) sum += search->connector.solves();
+  return sum;
+}
+
+std::int64_t Rotation::checks() const {
+  std::int64_t sum = 0;
+  for (const auto& search : searches_) sum += search->connector.checks();
+  return sum;
+}
+
+std::size_t Rotation::size() const {
+  std::size_t sum = 0;
+  for (const auto& search : searches_) sum += search->lattice ? search->lattice->size() : 0;
+  return sum;
+}
+
+}  // namespace vandplan::anytime
