@@ -86,6 +86,7 @@ PathClaims claims_of(const PlanResult& result, const CostOptions& options) {
   StatedCost cost{.cost = result.cost,
                   .reverse_weight = options.reverse_weight,
                   .gear_change_cost = options.gear_change_cost,
+                  .curvature_change_cost = options.curvature_change_cost,
                   .initial_direction = direction_of(options.initial_gear)};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
   return {.cost = cost};
@@ -161,8 +162,8 @@ bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
   if (common_option(option) == nullptr) return false;
   if (option == "threads") return planner.properties.honours_threads;
-  const bool is_price =
-      option == "reverse_weight" || option == "gear_change_cost" || option == "initial_gear";
+  const bool is_price = option == "reverse_weight" || option == "gear_change_cost" ||
+                        option == "curvature_change_cost" || option == "initial_gear";
   return !is_price || planner.properties.honours_prices;
 }
 
@@ -212,8 +213,8 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
     result.reason = reason_at(problem, problem.goal());
   }
   if (!result.path) return result;
-  search::GearSign gear = direction_of(all.cost.initial_gear);
-  result.cost = drive_cost(search::cost_rule(all.cost), result.path->segments, gear);
+  search::Driven driven = direction_of(all.cost.initial_gear);
+  result.cost = drive_cost(search::cost_rule(all.cost), result.path->segments, driven);
   judge(problem, all, result);
   return result;
 }

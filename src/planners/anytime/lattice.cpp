@@ -47,13 +47,21 @@ std::uint64_t Lattice::key_of(const Node& node) const {
   key = (key << 20) | (static_cast<std::uint64_t>(y) & 0xfffffU);
   key = (key << 12) | (static_cast<std::uint64_t>(heading) & 0xfffU);
   const bool reverse = !connector_.rule().is_length() && node.segment.length < 0.0;
-  return (key << 1) | (reverse ? 1U : 0U);
+  key = (key << 1) | (reverse ? 1U : 0U);
+  if (connector_.rule().curvature_change_cost == 0.0) return key;
+  const double curvature = node.segment.curvature;
+  return (key << 2) | (curvature > 0.0 ? 2U : curvature < 0.0 ? 1U : 0U);
 }
 
 bool Lattice::is_closed(std::uint64_t key) const {
   std::size_t slot = slot_of(key, closed_.size());
   while (closed_[slot] != 0 && closed_[slot] != key) slot = (slot + 1) & (closed_.size() - 1);
   return closed_[slot] == key;
+}
+
+Driven Lattice::driven_to(const Node& node) const {
+  if (node.parent < 0) return connector_.rule().initial_gear;
+  return last_driven(node.segment);
 }
 
 // False if it was closed before.
@@ -146,9 +154,8 @@ std::optional<Lattice::Entry> Lattice::next() {
 bool Lattice::shoot(const Entry& entry) {
   if (entry.around > hopeless_shot * entry.open_ground + cell_) return false;
   const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-  const GearSign gear = node.parent < 0 ? connector_.rule().initial_gear : gear_of(node.segment);
   const std::optional<Connection> shot =
-      connector_.connect(node.pose, target_, {node.cost_to_come, cutoff_, {gear, 0}});
+      connector_.connect(node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), 0}});
   if (!shot) return false;
   build_route(entry.node, shot->piece);
   cutoff_ = std::min(cutoff_, route_.cost);
@@ -157,7 +164,6 @@ bool Lattice::shoot(const Entry& entry) {
 
 void Lattice::expand(std::int32_t id) {
   const Node node = nodes_[static_cast<std::size_t>(id)];
-  const GearSign gear = node.parent < 0 ? connector_.rule().initial_gear : gear_of(node.segment);
   for (const double side : {1.0, 0.0, -1.0}) {
     for (const double direction : {1.0, -1.0}) {
       const double stretch = side == 0.0 ? straight_cells * cell_ : step_length_;
@@ -167,7 +173,7 @@ void Lattice::expand(std::int32_t id) {
       if (back) continue;
       Node next{advance(node.pose, segment), segment, 0.0, id};
       if (is_closed(key_of(next))) continue;
-      GearSign last = gear;
+      Driven last = driven_to(node);
       next.cost_to_come =
           node.cost_to_come + drive_cost(connector_.rule(), std::span(&segment, 1), last);
       open(next);

@@ -50,12 +50,12 @@ bool Shortener::replace(std::size_t first, std::size_t last, std::span<const Leg
   const CostRule& rule = connector_.rule();
   const Gears gears = gears_around(rule, route_, first, last);
   const auto cost = [&](std::span<const Leg> stretch) {
-    GearSign gear = gears.before;
+    Driven driven = gears.before;
     double sum = 0.0;
     for (const Leg& leg : stretch) {
-      sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), gear);
+      sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), driven);
     }
-    return sum + change_cost(rule, gear, gears.after);
+    return sum + change_cost(rule, driven, gears.after);
   };
   const double gain = cost(std::span(route_.legs).subspan(first, last - first)) - cost(trial_);
   if (gain < least_gain) return false;
@@ -83,7 +83,7 @@ bool Shortener::shortcut() {
   const Piece tail = suffix(route_.legs[b.leg].piece, b.s);
   trial_.clear();
   if (head.count > 0) trial_.push_back({head, from});
-  trial_.push_back({connector_.steer(from, to, {last_gear(head), first_gear(tail)}), to});
+  trial_.push_back({connector_.steer(from, to, {last_driven(head), first_driven(tail)}), to});
   if (tail.count > 0) trial_.push_back({tail, route_.legs[b.leg].end});
   return replace(a.leg, b.leg + 1, std::span(trial_).subspan(head.count > 0 ? 1 : 0, 1));
 }
@@ -108,7 +108,7 @@ bool Shortener::move_via() {
   const Pose& to = route_.legs[i + 1].end;
   const Gears gears = gears_around(connector_.rule(), route_, i, i + 2);
   trial_.assign(1, {connector_.steer(route_.begin_of(i), via, {gears.before, 0}), via});
-  trial_.push_back({connector_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
+  trial_.push_back({connector_.steer(via, to, {last_driven(trial_[0].piece), gears.after}), to});
   return replace(i, i + 2, trial_);
 }
 
@@ -119,7 +119,7 @@ bool Shortener::move_place() {
   const Pose& to = route_.legs[place.leg].end;
   const Gears gears = gears_around(connector_.rule(), route_, place.leg, place.leg + 1);
   trial_.assign(1, {connector_.steer(route_.begin_of(place.leg), via, {gears.before, 0}), via});
-  trial_.push_back({connector_.steer(via, to, {last_gear(trial_[0].piece), gears.after}), to});
+  trial_.push_back({connector_.steer(via, to, {last_driven(trial_[0].piece), gears.after}), to});
   return replace(place.leg, place.leg + 1, trial_);
 }
 
