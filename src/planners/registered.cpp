@@ -5,6 +5,7 @@
 #include <array>
 
 #include "planners/anytime/anytime.h"
+#include "planners/anytime/tidy.h"
 #include "planners/rrt.h"
 #include "planners/shared_options.h"
 
@@ -21,7 +22,7 @@ Planner anytime_planner() {
                          .honours_prices = true,
                          .honours_threads = true,
                          .anytime = true},
-          .options = {region_option()},
+          .options = {region_option(), anytime::min_stroke_option()},
           .function = anytime::plan_anytime};
 }
 
