@@ -23,15 +23,16 @@ struct StatedPose {
   std::optional<int> direction = {};     ///< 1 forward, -1 reverse
 };
 
-/// What somebody says that a path costs: its length, with a weight for metres in reverse and a
-/// price for gear changes.
+/// What somebody says that a path costs: its length, with a weight for metres in reverse and prices
+/// for gear changes and for turning the wheels.
 struct StatedCost {
-  double cost = 0.0;                 ///< [m]
-  double reverse_weight = 1.0;       ///< of a metre in reverse
-  double gear_change_cost = 0.0;     ///< of one gear change [m]
-  int initial_direction = 0;         ///< before the start: 1 forward, -1 reverse, 0 any
-  std::optional<double> bound = {};  ///< no path costs less [m]
-  std::optional<double> gap = {};    ///< cost / bound - 1
+  double cost = 0.0;                   ///< [m]
+  double reverse_weight = 1.0;         ///< of a metre in reverse
+  double gear_change_cost = 0.0;       ///< of one gear change [m]
+  double curvature_change_cost = 0.0;  ///< of total variation of curvature [m per 1/m]
+  int initial_direction = 0;           ///< before the start: 1 forward, -1 reverse, 0 any
+  std::optional<double> bound = {};    ///< no path costs less [m]
+  std::optional<double> gap = {};      ///< cost / bound - 1
 };
 
 /// How far somebody says that a path stays from things: the footprint from obstacles and the map,
@@ -62,6 +63,7 @@ struct PathCheck {
   double length = 0.0;               ///< [m]
   double reverse_length = 0.0;       ///< of it in reverse [m]
   int gear_changes = 0;
+  double curvature_change = 0.0;  ///< total variation of the curvature, at gear changes, too [1/m]
   /// Least distance between footprint and obstacles or cells, or wheels and kerbs, at most 1 mm too
   /// large [m]: 0 if they touch, infinity if there are none. None if the path was found wrong
   /// before collisions were looked for.

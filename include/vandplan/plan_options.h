@@ -42,6 +42,7 @@ enum class InitialGear { any, forward, reverse };
 struct CostOptions {
   double reverse_weight = 1.0;                  ///< cost of a metre in reverse [m]; [1, 1000]
   double gear_change_cost = 0.0;                ///< cost of one gear change [m]; [0, 10000]
+  double curvature_change_cost = 0.0;           ///< of turning the wheels [m per 1/m]; [0, 10000]
   InitialGear initial_gear = InitialGear::any;  ///< driven before the start; any: free choice
   bool operator==(const CostOptions&) const = default;
 };

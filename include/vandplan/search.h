@@ -76,18 +76,31 @@ class PhaseTimer {
 /// Direction of travel: 1 forward, -1 reverse, 0 not driven yet.
 using GearSign = int;
 
-/// Prices of driving: metres, weighted by gear, and a price for each gear change; charged alike
-/// inside a piece, at the joint of two pieces and at the start. Neutral values make the cost the
-/// length. docs/algorithms/anytime.md says what is optimal under it.
+/// Prices of driving: metres, weighted by gear, a price for each gear change, and one for turning
+/// the wheels; charged alike inside a piece, at the joint of two pieces and (gears) at the start.
+/// Neutral values make the cost the length. docs/algorithms/anytime.md says what is optimal under
+/// it.
 struct CostRule {
-  double forward_weight = 1.0;    ///< per metre driven forward; >= 1
-  double reverse_weight = 1.0;    ///< per metre driven in reverse; >= 1
-  double gear_change_cost = 0.0;  ///< of one change [m]; >= 0
-  GearSign initial_gear = 0;      ///< before the first metre; 0: any, and the first is free
+  double forward_weight = 1.0;         ///< per metre driven forward; >= 1
+  double reverse_weight = 1.0;         ///< per metre driven in reverse; >= 1
+  double gear_change_cost = 0.0;       ///< of one change [m]; >= 0
+  GearSign initial_gear = 0;           ///< before the first metre; 0: any, and the first is free
+  double curvature_change_cost = 0.0;  ///< of total variation of curvature [m per 1/m]; >= 0
 
   [[nodiscard]] bool is_length() const {
-    return forward_weight == 1.0 && reverse_weight == 1.0 && gear_change_cost == 0.0;
+    return forward_weight == 1.0 && reverse_weight == 1.0 && gear_change_cost == 0.0 &&
+           curvature_change_cost == 0.0;
   }
+};
+
+/// How the vehicle drives just before or after a place, as far as it matters for what going on
+/// costs. A gear alone is a `Driven` whose curvature may be any.
+struct Driven {
+  Driven(GearSign sign = 0) : gear(sign) {}  // NOLINT(google-explicit-constructor)
+  Driven(GearSign sign, double curvature_there) : gear(sign), curvature(curvature_there) {}
+
+  GearSign gear = 0;
+  std::optional<double> curvature = {};  ///< [1/m]; none: any, and turning the wheels is free
 };
 
 [[nodiscard]] CostRule cost_rule(const CostOptions& options);
@@ -95,23 +108,25 @@ struct CostRule {
 [[nodiscard]] inline GearSign gear_of(const Segment& segment) {
   return segment.length < 0.0 ? -1 : 1;
 }
-/// Gear of the first and of the last segment; 0 for an empty piece.
-[[nodiscard]] GearSign first_gear(const Piece& piece);
-[[nodiscard]] GearSign last_gear(const Piece& piece);
+/// How the first segment begins and how the last one ends; an empty piece: any.
+[[nodiscard]] Driven first_driven(const Piece& piece);
+[[nodiscard]] Driven last_driven(const Piece& piece);
+[[nodiscard]] Driven last_driven(const Segment& segment);
 
-/// Price of getting from one gear into another [m].
-[[nodiscard]] double change_cost(const CostRule& rule, GearSign from, GearSign to);
+/// Price of going on as `to` after `from`: of a gear change, and of turning the wheels [m].
+[[nodiscard]] double change_cost(const CostRule& rule, const Driven& from, const Driven& to);
 
-/// Cost of driving the segments [m]; `gear` is the one before them and becomes the one after them.
+/// Cost of driving the segments [m]; `driven` is what was driven before them and becomes how the
+/// last one ends.
 [[nodiscard]] double drive_cost(const CostRule& rule, std::span<const Segment> segments,
-                                GearSign& gear);
+                                Driven& driven);
 
 // ---- Which piece joins two poses, what does it cost, and may it be driven? ----
 
 /// What is driven before and after a piece.
 struct Gears {
-  GearSign before = 0;
-  GearSign after = 0;
+  Driven before = {};
+  Driven after = {};
 };
 
 /// On which terms a connection is wanted.

@@ -127,6 +127,9 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
   if (const Node* const ramp = file.find(node, "margin_ramp")) {
     options.clearance.margin_ramp = file.number(*ramp);
   }
+  if (const Node* const price = file.find(node, "curvature_change_cost")) {
+    cost.curvature_change_cost = file.number(*price);
+  }
   if (const Node* const gear = file.find(node, "initial_gear")) {
     const std::string& word = file.text(*gear);
     if (word != "any" && word != "forward" && word != "reverse") {
@@ -153,6 +156,7 @@ std::optional<StatedCost> cost_from(const Document& file, const Node& node,
   if (!goes_by_length(record.planner)) {
     stated.reverse_weight = record.options.cost.reverse_weight;
     stated.gear_change_cost = record.options.cost.gear_change_cost;
+    stated.curvature_change_cost = record.options.cost.curvature_change_cost;
     stated.initial_direction = direction_of(record.options.cost.initial_gear);
   }
   if (const Node* const bound = file.find(node, "bound")) stated.bound = file.number(*bound);

@@ -41,7 +41,8 @@ double cost_of(const Track& track, const StatedCost& rule) {
   const Real first = track.stretches[0].direction;
   if (track.length > 0 && rule.initial_direction * first < 0) ++changes;
   return static_cast<double>(track.length + (rule.reverse_weight - 1) * track.reverse_length +
-                             rule.gear_change_cost * changes);
+                             rule.gear_change_cost * changes +
+                             rule.curvature_change_cost * track.curvature_change);
 }
 
 std::optional<std::string> false_cost(const Track& track, const StatedCost& stated) {

@@ -248,6 +248,7 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
   check.length = static_cast<double>(track.length);
   check.reverse_length = static_cast<double>(track.reverse_length);
   check.gear_changes = track.gear_changes;
+  check.curvature_change = static_cast<double>(track.curvature_change);
   const std::optional<Fault> fault =
       first_fault(problem.task(), track, local_claims(world, claims), check.clearance);
   check.valid = !fault;

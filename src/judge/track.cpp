@@ -83,6 +83,10 @@ Track integrate(const Path& path) {
     if (!track.stretches.empty() && track.stretches.back().direction != direction) {
       ++track.gear_changes;
     }
+    if (!track.stretches.empty()) {
+      const Stretch& last = track.stretches.back();
+      track.curvature_change += std::abs(segment.curvature - curvature_at(last, last.length));
+    }
     const Real length = std::abs(static_cast<Real>(segment.length));
     const Real rate = segment.curvature_rate;
     const Real count = stretches_of(segment);
@@ -94,6 +98,7 @@ Track integrate(const Path& path) {
       track.end = after(track.stretches.back(), part);
     }
     track.length += length;
+    track.curvature_change += std::abs(rate) * length;
     if (direction < 0) track.reverse_length += length;
   }
   if (track.stretches.empty()) track.stretches.push_back({track.end, 0, 1, 0, 0});

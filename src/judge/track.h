@@ -62,6 +62,7 @@ struct Track {
   Real length = 0;
   Real reverse_length = 0;
   int gear_changes = 0;
+  Real curvature_change = 0;  ///< total variation, from the first stretch to the last [1/m]
 };
 
 /// Every number of the path is finite, and its clothoids take no more stretches than they may.

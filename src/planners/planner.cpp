@@ -92,6 +92,7 @@ PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
   StatedCost cost{.cost = result.cost,
                   .reverse_weight = options.reverse_weight,
                   .gear_change_cost = options.gear_change_cost,
+                  .curvature_change_cost = options.curvature_change_cost,
                   .initial_direction = direction_of(options.initial_gear)};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
   return {.cost = cost, .margin = stated(all.clearance)};
@@ -169,8 +170,8 @@ bool honours(const Planner& planner, std::string_view option) {
   if (common_option(option) == nullptr) return false;
   if (option == "threads") return planner.properties.honours_threads;
   if (option == "target_gap") return planner.properties.honours_target_gap;
-  const bool is_price =
-      option == "reverse_weight" || option == "gear_change_cost" || option == "initial_gear";
+  const bool is_price = option == "reverse_weight" || option == "gear_change_cost" ||
+                        option == "curvature_change_cost" || option == "initial_gear";
   return !is_price || planner.properties.honours_prices;
 }
 
@@ -227,8 +228,8 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
     result.reason = reason_at(problem, problem.goal(), all.clearance);
   }
   if (!result.path) return result;
-  search::GearSign gear = direction_of(all.cost.initial_gear);
-  result.cost = drive_cost(search::cost_rule(all.cost), result.path->segments, gear);
+  search::Driven driven = direction_of(all.cost.initial_gear);
+  result.cost = drive_cost(search::cost_rule(all.cost), result.path->segments, driven);
   judge(problem, all, result);
   return result;
 }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "planners/anytime/anytime.h"
+#include "planners/anytime/tidy.h"
 #include "planners/rrt.h"
 #include "planners/shared_options.h"
 
@@ -22,7 +23,7 @@ Planner anytime_planner() {
                          .honours_threads = true,
                          .honours_target_gap = true,
                          .anytime = true},
-          .options = {region_option()},
+          .options = {region_option(), anytime::min_stroke_option()},
           .function = anytime::plan_anytime};
 }
 

@@ -102,6 +102,8 @@ constexpr std::array options_of_all = {
     cost<&CostOptions::reverse_weight>("reverse_weight", "cost of a metre in reverse; 1 to 1000"),
     cost<&CostOptions::gear_change_cost>("gear_change_cost",
                                          "cost of one gear change [m]; 0 to 10000"),
+    cost<&CostOptions::curvature_change_cost>("curvature_change_cost",
+                                              "cost of turning the wheels [m per 1/m]; 0 to 10000"),
     cost<&CostOptions::initial_gear>("initial_gear",
                                      "driven before the start; any, forward or reverse"),
     clearance<&ClearanceOptions::margin>(
@@ -214,6 +216,9 @@ void validate(const PlanOptions& options) {
   const double change = options.cost.gear_change_cost;
   require(change >= 0.0 && change <= 10000.0, "gear_change_cost", text_of(change),
           "a number from 0 to 10000 [m]");
+  const double steering = options.cost.curvature_change_cost;
+  require(steering >= 0.0 && steering <= 10000.0, "curvature_change_cost", text_of(steering),
+          "a number from 0 to 10000 [m per 1/m]");
   const auto& [margin, ramp] = options.clearance;
   require(margin >= 0.0 && margin <= 1000.0, "margin", text_of(margin),
           "a number from 0 to 1000 [m]");

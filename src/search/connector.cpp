@@ -93,9 +93,9 @@ double Connector::least_length(const Pose& from, const Pose& to) const {
 
 double Connector::cost(const Piece& piece, const Gears& gears) const {
   if (rule_.is_length()) return piece.length;
-  GearSign gear = gears.before;
-  const double sum = drive_cost(rule_, piece.view(), gear);
-  return sum + change_cost(rule_, gear, gears.after);
+  Driven driven = gears.before;
+  const double sum = drive_cost(rule_, piece.view(), driven);
+  return sum + change_cost(rule_, driven, gears.after);
 }
 
 bool Connector::is_free(const Pose& from, const Piece& piece) {

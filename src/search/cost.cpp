@@ -7,30 +7,44 @@
 namespace vandplan::search {
 
 CostRule cost_rule(const CostOptions& options) {
-  return {1.0, options.reverse_weight, options.gear_change_cost,
-          direction_of(options.initial_gear)};
+  return {.reverse_weight = options.reverse_weight,
+          .gear_change_cost = options.gear_change_cost,
+          .initial_gear = direction_of(options.initial_gear),
+          .curvature_change_cost = options.curvature_change_cost};
 }
 
-GearSign first_gear(const Piece& piece) {
-  return piece.count == 0 ? 0 : gear_of(piece.segments[0]);
+Driven first_driven(const Piece& piece) {
+  if (piece.count == 0) return {};
+  const Segment& first = piece.segments[0];
+  return {gear_of(first), first.curvature};
 }
 
-GearSign last_gear(const Piece& piece) {
-  return piece.count == 0 ? 0 : gear_of(piece.segments[piece.count - 1U]);
+Driven last_driven(const Segment& segment) {
+  return {gear_of(segment), curvature_at(segment, std::abs(segment.length))};
 }
 
-double change_cost(const CostRule& rule, GearSign from, GearSign to) {
-  return from * to < 0 ? rule.gear_change_cost : 0.0;
+Driven last_driven(const Piece& piece) {
+  return piece.count == 0 ? Driven{} : last_driven(piece.segments[piece.count - 1U]);
 }
 
-double drive_cost(const CostRule& rule, std::span<const Segment> segments, GearSign& gear) {
+double change_cost(const CostRule& rule, const Driven& from, const Driven& to) {
+  double cost = from.gear * to.gear < 0 ? rule.gear_change_cost : 0.0;
+  if (rule.curvature_change_cost > 0.0 && from.curvature && to.curvature) {
+    cost += rule.curvature_change_cost * std::abs(*to.curvature - *from.curvature);
+  }
+  return cost;
+}
+
+double drive_cost(const CostRule& rule, std::span<const Segment> segments, Driven& driven) {
   double sum = 0.0;
   for (const Segment& segment : segments) {
     if (segment.length == 0.0) continue;
+    const double size = std::abs(segment.length);
     const GearSign next = gear_of(segment);
     const double weight = next > 0 ? rule.forward_weight : rule.reverse_weight;
-    sum += change_cost(rule, gear, next) + weight * std::abs(segment.length);
-    gear = next;
+    sum += change_cost(rule, driven, {next, segment.curvature}) + weight * size +
+           rule.curvature_change_cost * std::abs(segment.curvature_rate) * size;
+    driven = last_driven(segment);
   }
   return sum;
 }

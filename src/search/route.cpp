@@ -16,19 +16,19 @@ double Route::length() const {
 Gears gears_around(const CostRule& rule, const Route& route, std::size_t first, std::size_t last) {
   if (rule.is_length()) return {};
   Gears gears{rule.initial_gear, 0};
-  for (std::size_t i = first; i > 0 && (i == first || gears.before == 0); --i) {
-    gears.before = last_gear(route.legs[i - 1].piece);
+  for (std::size_t i = first; i > 0 && (i == first || gears.before.gear == 0); --i) {
+    gears.before = last_driven(route.legs[i - 1].piece);
   }
-  for (std::size_t i = last; i < route.legs.size() && gears.after == 0; ++i) {
-    gears.after = first_gear(route.legs[i].piece);
+  for (std::size_t i = last; i < route.legs.size() && gears.after.gear == 0; ++i) {
+    gears.after = first_driven(route.legs[i].piece);
   }
   return gears;
 }
 
 double cost_of(const CostRule& rule, const Route& route) {
-  GearSign gear = rule.initial_gear;
+  Driven driven = rule.initial_gear;
   double sum = 0.0;
-  for (const Leg& leg : route.legs) sum += drive_cost(rule, leg.piece.view(), gear);
+  for (const Leg& leg : route.legs) sum += drive_cost(rule, leg.piece.view(), driven);
   return sum;
 }
 

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "base/trigonometry.h"
@@ -25,24 +26,30 @@ bool is_within(const Vector& missing, const Closing& closing) {
          std::abs(missing[2]) <= closing.heading;
 }
 
-/// A piece, where its segments begin, and where it ends.
-struct Driven {
-  std::array<Pose, 6> poses;
+/// A few segments, held in place.
+struct Chain {
+  std::array<Segment, most_mended> segments{};
+  std::size_t count = 0;
+};
 
-  Driven(const Pose& from, const Piece& piece) {
+/// Where the segments of a chain begin, and where it ends.
+struct Driven {
+  std::array<Pose, most_mended + 1> poses;
+
+  Driven(const Pose& from, const Chain& chain) {
     poses[0] = from;
-    for (std::size_t i = 0; i < piece.count; ++i) {
-      poses[i + 1] = advance(poses[i], piece.segments[i]);
+    for (std::size_t i = 0; i < chain.count; ++i) {
+      poses[i + 1] = advance(poses[i], chain.segments[i]);
     }
   }
 };
 
-/// How the end of the piece moves for each metre that segment `i` gets longer: along the heading
+/// How the end of the chain moves for each metre that segment `i` gets longer: along the heading
 /// there, and around the circle of the segment's end.
-Vector slope(const Piece& piece, const Driven& driven, std::size_t i) {
-  const Segment& segment = piece.segments[i];
+Vector slope(const Chain& chain, const Driven& driven, std::size_t i) {
+  const Segment& segment = chain.segments[i];
   const Pose& at = driven.poses[i + 1];
-  const Pose& end = driven.poses[piece.count];
+  const Pose& end = driven.poses[chain.count];
   const double gear = segment.length < 0.0 ? -1.0 : 1.0;
   const double turn = gear * segment.curvature;
   const auto [sin, cos] = base::sin_cos(at.heading);
@@ -71,13 +78,14 @@ Vector solved(const std::array<Vector, 3>& m, const Vector& right) {
   return x;
 }
 
+using Changes = std::array<double, most_mended>;
+
 /// The least change of all lengths that brings the end nearer by `missing`: J' (J J' + d)^-1 e.
-std::array<double, 5> least_change(const Piece& piece, const Driven& driven,
-                                   const Vector& missing) {
-  std::array<Vector, 5> columns;
+Changes least_change(const Chain& chain, const Driven& driven, const Vector& missing) {
+  std::array<Vector, most_mended> columns;
   std::array<Vector, 3> square{};
-  for (std::size_t s = 0; s < piece.count; ++s) {
-    columns[s] = slope(piece, driven, s);
+  for (std::size_t s = 0; s < chain.count; ++s) {
+    columns[s] = slope(chain, driven, s);
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j <= i; ++j) square[i][j] += columns[s][i] * columns[s][j];
     }
@@ -85,34 +93,31 @@ std::array<double, 5> least_change(const Piece& piece, const Driven& driven,
   const double trace = square[0][0] + square[1][1] + square[2][2];
   for (std::size_t i = 0; i < 3; ++i) square[i][i] += damping * trace;
   const Vector weights = solved(square, missing);
-  std::array<double, 5> change{};
-  for (std::size_t s = 0; s < piece.count; ++s) {
+  Changes change{};
+  for (std::size_t s = 0; s < chain.count; ++s) {
     for (std::size_t i = 0; i < 3; ++i) change[s] += columns[s][i] * weights[i];
   }
   return change;
 }
 
 /// Changes the lengths; what would become shorter than nothing is left out.
-Piece changed(const Piece& piece, const std::array<double, 5>& change) {
-  Piece result;
-  for (std::size_t s = 0; s < piece.count; ++s) {
-    Segment segment = piece.segments[s];
+Chain changed(const Chain& chain, const Changes& change) {
+  Chain result;
+  for (std::size_t s = 0; s < chain.count; ++s) {
+    Segment segment = chain.segments[s];
     const double size = std::abs(segment.length) + change[s];
     if (size <= 0.0) continue;
     segment.length = std::copysign(size, segment.length);
     result.segments[result.count++] = segment;
-    result.length += size;
   }
   return result;
 }
 
-}  // namespace
-
 // Gauss-Newton, to where rounding ends it: the least of what is missing wins.
-std::optional<Piece> mended(const Pose& from, const Pose& to, const Piece& piece,
+std::optional<Chain> mended(const Pose& from, const Pose& to, const Chain& chain,
                             const Closing& closing) {
-  Piece trial = piece;
-  std::optional<Piece> best;
+  Chain trial = chain;
+  std::optional<Chain> best;
   double least = 0.0;
   for (int round = 0; round < most_rounds; ++round) {
     const Driven driven(from, trial);
@@ -129,8 +134,36 @@ std::optional<Piece> mended(const Pose& from, const Pose& to, const Piece& piece
     if (trial.count == 0 || square == 0.0) break;
     trial = changed(trial, least_change(trial, driven, off));
   }
-  if (best) best->length = length(best->view());
   return best;
+}
+
+Chain chain_of(std::span<const Segment> segments) {
+  Chain chain;
+  for (const Segment& segment : segments) chain.segments[chain.count++] = segment;
+  return chain;
+}
+
+}  // namespace
+
+std::optional<Piece> mended(const Pose& from, const Pose& to, const Piece& piece,
+                            const Closing& closing) {
+  const std::optional<Chain> chain = mended(from, to, chain_of(piece.view()), closing);
+  if (!chain) return std::nullopt;
+  Piece result;
+  for (std::size_t i = 0; i < chain->count; ++i) {
+    result.segments[result.count++] = chain->segments[i];
+    result.length += std::abs(chain->segments[i].length);
+  }
+  return result;
+}
+
+std::optional<std::vector<Segment>> mended(const Pose& from, const Pose& to,
+                                           std::span<const Segment> segments,
+                                           const Closing& closing) {
+  assert(segments.size() <= most_mended);
+  const std::optional<Chain> chain = mended(from, to, chain_of(segments), closing);
+  if (!chain) return std::nullopt;
+  return std::vector<Segment>(chain->segments.data(), chain->segments.data() + chain->count);
 }
 
 }  // namespace vandplan::steering

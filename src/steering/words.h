@@ -8,6 +8,7 @@
 // pose, but for rounding. docs/algorithms/steering.md, section 8.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "vandplan/path.h"
@@ -37,6 +38,14 @@ inline constexpr Closing on_the_way{1e-11, 1e-13};
 /// than `closing` allows. Segments are arcs and lines.
 [[nodiscard]] std::optional<Piece> mended(const Pose& from, const Pose& to, const Piece& piece,
                                           const Closing& closing);
+
+/// So many segments can be mended at once.
+inline constexpr std::size_t most_mended = 8;
+
+/// What `mended` gives of a piece, of at most `most_mended` segments.
+[[nodiscard]] std::optional<std::vector<Segment>> mended(const Pose& from, const Pose& to,
+                                                         std::span<const Segment> segments,
+                                                         const Closing& closing);
 
 /// Which words are of interest.
 struct Wanted {

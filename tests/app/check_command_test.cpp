@@ -167,6 +167,20 @@ TEST_F(CheckCommand, TheRuleOfTheCostIsRead) {
   EXPECT_EQ(check(result).status, 2);
 }
 
+TEST_F(CheckCommand, ThePriceOfTurningTheWheelsIsRead) {
+  Json result = drive_ahead();
+  result["path"]["segments"] = {{{"turn", "straight"}, {"length", 5}},
+                                {{"turn", "left"}, {"length", 1}},
+                                {{"turn", "left"}, {"length", -1}}};
+  result["length"] = 7;
+  result["gear_changes"] = 1;
+  result["options"] = {{"curvature_change_cost", 14}};
+  result["cost"] = 7 + 14 / 7;
+  EXPECT_EQ(check(result).status, 0);
+  result["cost"] = 7;
+  EXPECT_EQ(check(result).status, 1);
+}
+
 TEST_F(CheckCommand, ThePlaceIsInTheFrameOfTheScenario) {
   std::string far = replaced(yard(), "start: {x: 0", "start: {x: 4500000000");
   far = replaced(far, "goal: {x: 20, y: 5", "goal: {x: 4500000005, y: 0");

@@ -116,8 +116,8 @@ TEST(AnytimeBound, HoldsForEveryPathThatTheJudgeAccepts) {
       const Problem problem =
           problem_of(beside(from, rng), beside(search::end_of(from, drive), rng), {});
       const CostRule& rule = rules[rng() % std::size(rules)];
-      search::GearSign gear = rule.initial_gear;
-      const double cost = drive_cost(rule, drive.view(), gear);
+      search::Driven driven = rule.initial_gear;
+      const double cost = drive_cost(rule, drive.view(), driven);
       EXPECT_LE(anytime::open_ground(problem.task(), rule).bound, cost)
           << as_code(drive.view()) << " from " << as_code(problem.start());
     }

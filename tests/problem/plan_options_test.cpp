@@ -56,8 +56,10 @@ TEST(PlanOptions, EveryCommonOptionReadsBackWhatItWrites) {
                     .seed = 18446744073709551615U,
                     .threads = 3,
                     .target_gap = 0.02};
-  options.cost = {
-      .reverse_weight = 1.7, .gear_change_cost = 0.1, .initial_gear = InitialGear::reverse};
+  options.cost = {.reverse_weight = 1.7,
+                  .gear_change_cost = 0.1,
+                  .curvature_change_cost = 3.3,
+                  .initial_gear = InitialGear::reverse};
   PlanOptions copy;
   for (const CommonOption& option : common_options()) {
     std::string value = option.get(options);
@@ -93,6 +95,8 @@ TEST(PlanOptions, ValidateRejectsWhatIsOutOfRange) {
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.reverse_weight = nan; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.gear_change_cost = -1; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.gear_change_cost = infinity; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.curvature_change_cost = -1; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.curvature_change_cost = nan; }));
 }
 
 // ---- options of one planner ----

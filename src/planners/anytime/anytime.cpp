@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "planners/anytime/island.h"
 #include "planners/anytime/open_ground.h"
+#include "planners/anytime/tidy.h"
 #include "planners/shared_options.h"
 #include "search/enclosure.h"
 #include "steering/words.h"
@@ -50,6 +51,7 @@ class Run {
   void round();
   void look_for_walls();
   void tidy(std::uint64_t seed);
+  void make_drivable(double min_stroke);
   [[nodiscard]] bool is_optimal() const;
   /// Whether the best route is proven to be as near to the optimum as was asked for.
   [[nodiscard]] bool is_good_enough() const;
@@ -70,6 +72,7 @@ class Run {
   std::optional<search::Enclosure> enclosure_;
   OpenGround open_ground_;
   std::optional<Route> best_;
+  std::vector<Segment> segments_;  // of the best route, in the end
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0;
 };
@@ -173,6 +176,19 @@ void Run::tidy(std::uint64_t seed) {
   if (tidied.cost <= open_ground_.bound * (1 + 1e-9)) best_ = std::move(tidied);
 }
 
+// Under prices and for those who ask for strokes: the shortest path is what it is.
+void Run::make_drivable(double min_stroke) {
+  if (!best_) return;
+  segments_ = path_of(*best_).segments;
+  if (rule_.is_length() && min_stroke == 0.0) return;
+  Connector connector(task_, rule_);
+  segments_ = tidied(connector, task_.start, std::move(segments_), min_stroke);
+  Driven driven = rule_.initial_gear;
+  const double cost = drive_cost(rule_, segments_, driven);
+  while (trace_.size() > 1 && trace_[trace_.size() - 2].cost <= cost) trace_.pop_back();
+  trace_.back().cost = cost;
+}
+
 PlannerAnswer Run::result() const {
   PlannerAnswer result;
   result.iterations = budget_.iterations();
@@ -187,7 +203,7 @@ PlannerAnswer Run::result() const {
   result.counters = {{"nodes", nodes}, {"exact_solves", solves}, {"edge_checks", checks}};
   if (best_) {
     result.status = PlanStatus::solved;
-    result.segments = path_of(*best_).segments;
+    result.segments = segments_;
   }
   return result;
 }
@@ -203,7 +219,8 @@ PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
     end = run.budget().exhausted();
     if (!end) run.round();  // [2] to [9]
   }
-  if (run.is_optimal()) run.tidy(options.budget.seed);  // [10]
+  if (run.is_optimal()) run.tidy(options.budget.seed);      // [10]
+  run.make_drivable(options.planner.number("min_stroke"));  // [11]
   PlannerAnswer answer = run.result();
   if (answer.segments) return answer;
   answer.status = end.value_or(PlanStatus::no_path);

@@ -64,13 +64,14 @@ void Detours::choose() {
 void Detours::begin() {
   choose();
   CostRule rule = rule_;
-  if (!before_.legs.empty()) rule.initial_gear = last_gear(before_.legs.back().piece);
+  if (!before_.legs.empty()) rule.initial_gear = last_driven(before_.legs.back().piece).gear;
   old_.cost = cost_of(rule, old_);
   const Pose& first = old_.start;
   const Pose& last = old_.legs.back().end;
   if (backwards_) {
-    const GearSign next = after_.legs.empty() ? 0 : first_gear(after_.legs.front().piece);
-    rule = {rule_.reverse_weight, rule_.forward_weight, rule_.gear_change_cost, -next};
+    const GearSign next = after_.legs.empty() ? 0 : first_driven(after_.legs.front().piece).gear;
+    rule = {rule_.reverse_weight, rule_.forward_weight, rule_.gear_change_cost, -next,
+            rule_.curvature_change_cost};
   }
   connector_.emplace(task_, rule);
   const Bounds box = ellipse_box(first, last, slack * old_.cost, scene_);

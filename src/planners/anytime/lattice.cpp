@@ -47,13 +47,21 @@ std::uint64_t Lattice::key_of(const Node& node) const {
   key = (key << 20) | (static_cast<std::uint64_t>(y) & 0xfffffU);
   key = (key << 12) | (static_cast<std::uint64_t>(heading) & 0xfffU);
   const bool reverse = !connector_.rule().is_length() && node.segment.length < 0.0;
-  return (key << 1) | (reverse ? 1U : 0U);
+  key = (key << 1) | (reverse ? 1U : 0U);
+  if (connector_.rule().curvature_change_cost == 0.0) return key;
+  const double curvature = node.segment.curvature;
+  return (key << 2) | (curvature > 0.0 ? 2U : curvature < 0.0 ? 1U : 0U);
 }
 
 bool Lattice::is_closed(std::uint64_t key) const {
   std::size_t slot = slot_of(key, closed_.size());
   while (closed_[slot] != 0 && closed_[slot] != key) slot = (slot + 1) & (closed_.size() - 1);
   return closed_[slot] == key;
+}
+
+Driven Lattice::driven_to(const Node& node) const {
+  if (node.parent < 0) return connector_.rule().initial_gear;
+  return last_driven(node.segment);
 }
 
 // False if it was closed before.
@@ -86,10 +94,6 @@ Lattice::Entry Lattice::pop() {
   const Entry entry = open_.back();
   open_.pop_back();
   return entry;
-}
-
-GearSign Lattice::gear_of(const Node& node) const {
-  return node.parent < 0 ? connector_.rule().initial_gear : search::gear_of(node.segment);
 }
 
 void Lattice::open(const Node& node) {
@@ -136,7 +140,7 @@ std::optional<Lattice::Entry> Lattice::next() {
     Entry entry = pop();
     if (entry.open_ground > 0.0) return entry;
     const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-    entry.open_ground = connector_.least_cost(node.pose, target_, {gear_of(node), 0});
+    entry.open_ground = connector_.least_cost(node.pose, target_, {driven_to(node), 0});
     const double open_ground =
         options_.goes_by_length ? connector_.least_length(node.pose, target_) : entry.open_ground;
     if (open_ground <= entry.around) return entry;
@@ -152,9 +156,8 @@ std::optional<Lattice::Entry> Lattice::next() {
 bool Lattice::shoot(const Entry& entry) {
   if (entry.around > hopeless_shot * entry.open_ground + cell_) return false;
   const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-  const GearSign gear = gear_of(node);
   const std::optional<Connection> shot =
-      connector_.connect(node.pose, target_, {node.cost_to_come, cutoff_, {gear, 0}});
+      connector_.connect(node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), 0}});
   if (!shot) return false;
   build_route(entry.node, shot->piece);
   cutoff_ = std::min(cutoff_, route_.cost);
@@ -163,7 +166,6 @@ bool Lattice::shoot(const Entry& entry) {
 
 void Lattice::expand(std::int32_t id) {
   const Node node = nodes_[static_cast<std::size_t>(id)];
-  const GearSign gear = gear_of(node);
   for (const double side : {1.0, 0.0, -1.0}) {
     for (const double direction : {1.0, -1.0}) {
       const double stretch = side == 0.0 ? straight_cells * cell_ : step_length_;
@@ -173,7 +175,7 @@ void Lattice::expand(std::int32_t id) {
       if (back) continue;
       Node next{advance(node.pose, segment), segment, 0.0, id};
       if (is_closed(key_of(next))) continue;
-      GearSign last = gear;
+      Driven last = driven_to(node);
       next.cost_to_come =
           node.cost_to_come + drive_cost(connector_.rule(), std::span(&segment, 1), last);
       open(next);

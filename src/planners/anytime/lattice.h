@@ -60,7 +60,7 @@ class Lattice {
   };
 
   [[nodiscard]] std::uint64_t key_of(const Node& node) const;
-  [[nodiscard]] GearSign gear_of(const Node& node) const;
+  [[nodiscard]] Driven driven_to(const Node& node) const;
   void open(const Node& node);
   void push(const Entry& entry);
   [[nodiscard]] Entry pop();

@@ -46,12 +46,12 @@ Pose Shortener::perturbed(const Pose& pose) {
 
 double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) const {
   const CostRule& rule = connector_.rule();
-  GearSign gear = gears.before;
+  Driven driven = gears.before;
   double sum = 0.0;
   for (const Leg& leg : legs) {
-    sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), gear);
+    sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), driven);
   }
-  return sum + change_cost(rule, gear, gears.after);
+  return sum + change_cost(rule, driven, gears.after);
 }
 
 // The legs that a trial would replace, and what it has to undercut.
@@ -91,8 +91,8 @@ bool Shortener::shortcut() {
   const Stretch old = stretch(a.leg, b.leg + 1);
   const double kept =
       connector_.cost(head, {old.gears.before, 0}) + connector_.cost(tail, {0, old.gears.after});
-  const Gears gears{head.count > 0 ? last_gear(head) : old.gears.before,
-                    tail.count > 0 ? first_gear(tail) : old.gears.after};
+  const Gears gears{head.count > 0 ? last_driven(head) : old.gears.before,
+                    tail.count > 0 ? first_driven(tail) : old.gears.after};
   trial_.clear();
   if (head.count > 0) trial_.push_back({head, from});
   trial_.push_back({connector_.steer(from, to, gears, old.cost - kept), to});
@@ -121,10 +121,10 @@ bool Shortener::replace_by_way_of(const Pose& via, const Stretch& old) {
     if (left <= 0.0) return false;
   }
   trial_.assign(1, {connector_.steer(from, via, {old.gears.before, 0}, left), via});
-  const GearSign gear = last_gear(trial_[0].piece);
+  const Driven between = last_driven(trial_[0].piece);
   const double spent = connector_.cost(trial_[0].piece, {old.gears.before, 0});
   if (!connector_.rule().is_length() && spent >= left) return false;
-  trial_.push_back({connector_.steer(via, to, {gear, old.gears.after}, old.cost - spent), to});
+  trial_.push_back({connector_.steer(via, to, {between, old.gears.after}, old.cost - spent), to});
   return replace(old, trial_);
 }
 

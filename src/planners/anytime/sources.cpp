@@ -27,7 +27,8 @@ constexpr std::int64_t first_patience = 256;   // samples
 // Driven backwards the gears change places, and the initial one is not the first.
 CostRule rule_from(const CostRule& rule, Root root) {
   if (root == Root::start) return rule;
-  return {rule.reverse_weight, rule.forward_weight, rule.gear_change_cost, 0};
+  return {rule.reverse_weight, rule.forward_weight, rule.gear_change_cost, 0,
+          rule.curvature_change_cost};
 }
 
 }  // namespace

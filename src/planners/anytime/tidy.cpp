@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/tidy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <span>
+
+#include "steering/words.h"
+
+namespace vandplan::anytime {
+namespace {
+
+using search::Connector, search::Driven, search::gear_of;
+
+constexpr double crumb_share = 1.0 / 70;  // of the turning radius: 0.1 m for a truck
+constexpr double slack = 1e-4;            // of the cost: 1 cm of 100 m, less than any search leaves
+constexpr std::size_t reach = 3;          // segments on either side that make up for one left out
+
+using Segments = std::vector<Segment>;
+
+/// Segments of one gear: [first, last).
+struct Stroke {
+  std::size_t first;
+  std::size_t last;
+  double length;
+};
+
+class Tidier {
+ public:
+  Tidier(Connector& connector, const Pose& start, Segments segments)
+      : connector_(connector),
+        start_(start),
+        segments_(merged(segments)),
+        crumb_(crumb_share * connector.radius()) {}
+
+  void drop_crumbs();
+  void lengthen_strokes(double least);
+  [[nodiscard]] const Segments& segments() const { return segments_; }
+
+ private:
+  [[nodiscard]] double cost(const Segments& segments) const;
+  [[nodiscard]] Pose pose_before(std::size_t i) const;
+  [[nodiscard]] bool is_free(Pose from, std::span<const Segment> segments);
+  [[nodiscard]] bool drop(std::size_t first, std::size_t last, double limit);
+  [[nodiscard]] std::vector<Stroke> strokes() const;
+  [[nodiscard]] std::optional<Segments> driven_on(std::size_t cusp, double by);
+  [[nodiscard]] bool lengthen(const std::vector<Stroke>& all, std::size_t k, double least);
+
+  Connector& connector_;
+  Pose start_;
+  Segments segments_;
+  double crumb_;
+};
+
+double Tidier::cost(const Segments& segments) const {
+  Driven driven = connector_.rule().initial_gear;
+  return drive_cost(connector_.rule(), segments, driven);
+}
+
+Pose Tidier::pose_before(std::size_t i) const {
+  return std::accumulate(segments_.begin(), segments_.begin() + static_cast<std::ptrdiff_t>(i),
+                         start_, advance);
+}
+
+bool Tidier::is_free(Pose from, std::span<const Segment> segments) {
+  for (const Segment& segment : segments) {
+    if (!connector_.is_free(from, segment)) return false;
+    from = advance(from, segment);
+  }
+  return true;
+}
+
+// Leaves the segments [first, last) out, if their neighbours can make up for them: the same poses
+// on either side, free, and no dearer in all than the limit.
+bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
+  const std::size_t low = first - std::min(first, reach);
+  const std::size_t high = std::min(segments_.size(), last + reach);
+  const auto at = [&](std::size_t i) { return segments_.begin() + static_cast<std::ptrdiff_t>(i); };
+  Segments rest(at(low), at(first));
+  rest.insert(rest.end(), at(last), at(high));
+  const Pose from = pose_before(low);
+  const std::optional<Segments> mended =
+      steering::mended(from, pose_before(high), merged(rest), steering::on_the_way);
+  if (!mended) return false;
+  Segments trial(segments_.begin(), at(low));
+  trial.insert(trial.end(), mended->begin(), mended->end());
+  trial.insert(trial.end(), at(high), segments_.end());
+  trial = merged(trial);
+  if (trial.size() >= segments_.size() || cost(trial) > limit) return false;
+  if (!is_free(from, *mended)) return false;
+  segments_ = std::move(trial);
+  return true;
+}
+
+// The shortest one first, until none can go.
+void Tidier::drop_crumbs() {
+  const double limit = (1 + slack) * cost(segments_);
+  bool dropped = true;
+  while (dropped) {
+    std::vector<std::size_t> crumbs;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (std::abs(segments_[i].length) < crumb_) crumbs.push_back(i);
+    }
+    std::stable_sort(crumbs.begin(), crumbs.end(), [&](std::size_t a, std::size_t b) {
+      return std::abs(segments_[a].length) < std::abs(segments_[b].length);
+    });
+    dropped = std::any_of(crumbs.begin(), crumbs.end(),
+                          [&](std::size_t i) { return drop(i, i + 1, limit); });
+  }
+}
+
+std::vector<Stroke> Tidier::strokes() const {
+  std::vector<Stroke> result;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (result.empty() || gear_of(segments_[i]) != gear_of(segments_[i - 1])) {
+      result.push_back({i, i, 0.0});
+    }
+    result.back().last = i + 1;
+    result.back().length += std::abs(segments_[i].length);
+  }
+  return result;
+}
+
+// The gear changes later, before segment `cusp`: `by` metres further on, and back the same way,
+// along the curvature on either side or straight ahead, whichever is cheapest.
+std::optional<Segments> Tidier::driven_on(std::size_t cusp, double by) {
+  const Segment& before = segments_[cusp - 1];
+  const Pose pose = pose_before(cusp);
+  std::optional<Segments> best;
+  for (const double curvature : {before.curvature, segments_[cusp].curvature, 0.0}) {
+    const Segment on{curvature, std::copysign(by, before.length)};
+    Segments trial = segments_;
+    const Segment way[] = {on, {curvature, -on.length}};
+    trial.insert(trial.begin() + static_cast<std::ptrdiff_t>(cusp), std::begin(way), std::end(way));
+    trial = merged(trial);
+    if (best && cost(trial) >= cost(*best)) continue;
+    if (connector_.is_free(pose, on)) best = std::move(trial);
+  }
+  return best;
+}
+
+// True when something changed.
+bool Tidier::lengthen(const std::vector<Stroke>& all, std::size_t k, double least) {
+  const Stroke& stroke = all[k];
+  const double by = std::max(least - stroke.length, crumb_);
+  if (drop(stroke.first, stroke.last, cost(segments_) + 2 * by)) return true;
+  std::optional<Segments> best;
+  const auto consider = [&](std::size_t cusp, double share) {
+    std::optional<Segments> trial = driven_on(cusp, share * by);
+    if (trial && (!best || cost(*trial) < cost(*best))) best = std::move(trial);
+  };
+  for (const double share : {1.0, 0.5}) {
+    if (best || share * by < crumb_) continue;
+    if (k > 0) consider(stroke.first, share);
+    if (k + 1 < all.size()) consider(stroke.last, share);
+  }
+  if (!best) return false;
+  segments_ = *std::move(best);
+  return true;
+}
+
+// What lengthens one stroke may shorten another; so often at most as there are ends of strokes.
+void Tidier::lengthen_strokes(double least) {
+  bool changed = true;
+  for (std::size_t tries = 2 * strokes().size(); changed && tries > 0; --tries) {
+    const std::vector<Stroke> all = strokes();
+    changed = false;
+    for (std::size_t k = 0; k < all.size() && all.size() > 1 && !changed; ++k) {
+      changed = all[k].length < least && lengthen(all, k, least);
+    }
+  }
+}
+
+}  // namespace
+
+OptionInfo min_stroke_option() {
+  return {.name = "min_stroke",
+          .summary = "metres from gear change to gear change, where there is room",
+          .standard = 0.0,
+          .least = 0.0,
+          .most = 100.0};
+}
+
+std::vector<Segment> tidied(Connector& connector, const Pose& start, std::vector<Segment> segments,
+                            double min_stroke) {
+  Tidier tidier(connector, start, std::move(segments));
+  tidier.drop_crumbs();
+  if (min_stroke > 0.0) tidier.lengthen_strokes(min_stroke);
+  return tidier.segments();
+}
+
+}  // namespace vandplan::anytime

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Tidying: fewer and longer segments, the same end, free, at next to no cost.
+#include "planners/anytime/tidy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "support/cases.h"
+#include "support/problems.h"
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+#include "vandplan/random.h"
+
+namespace vandplan {
+namespace {
+
+using search::Connector;
+using search::CostRule;
+using search::Driven;
+
+constexpr double k = 1.0 / 7;
+constexpr CostRule priced{.reverse_weight = 2, .gear_change_cost = 5};
+
+double cost_of(const CostRule& rule, std::span<const Segment> segments) {
+  Driven driven = rule.initial_gear;
+  return drive_cost(rule, segments, driven);
+}
+
+std::vector<Segment> tidied(const Problem& problem, const Path& path, double min_stroke) {
+  Connector connector(problem.task(), priced);
+  return anytime::tidied(connector, path.start, path.segments, min_stroke);
+}
+
+double shortest(const std::vector<Segment>& segments) {
+  double least = 1e9;
+  for (const Segment& segment : segments) least = std::min(least, std::abs(segment.length));
+  return least;
+}
+
+/// Lengths between gear changes, the first and the last stroke among them.
+std::vector<double> strokes(std::span<const Segment> segments) {
+  std::vector<double> result;
+  double gear = 0;
+  for (const Segment& segment : segments) {
+    if (segment.length * gear <= 0) result.push_back(0);
+    result.back() += std::abs(segment.length);
+    gear = segment.length;
+  }
+  return result;
+}
+
+TEST(Tidied, LeavesCrumbsOut) {
+  const std::vector<std::vector<Segment>> crumbly = {
+      {{k, 8}, {-k, 1e-4}, {0, 12}, {k, 2e-3}, {-k, 6}},
+      {{0, 5}, {k, 1e-3}, {0, 5}, {-k, 7}, {0, 3}},
+      {{k, 8}, {0, 4}, {-k, 1e-3}, {-k, -3}, {0, -5}, {k, 1e-4}, {k, 9}, {0, 2}}};
+  for (const std::vector<Segment>& segments : crumbly) {
+    const Path path{{}, segments};
+    const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
+    const std::vector<Segment> tidy = tidied(problem, path, 0);
+    EXPECT_LT(tidy.size(), segments.size());
+    EXPECT_GT(shortest(tidy), 0.1);
+    EXPECT_LE(cost_of(priced, tidy), cost_of(priced, segments) * (1 + 1e-4));
+    EXPECT_TRUE(check_path(problem, {{}, tidy}).valid) << as_code(tidy);
+  }
+}
+
+TEST(Tidied, LeavesATidyPathAlone) {
+  const Path path{{}, {{k, 8}, {0, 12}, {-k, 6}, {-k, -4}, {0, -9}}};
+  EXPECT_EQ(tidied(problem_of_path({.bounds = wide_bounds}, path), path, 0.5), path.segments);
+}
+
+// What is longer than a crumb, or worth its price, stays.
+TEST(Tidied, CostsNextToNothing) {
+  for_each_case(1, 500, [](Rng& rng) {
+    Path path{{}, {}};
+    for (std::uint64_t i = 0, n = 2 + rng() % 8; i < n; ++i) {
+      const double curvature = (static_cast<double>(rng() % 3) - 1) * k;
+      const double size = rng() % 2 == 0 ? uniform(0.2, 15, rng) : std::exp2(uniform(-20, -3, rng));
+      path.segments.push_back({curvature, rng() % 4 == 0 ? -size : size});
+    }
+    const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
+    const std::vector<Segment> tidy = tidied(problem, path, 0);
+    EXPECT_LE(tidy.size(), path.segments.size());
+    EXPECT_LE(cost_of(priced, tidy), cost_of(priced, path.segments) * (1 + 1e-4) + 1e-12);
+    const PathCheck check = check_path(problem, {{}, tidy});
+    EXPECT_TRUE(check.valid) << check.reason << " " << as_code(path.segments);
+  });
+}
+
+// A path along walls that a mended one would touch keeps its crumbs.
+TEST(Tidied, StaysFree) {
+  for_each_case(2, 200, [](Rng& rng) {
+    const double crumb = std::exp2(uniform(-12, -4, rng));
+    const Path path{{}, {{0, 9}, {k, crumb}, {0, 9}, {-k, 5}, {0, 4}}};
+    const double near = -1.275 - uniform(0.001, 0.01, rng);  // of the side of the truck
+    const Problem problem =
+        problem_of_path({.bounds = wide_bounds, .obstacles = {box(-5, near - 1, 40, near)}}, path);
+    if (!check_path(problem, path).valid) return;
+    const std::vector<Segment> tidy = tidied(problem, path, 0);
+    EXPECT_TRUE(check_path(problem, {{}, tidy}).valid) << as_code(tidy);
+  });
+}
+
+TEST(MinStroke, IsDrivenWhereThereIsRoom) {
+  for_each_case(3, 300, [](Rng& rng) {
+    Path path{{}, {}};
+    double gear = 1;
+    for (std::uint64_t i = 0, n = 2 + rng() % 4; i < n; ++i, gear = -gear) {
+      for (std::uint64_t j = 0, m = 1 + rng() % 2; j < m; ++j) {
+        const double curvature = (static_cast<double>(rng() % 3) - 1) * k;
+        path.segments.push_back({curvature, gear * uniform(0.05, 3, rng)});
+      }
+    }
+    const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
+    const std::vector<Segment> tidy = tidied(problem, path, 2.0);
+    const std::vector<double> driven = strokes(tidy);
+    for (const double stroke : driven) {
+      EXPECT_TRUE(driven.size() == 1 || stroke >= 2 - 1e-9)
+          << stroke << " " << as_code(path.segments) << " becomes " << as_code(tidy);
+    }
+    const PathCheck check = check_path(problem, {{}, tidy});
+    EXPECT_TRUE(check.valid) << check.reason << " " << as_code(tidy);
+  });
+}
+
+// Between two walls there is none.
+TEST(MinStroke, StaysShortBetweenWalls) {
+  const Path path{{}, {{0, 0.5}, {k, -0.5}, {-k, 0.5}, {0, -0.4}}};
+  const Problem problem = problem_of_path(
+      {.bounds = wide_bounds, .obstacles = {box(6.7, -5, 7, 5), box(-2.7, -5, -2.5, 5)}}, path);
+  ASSERT_TRUE(check_path(problem, path).valid) << check_path(problem, path).reason;
+  const std::vector<Segment> tidy = tidied(problem, path, 3.0);
+  EXPECT_TRUE(check_path(problem, {{}, tidy}).valid);
+  for (const double stroke : strokes(tidy)) EXPECT_LT(stroke, 1.0);
+}
+
+Problem narrow_road() {
+  return problem_of({0, -2, 0}, {0, 2, 3.141592653589793},
+                    {box(-60, 6, 60, 8), box(-60, -8, 60, -6)});
+}
+
+TEST(Tidied, WhatIsPlannedUnderPricesHasNoCrumbs) {
+  PlanOptions options{.budget = {.max_iterations = 3000},
+                      .cost = {.reverse_weight = 2, .gear_change_cost = 1}};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    options.budget.seed = seed;
+    const PlanResult result = plan(narrow_road(), options);
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    EXPECT_GT(shortest(result.path->segments), 1e-3) << as_code(result.path->segments);
+    EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-9);
+  }
+}
+
+TEST(MinStroke, IsAnOptionOfThePlanner) {
+  PlanOptions options{.budget = {.max_iterations = 3000}};
+  set_option(options, planner_named("anytime"), "min_stroke", "1.5");
+  const PlanResult result = plan(problem_of({}, {0, 1.5, 0}, {}), options);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  for (const double stroke : strokes(result.path->segments)) EXPECT_GE(stroke, 1.5 - 1e-9);
+}
+
+}  // namespace
+}  // namespace vandplan
