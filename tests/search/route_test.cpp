@@ -74,8 +74,8 @@ TEST(Route, APartGoesOnBehindASegmentOfNoLength) {
   piece.segments = {Segment{0.1, 0.0}, Segment{0.0, 5.0}};
   piece.count = 2;
   piece.length = 5.0;
-  EXPECT_EQ(prefix(piece, 3.0).length, 3.0);
-  EXPECT_EQ(suffix(piece, 3.0).length, 2.0);
+  EXPECT_EQ(search::prefix(piece, 3.0).length, 3.0);
+  EXPECT_EQ(search::suffix(piece, 3.0).length, 2.0);
   const Route route{{0, 0, 0}, {{piece, {5, 0, 0}}}, 5.0};
   EXPECT_EQ(part_of(route, 0.0, 3.0).length(), 3.0);
 }
