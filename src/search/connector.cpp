@@ -137,7 +137,8 @@ Piece prefix(const Piece& piece, double s) {
   double left = s;
   for (const Segment& segment : piece.view()) {
     const double part = std::min(left, std::abs(segment.length));
-    if (part <= 0.0) break;
+    if (left <= 0.0) break;
+    if (part <= 0.0) continue;
     append(result, part_of(segment, 0.0, part));
     left -= part;
   }

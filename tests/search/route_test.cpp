@@ -68,6 +68,18 @@ TEST(Route, APartOfNoLengthIsEmpty) {
   EXPECT_TRUE(part_of(route, route.length(), route.length()).legs.empty());
 }
 
+// Two places of a route may be one, and what is cut there has no length.
+TEST(Route, APartGoesOnBehindASegmentOfNoLength) {
+  Piece piece;
+  piece.segments = {Segment{0.1, 0.0}, Segment{0.0, 5.0}};
+  piece.count = 2;
+  piece.length = 5.0;
+  EXPECT_EQ(search::prefix(piece, 3.0).length, 3.0);
+  EXPECT_EQ(search::suffix(piece, 3.0).length, 2.0);
+  const Route route{{0, 0, 0}, {{piece, {5, 0, 0}}}, 5.0};
+  EXPECT_EQ(part_of(route, 0.0, 3.0).length(), 3.0);
+}
+
 TEST(Route, AlikeIsWhatIsNearAndChangesGearAsOften) {
   const auto route_of = [](std::vector<Segment> segments) {
     Route route{{0, 0, 0}, {}, 0.0};

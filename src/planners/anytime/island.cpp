@@ -2,13 +2,17 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/anytime/island.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace vandplan::anytime {
 namespace {
 
-constexpr double hopeless_excess = 20.0;  // over the best cost, times the trials it took
-constexpr int checks_of_time = 4;         // iterations between two looks at the clock
+constexpr double hopeless_excess = 20.0;             // over the best cost, times the trials it took
+constexpr double hopeless_excess_with_prices = 8.0;  // more routes come then
+constexpr double worth_a_try = 0.98;                 // of the cost of a route of its kind
+constexpr std::size_t remembered = 6;                // routes that were given up
+constexpr int checks_of_time = 4;                    // iterations between two looks at the clock
 
 }  // namespace
 
@@ -73,7 +77,23 @@ bool Island::has_work() const {
 // about as one over the number of trials (docs/algorithms/anytime.md).
 bool Island::is_hopeless() const {
   const double excess = candidate_->route().cost / best_cost_ - 1.0;
-  return candidate_->is_stalled() || excess * static_cast<double>(trials_) > hopeless_excess;
+  const double most = connector_.rule().is_length() ? hopeless_excess : hopeless_excess_with_prices;
+  return candidate_->is_stalled() || excess * static_cast<double>(trials_) > most;
+}
+
+// With prices searches find many routes of the kinds that were tried in vain.
+bool Island::is_known(const Route& route) const {
+  if (route.cost < best_cost_) return false;
+  return std::ranges::any_of(given_up_, [&](const Route& other) {
+    return route.cost > worth_a_try * other.cost && are_alike(route, other, connector_.radius());
+  });
+}
+
+void Island::give_up() {
+  candidate_.reset();
+  if (connector_.rule().is_length()) return;
+  if (given_up_.size() == remembered) given_up_.erase(given_up_.begin());
+  given_up_.push_back(std::move(raw_));
 }
 
 std::optional<Route> Island::search() {
@@ -94,7 +114,8 @@ std::optional<Route> Island::search() {
 bool Island::step() {
   if (!candidate_) {
     std::optional<Route> route = search();
-    if (!route) return false;
+    if (!route || is_known(*route)) return false;
+    if (!connector_.rule().is_length()) raw_ = *route;
     candidate_.emplace(connector_, *std::move(route), stream_seed(seed_, ++candidates_));
     trials_ = 0;
   } else {
@@ -106,7 +127,8 @@ bool Island::step() {
     best_cost_ = candidate_->route().cost;
     offer_ = candidate_->route();
   }
-  if (work_ != Work::refine && (won || is_hopeless())) candidate_.reset();
+  if (work_ != Work::refine && !won && is_hopeless()) give_up();
+  if (work_ != Work::refine && won) candidate_.reset();
   return won;
 }
 

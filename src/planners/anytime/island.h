@@ -60,6 +60,8 @@ class Island {
   bool step();
   std::optional<Route> search();
   [[nodiscard]] bool is_hopeless() const;
+  [[nodiscard]] bool is_known(const Route& route) const;
+  void give_up();
 
   const Task& task_;
   Bounds region_;
@@ -74,6 +76,8 @@ class Island {
   bool is_prepared_ = false;
   bool bound_is_final_ = false;
   std::optional<Shortener> candidate_;  // a route that may win yet
+  Route raw_;                           // the candidate as it was found
+  std::vector<Route> given_up_;         // the last ones, as they were found
   std::optional<Route> offer_;          // a route that has won
   std::int64_t trials_ = 0;             // spent on the candidate
   double detoured_cost_;                // of the route that detours lead off

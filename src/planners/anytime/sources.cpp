@@ -20,6 +20,7 @@ constexpr std::size_t most_nodes = 300'000;  // of one search: some 30 MB
 constexpr double first_guide_side = 1.0;     // [vehicle widths]
 constexpr double fine_guide_side = 0.5;      // of all searches but the first
 constexpr double last_guide_side = 0.25;
+constexpr std::size_t last_coarse_level = 4;
 constexpr double slack = 1.05;                 // what shortening may yet take off a route
 constexpr std::array far_shares = {1.0, 0.4};  // of the attempts with trees, in turns
 constexpr std::int64_t first_patience = 256;   // samples
@@ -71,8 +72,7 @@ bool Ladder::step() {
     if (!guided_) next_guide();
     return false;
   }
-  if (!rule_.is_length() && cutoff_ < std::numeric_limits<double>::infinity())
-    return step_rotation();
+  if (takes_turns()) return step_rotation();
   if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_nodes) {
     if (level_ == 1 && guide_side_ > fine_guide_side / 2) {
       next_guide();
@@ -83,6 +83,12 @@ bool Ladder::step() {
   if (finished_) return false;
   lattice_->set_cutoff(slack * cutoff_);
   return !lattice_->is_exhausted() && lattice_->step();
+}
+
+// Where coarse searches found nothing there are no other kinds to look for.
+bool Ladder::takes_turns() const {
+  const bool is_known = cutoff_ < std::numeric_limits<double>::infinity();
+  return !rule_.is_length() && is_known && level_ <= last_coarse_level;
 }
 
 bool Ladder::step_rotation() {

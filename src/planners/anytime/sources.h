@@ -37,6 +37,7 @@ class Ladder {
   [[nodiscard]] std::size_t size() const;
 
  private:
+  [[nodiscard]] bool takes_turns() const;
   bool step_rotation();
   void next_search();
   void next_guide();
