@@ -13,6 +13,7 @@ constexpr double finest = 1.0 / 64;  // of the last one
 constexpr double most_cells = 1e8;   // along a side of a lattice
 constexpr double slack = 1e-5;       // of distances and bounds; more than the judge's [m]
 constexpr int work_of_step = 128;    // runs, and looks at what is near
+constexpr std::int64_t most_looks = 10'000'000;  // at what is near, on one lattice: some 100 MB
 
 /// Around both boxes.
 Bounds hull(const Bounds& a, const Bounds& b) {
@@ -112,6 +113,7 @@ bool Enclosure::advance(End end) {
 }
 
 bool Enclosure::step() {
+  if (rows_.looks() > most_looks) side_ = 0.0;
   if (side_ == 0.0 || is_proven_) return false;
   const std::int64_t last = floods_[start].work + floods_[goal].work + work_of_step;
   while (floods_[start].work + floods_[goal].work < last) {

@@ -51,7 +51,7 @@ void add_box(const Point& a, const Point& b, double y, double near, double& low,
 
 Disc widest_disc(const Footprint& body) noexcept {
   const double radius = std::min(body.half_width, (body.front + body.rear) / 2);
-  return {std::clamp(0.0, radius - body.rear, body.front - radius), radius};
+  return {std::max(radius - body.rear, std::min(0.0, body.front - radius)), radius};
 }
 
 Point centre_of(const Disc& disc, const Pose& pose) noexcept {
