@@ -41,8 +41,8 @@ struct Footprint {
 
 /// The least distance from the midpoint of the rear axle to the outline [m]: the midpoint stays
 /// that far from whatever the footprint does not touch. 0 for a vehicle without a rear overhang,
-/// whose rear axle is a side of its outline: no distance to obstacles follows, and `anytime` proves
-/// no more than on open ground (docs/algorithms/anytime.md).
+/// whose rear axle is a side of its outline. What `anytime` proves comes from a wider disc ahead of
+/// the axle then (docs/algorithms/anytime.md).
 [[nodiscard]] double inner_radius(const Footprint& footprint) noexcept;
 
 /// The four corners of the footprint of a vehicle at `pose`, in the frame of the pose [m],

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/trigonometry.h"
-
 namespace vandplan::search {
 namespace {
 
@@ -15,6 +13,7 @@ constexpr double finest = 1.0 / 64;  // of the last one
 constexpr double most_cells = 1e8;   // along a side of a lattice
 constexpr double slack = 1e-5;       // of distances and bounds; more than the judge's [m]
 constexpr int work_of_step = 128;    // runs, and looks at what is near
+constexpr std::int64_t most_looks = 10'000'000;  // at what is near, on one lattice: some 100 MB
 
 /// Around both boxes.
 Bounds hull(const Bounds& a, const Bounds& b) {
@@ -40,17 +39,11 @@ Bounds scene_of(const Surroundings& ground, const std::array<Point, 2>& ends) {
 // be moved, place by place, to the nearest point of a box around the scene, where nothing is near:
 // so what is connected at all is connected in that box, within the bounds.
 Enclosure::Enclosure(const Task& task) : task_(task) {
-  const Footprint body = footprint(task.vehicle);
-  const double radius = std::min(body.half_width, (body.front + body.rear) / 2);
-  const double ahead = std::clamp(0.0, radius - body.rear, body.front - radius);
-  disc_ = radius + task.least_margin;
-  const auto centre = [&](const Pose& pose) {
-    const auto [sin, cos] = base::sin_cos(pose.heading);
-    return Point{pose.x + ahead * cos, pose.y + ahead * sin};
-  };
-  ends_ = {centre(task.start), centre(task.goal)};
+  const Disc disc = widest_disc(footprint(task.vehicle));
+  disc_ = disc.radius + task.least_margin;
+  ends_ = {centre_of(disc, task.start), centre_of(disc, task.goal)};
   const Surroundings& ground = task.world->local();
-  const Bounds within = widened(ground.bounds, std::abs(ahead) + slack);
+  const Bounds within = widened(ground.bounds, std::abs(disc.ahead) + slack);
   const Bounds scene = widened(scene_of(ground, ends_), 3 * disc_);
   box_ = {std::max(within.x_min, scene.x_min), std::min(within.x_max, scene.x_max),
           std::max(within.y_min, scene.y_min), std::min(within.y_max, scene.y_max)};
@@ -120,6 +113,7 @@ bool Enclosure::advance(End end) {
 }
 
 bool Enclosure::step() {
+  if (rows_.looks() > most_looks) side_ = 0.0;
   if (side_ == 0.0 || is_proven_) return false;
   const std::int64_t last = floods_[start].work + floods_[goal].work + work_of_step;
   while (floods_[start].work + floods_[goal].work < last) {

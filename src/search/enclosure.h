@@ -28,9 +28,6 @@ class Enclosure {
   /// Goes on, some ten microseconds of work. False when there is no more to do.
   bool step();
 
-  /// Whether its cells are still large: it knows all walls, but not every gap that is too narrow.
-  [[nodiscard]] bool is_coarse() const noexcept { return side_ > disc_ / 6; }
-
   /// Proven: no path gets from the start to the goal.
   [[nodiscard]] bool is_proven() const noexcept { return is_proven_; }
 

@@ -3,11 +3,11 @@
 #pragma once
 // How far is it at least, around the obstacles? A proven bound, on lattices.
 //
-// The rear axle keeps `disc` away from every obstacle of the body, where `disc` is its least
-// distance to the outline of the footprint. A cell of a lattice is open unless every point of it is
-// nearer than that to something. So the axle stays in the open cells, and no path is shorter than
-// the shortest way through them, with any straight line and any turn at a corner. Kerbs are left
-// out.
+// The centre of a disc that the footprint holds keeps its radius away from every obstacle of the
+// body. A cell of a lattice is open unless every point of it is nearer than that to something. So
+// the centre stays in the open cells, and its way is no shorter than the shortest one through them,
+// with any straight line and any turn at a corner. Where it is not on the rear axle, but q ahead of
+// it, it goes at most sqrt(1 + q^2 / R^2) times as far. Kerbs are left out.
 
 #include <algorithm>
 #include <cstdint>
@@ -33,7 +33,7 @@ class Geodesic {
   bool step();
 
   /// Length of no path is below this [m].
-  [[nodiscard]] double bound() const { return std::min(bound_, longest_); }
+  [[nodiscard]] double bound() const { return std::min(bound_ / stretch_, longest_); }
 
  private:
   /// Open cells side by side, from the lattice line `begin` to `end`, by its row and its place
@@ -77,17 +77,18 @@ class Geodesic {
   void spread(const Point& root, double cost, const RunId& in, const RunId& from);
 
   const Task& task_;
-  Point from_, to_;  // [m]
-  double longest_;   // [m]
-  Bounds box_;       // paths up to that length stay in it
-  double disc_;
+  double longest_;     // [m]
+  double disc_;        // its radius and the margin [m]
+  double stretch_;     // the centre goes so much further than the rear axle
+  Point from_, to_;    // of the centre [m]
+  Bounds box_;         // paths up to that length keep the centre in it
   double side_ = 0.0;  // of a cell [m]
   OpenRows lattice_;
   Point goal_;  // this and all below in cells
   RunId goal_run_{};
   std::priority_queue<Node, std::vector<Node>, IsWorse> open_;
   std::unordered_map<std::int64_t, double> turn_costs_;  // least cost of a way to a corner
-  double bound_ = 0.0;                                   // [m]
+  double bound_ = 0.0;                                   // of the way of the centre [m]
   int work_ = 0;                                         // done in this step
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/trigonometry.h"
+
 namespace vandplan::search {
 namespace {
 
@@ -46,6 +48,16 @@ void add_box(const Point& a, const Point& b, double y, double near, double& low,
 }
 
 }  // namespace
+
+Disc widest_disc(const Footprint& body) noexcept {
+  const double radius = std::min(body.half_width, (body.front + body.rear) / 2);
+  return {std::max(radius - body.rear, std::min(0.0, body.front - radius)), radius};
+}
+
+Point centre_of(const Disc& disc, const Pose& pose) noexcept {
+  const auto [sin, cos] = base::sin_cos(pose.heading);
+  return {pose.x + disc.ahead * cos, pose.y + disc.ahead * sin};
+}
 
 OpenRows::OpenRows(const Task& task, const Bounds& box, double side, double near)
     : task_(&task),

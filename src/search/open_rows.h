@@ -15,6 +15,17 @@
 
 namespace vandplan::search {
 
+/// A disc that the footprint holds: its centre is so far ahead of the rear axle [m].
+struct Disc {
+  double ahead, radius;
+};
+
+/// As wide as the footprint, and its centre as near to the rear axle as may be.
+[[nodiscard]] Disc widest_disc(const Footprint& body) noexcept;
+
+/// Where the centre of a disc is.
+[[nodiscard]] Point centre_of(const Disc& disc, const Pose& pose) noexcept;
+
 /// A lattice over a box. Row 0 is the lowest, column 0 the leftmost.
 class OpenRows {
  public:

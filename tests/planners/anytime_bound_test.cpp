@@ -10,6 +10,7 @@
 #include "planners/anytime/open_ground.h"
 #include "search/geodesic.h"
 #include "support/cases.h"
+#include "support/draws.h"
 #include "support/problems.h"
 #include "vandplan/dubins.h"
 #include "vandplan/planner.h"
@@ -62,6 +63,44 @@ TEST(AnytimeBound, LetsTheAxleAsNearAsAShortRearOverhangDoes) {
   while (geodesic.step()) {
   }
   EXPECT_NEAR(geodesic.bound(), 12, 1e-9);  // straight past the wall
+}
+
+// The rear axle is at the end of the body: the disc that is led around the wall goes before it.
+TEST(AnytimeBound, SeesObstaclesWithoutARearOverhang) {
+  Vehicle truck;
+  truck.rear_overhang = 0.0;
+  const Problem problem =
+      problem_of({0, 0, 0}, {60, 0, 0}, {box(29, -40, 31, 20)}, {-200, 200, -200, 200}, truck);
+  const PlanResult result = run(problem);
+  expect_tight(result, 0.1);
+  EXPECT_GT(result.lower_bound, 1.1 * 60);
+}
+
+// Whichever disc is led around the obstacles: no path that a planner finds is shorter.
+TEST(AnytimeBound, IsBelowEveryPathOfVehiclesWithAnyOverhang) {
+  for_each_case(41, 150, [](Rng& rng) {
+    Vehicle vehicle;
+    vehicle.rear_overhang = chance(0.3, rng) ? 0 : uniform(0, 2, rng);
+    vehicle.width = uniform(1, 4, rng);
+    std::vector<Polygon> boxes;
+    for (int i = 0; i < 4; ++i) {
+      const double x = uniform(8, 30, rng);
+      const double y = uniform(-20, 10, rng);
+      boxes.push_back(box(x, y, x + uniform(0.1, 6, rng), y + uniform(1, 25, rng)));
+    }
+    const Problem problem =
+        problem_of({0, 0, uniform(-3, 3, rng)}, {45, uniform(-15, 15, rng), uniform(-3, 3, rng)},
+                   boxes, {-60, 100, -60, 60}, vehicle);
+    PlanOptions options;
+    options.budget.max_iterations = 3000;
+    const PlanResult result = plan(problem, options);
+    ASSERT_NE(result.status, PlanStatus::rejected) << result.reason;
+    if (!result.path) return;
+    search::Geodesic geodesic(problem.task(), result.cost * 1.5);
+    while (geodesic.step()) {
+    }
+    ASSERT_LE(geodesic.bound(), result.cost * (1 + 1e-9)) << as_code(boxes);
+  });
 }
 
 // Forward is free of charge, reverse is not: open ground knows the price of both ways.

@@ -97,6 +97,15 @@ TEST(Enclosure, KnowsVehiclesWhoseRearAxleIsAtTheirEnd) {
       is_closed(problem_of({0, 0, 0}, {60, 3, 1}, room({60, 0}, 15, 2.6), bounds, without_rear)));
 }
 
+TEST(Enclosure, KnowsVehiclesThatAreWiderThanLong) {
+  const Vehicle wide{.wheelbase = 0.3, .front_overhang = 0.1, .rear_overhang = 0.2, .width = 2};
+  const auto closed = [&](double gap) {
+    return is_closed(problem_of({0, 0, 0}, {60, 3, 1}, room({60, 0}, 15, gap), wide_bounds, wide));
+  };
+  EXPECT_TRUE(closed(0.55));
+  EXPECT_FALSE(closed(0.65));
+}
+
 TEST(Enclosure, KnowsTheMargin) {
   const Problem problem = problem_of({0, 0, 0}, {60, 3, 1}, room({60, 0}, 15, 3.0));
   EXPECT_FALSE(is_closed(task_with_margin(problem, 0.2)));

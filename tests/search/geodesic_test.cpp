@@ -32,6 +32,17 @@ TEST(Geodesic, IsTheDistanceWhereNothingIsInTheWay) {
   EXPECT_DOUBLE_EQ(bound_of(problem_of({0, 0, 0}, {30, 0, 0}, {box(10, 3, 20, 5)})), 30.0);
 }
 
+// The centre of the disc lies 1.275 m ahead of the rear axle, and may go further than that.
+TEST(Geodesic, AllowsForTheWayOfADiscAheadOfTheAxle) {
+  Vehicle truck;
+  truck.rear_overhang = 0.0;
+  const Bounds bounds = wide_bounds;
+  EXPECT_NEAR(bound_of(problem_of({0, 0, 0}, {30, 40, 0}, {}, bounds, truck)),
+              50 / std::hypot(1, disc / 7), 1e-6);
+  EXPECT_NEAR(bound_of(problem_of({0, 0, 0}, {30, 0, std::numbers::pi}, {}, bounds, truck)),
+              (30 - 2 * disc) / std::hypot(1, disc / 7), 1e-6);
+}
+
 // A disc around a wall with corners (14, 8) and (16, 8): two tangents, two arcs, the top.
 TEST(Geodesic, IsJustBelowTheWayOfADiscAroundAWall) {
   const double corner = std::hypot(14, 8);

@@ -20,8 +20,9 @@ namespace {
 constexpr std::size_t island_count = 6;
 constexpr int tidy_trials = 1000;
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
-constexpr std::int64_t coarse_looks = 64;         // in a round, on lattices that know all walls
-constexpr std::int64_t fine_looks = 4;            // and on those for narrow gaps
+constexpr int early_looks = 64;                   // for walls: most are found by then
+constexpr int looks_of_round = 32;                // as long as there were no more than these,
+constexpr int late_looks_of_round = 3;            // and from then on
 
 // An island, and its iterations in one round: none before its first one, so that what is cheap is
 // tried first; then until there is a route, and from then on.
@@ -70,6 +71,7 @@ class Run {
   Budget budget_;
   std::deque<Island> islands_;
   std::optional<search::Enclosure> enclosure_;
+  int looks_ = 0;  // for walls
   OpenGround open_ground_;
   std::optional<Route> best_;
   std::vector<Segment> segments_;  // of the best route, in the end
@@ -152,10 +154,8 @@ void Run::round() {
 // of iterations brings does not depend on them.
 void Run::look_for_walls() {
   if (!enclosure_) enclosure_.emplace(task_);
-  const std::int64_t looks = enclosure_->is_coarse() ? coarse_looks : fine_looks;
-  for (std::int64_t left = looks * growth(rounds_); left > 0; --left) {
-    if (budget_.is_interrupted() || !enclosure_->step()) return;
-  }
+  const int looks = looks_ < early_looks ? looks_of_round : late_looks_of_round;
+  for (int i = 0; i < looks && !budget_.is_interrupted() && enclosure_->step(); ++i) ++looks_;
 }
 
 // Among paths of the least length one with fewer gear changes, by a price of theirs that is next to
