@@ -55,7 +55,7 @@ bool Shortener::replace(std::size_t first, std::size_t last, std::span<const Leg
     for (const Leg& leg : stretch) {
       sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), driven);
     }
-    return sum + change_cost(rule, driven, gears.after);
+    return rule.is_length() ? sum : sum + change_cost(rule, driven, gears.after);
   };
   const double gain = cost(std::span(route_.legs).subspan(first, last - first)) - cost(trial_);
   if (gain < least_gain) return false;
