@@ -96,11 +96,13 @@ struct CostRule {
 /// How the vehicle drives just before or after a place, as far as it matters for what going on
 /// costs. A gear alone is a `Driven` whose curvature may be any.
 struct Driven {
-  Driven(GearSign sign = 0) : gear(sign) {}  // NOLINT(google-explicit-constructor)
-  Driven(GearSign sign, double curvature_there) : gear(sign), curvature(curvature_there) {}
+  static constexpr double any = std::numeric_limits<double>::quiet_NaN();
 
-  GearSign gear = 0;
-  std::optional<double> curvature = {};  ///< [1/m]; none: any, and turning the wheels is free
+  Driven(GearSign sign = 0, double curvature_there = any)  // NOLINT(google-explicit-constructor)
+      : gear(sign), curvature(curvature_there) {}
+
+  GearSign gear;
+  double curvature;  ///< [1/m]; `any`: turning the wheels is free
 };
 
 [[nodiscard]] CostRule cost_rule(const CostOptions& options);

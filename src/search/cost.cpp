@@ -28,22 +28,27 @@ Driven last_driven(const Piece& piece) {
 }
 
 double change_cost(const CostRule& rule, const Driven& from, const Driven& to) {
-  double cost = from.gear * to.gear < 0 ? rule.gear_change_cost : 0.0;
-  if (rule.curvature_change_cost > 0.0 && from.curvature && to.curvature) {
-    cost += rule.curvature_change_cost * std::abs(*to.curvature - *from.curvature);
-  }
-  return cost;
+  const double cost = from.gear * to.gear < 0 ? rule.gear_change_cost : 0.0;
+  if (rule.curvature_change_cost == 0.0) return cost;
+  const double change = std::abs(to.curvature - from.curvature);
+  return std::isnan(change) ? cost : cost + rule.curvature_change_cost * change;
 }
 
 double drive_cost(const CostRule& rule, std::span<const Segment> segments, Driven& driven) {
+  if (rule.is_length()) {  // nothing depends on what was driven
+    driven = segments.empty() ? driven : last_driven(segments.back());
+    return length(segments);
+  }
   double sum = 0.0;
   for (const Segment& segment : segments) {
     if (segment.length == 0.0) continue;
     const double size = std::abs(segment.length);
     const GearSign next = gear_of(segment);
     const double weight = next > 0 ? rule.forward_weight : rule.reverse_weight;
-    sum += change_cost(rule, driven, {next, segment.curvature}) + weight * size +
-           rule.curvature_change_cost * std::abs(segment.curvature_rate) * size;
+    sum += change_cost(rule, driven, {next, segment.curvature}) + weight * size;
+    if (segment.curvature_rate != 0.0) {
+      sum += rule.curvature_change_cost * std::abs(segment.curvature_rate) * size;
+    }
     driven = last_driven(segment);
   }
   return sum;

@@ -166,6 +166,8 @@ bool Lattice::shoot(const Entry& entry) {
 
 void Lattice::expand(std::int32_t id) {
   const Node node = nodes_[static_cast<std::size_t>(id)];
+  const bool is_length = connector_.rule().is_length();
+  const Driven before = driven_to(node);
   for (const double side : {1.0, 0.0, -1.0}) {
     for (const double direction : {1.0, -1.0}) {
       const double stretch = side == 0.0 ? straight_cells * cell_ : step_length_;
@@ -175,9 +177,10 @@ void Lattice::expand(std::int32_t id) {
       if (back) continue;
       Node next{advance(node.pose, segment), segment, 0.0, id};
       if (is_closed(key_of(next))) continue;
-      Driven last = driven_to(node);
+      Driven last = before;
       next.cost_to_come =
-          node.cost_to_come + drive_cost(connector_.rule(), std::span(&segment, 1), last);
+          node.cost_to_come +
+          (is_length ? stretch : drive_cost(connector_.rule(), std::span(&segment, 1), last));
       open(next);
     }
   }

@@ -51,7 +51,7 @@ double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) co
   for (const Leg& leg : legs) {
     sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), driven);
   }
-  return sum + change_cost(rule, driven, gears.after);
+  return rule.is_length() ? sum : sum + change_cost(rule, driven, gears.after);
 }
 
 // The legs that a trial would replace, and what it has to undercut.
