@@ -34,12 +34,12 @@ struct Plan {
   std::int64_t after_with_prices;  // looking for other kinds of path is worth more then
 };
 
-constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64, 128},
-                                                   {Work::search_from_start, 2, 64, 64, 128},
+constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64, 160},
+                                                   {Work::search_from_start, 2, 64, 64, 160},
                                                    {Work::random_trees, 0, 16, 32, 32},
-                                                   {Work::refine, 0, 0, 256, 128},
+                                                   {Work::refine, 0, 0, 256, 96},
                                                    {Work::bound, 0, 0, 2, 2},
-                                                   {Work::detours, 0, 0, 0, 128}}};
+                                                   {Work::detours, 0, 0, 0, 96}}};
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
