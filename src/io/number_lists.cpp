@@ -127,7 +127,7 @@ ShortenedText without_number_lists(std::string_view text) {
     if (prefix.empty()) {
       result.text += line;
     } else if (!goes_on) {
-      result.text += std::string(prefix) + mark_of(result.lists.size());
+      result.text += std::string(prefix) + '"' + mark_of(result.lists.size()) + '"';
       result.lists.push_back({std::string_view(begin, 0), number});
     }
     if (!prefix.empty()) {

@@ -26,7 +26,8 @@ struct NumberLists {
 
 /// A YAML text without its lists of numbers. It has as many lines as before.
 struct ShortenedText {
-  /// A scalar that is a mark, as `mark_of(0)`, stands for each of `lists`.
+  /// A scalar in quotes, `mark_of(0)` for the first, stands for each of `lists` on its line. Like a
+  /// list in brackets, and unlike a scalar without quotes, it ends where it ends.
   std::string text;
   std::vector<NumberLists> lists;
 };

@@ -60,7 +60,7 @@ class Events : public YAML::EventHandler {
                 const std::string& value) override {
     check_tag(mark, tag);
     if (!lists_.empty() && value.find(mark_of_lists) != std::string::npos) {
-      replay_lists(value, tag == "!");
+      replay_lists(value, tag == "!", line(mark));
     } else {
       builder_.scalar(value, tag == "!", line(mark));
     }
@@ -78,6 +78,8 @@ class Events : public YAML::EventHandler {
   }
   void OnMapEnd() override { builder_.end(); }
 
+  [[nodiscard]] bool all_lists_came() const { return replayed_ == lists_.size(); }
+
  private:
   static int line(const YAML::Mark& mark) { return mark.is_null() ? 1 : mark.line + 1; }
 
@@ -88,15 +90,18 @@ class Events : public YAML::EventHandler {
   }
 
   /// Those that a scalar stands for.
-  void replay_lists(const std::string& value, bool is_quoted) {
+  void replay_lists(const std::string& value, bool is_quoted, int line) {
     std::size_t number = 0;
     (void)std::from_chars(value.data() + 1, value.data() + value.size(), number);
-    if (is_quoted || value != mark_of(number)) throw MisplacedMark();
-    replay(lists_.at(number), builder_);
+    const bool is_mark = is_quoted && number < lists_.size() && value == mark_of(number);
+    if (!is_mark || lists_[number].line != line) throw MisplacedMark();
+    replay(lists_[number], builder_);
+    ++replayed_;
   }
 
   NodeBuilder& builder_;
   const std::vector<NumberLists>& lists_;
+  std::size_t replayed_ = 0;
 };
 
 /// `lists` are those that the text has marks for.
@@ -113,6 +118,7 @@ Document parse(const std::string& text, const std::vector<NumberLists>& lists,
     if (parser.HandleNextDocument(more)) {
       rest.fail(rest.finish().line, "begins a second document, expected one");
     }
+    if (!events.all_lists_came()) throw MisplacedMark();
   } catch (const YAML::Exception& error) {
     const int line = error.mark.is_null() ? 1 : error.mark.line + 1;
     builder.fail(line, "is not YAML (" + error.msg + "), expected keys and values");

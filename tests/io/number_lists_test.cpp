@@ -40,9 +40,9 @@ TEST(NumberLists, AreTakenOutOfTheText) {
   const ShortenedText shortened = without_number_lists(
       "name: a\nkerbs:\n  - [[0, 1], [-2.5e3, .5]]\r\n  - []\nbounds: [1,2]\nend: [1, b]");
   EXPECT_EQ(shortened.text,
-            "name: a\nkerbs:\n  - \1"
-            "0\n\nbounds: \1"
-            "1\nend: [1, b]");
+            "name: a\nkerbs:\n  - \"\1"
+            "0\"\n\nbounds: \"\1"
+            "1\"\nend: [1, b]");
   ASSERT_EQ(shortened.lists.size(), 2U);
   EXPECT_EQ(shortened.lists[0].lines, "  - [[0, 1], [-2.5e3, .5]]\r\n  - []\n");
   EXPECT_EQ(shortened.lists[0].line, 3);
@@ -79,6 +79,7 @@ TEST(NumberLists, MeanTheSameWhereALineIsPartOfSomethingElse) {
                                  "- [1]\n---\n- [2]\n",
                                  "a: \"\\x010\"\n",
                                  "a: \"\\x010\"\nb: [1]\n",
+                                 "- d: [1]\n  ...\n- [1]\n",
                                  "a: *b\nc: [1]\n",
                                  "a: !t\n  c: [1]\n",
                                  "a: |+\n  - [1]\n\n\nb: 1",
