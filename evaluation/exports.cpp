@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,6 +17,8 @@
 #include "evaluation/methods.h"
 #include "evaluation/options_json.h"
 #include "evaluation/report_json.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
 
 namespace vandplan::evaluation {
 namespace {
@@ -185,6 +188,18 @@ class OmplWriter {
   std::map<std::pair<std::string, std::string>, std::int64_t> planners_;
 };
 
+/// Writes one file into another, as everything is written that a user names.
+void copy_through(const std::string& from, const std::string& to) {
+  std::ifstream input(from, std::ios::binary);
+  FileWriter output(to);
+  std::string piece(std::size_t{1} << 20, '\0');
+  while (input.read(piece.data(), static_cast<std::streamsize>(piece.size())), input.gcount() > 0) {
+    output.write(std::string_view(piece).substr(0, static_cast<std::size_t>(input.gcount())));
+  }
+  if (input.bad()) throw InputError(from, "cannot read");
+  output.commit();
+}
+
 }  // namespace
 
 std::string runs_to_csv(Store& store) {
@@ -216,6 +231,7 @@ std::string runs_to_json(Store& store) {
 }
 
 void write_ompl_database(Store& store, const std::string& file) {
+  expect_writable(file);
   const std::string unfinished = file + ".new";
   std::filesystem::remove(unfinished);
   {
@@ -227,7 +243,8 @@ void write_ompl_database(Store& store, const std::string& file) {
       if (!is_profiled(run)) writer.add(run);
     transaction.commit();
   }
-  std::filesystem::rename(unfinished, file);
+  copy_through(unfinished, file);
+  std::filesystem::remove(unfinished);
 }
 
 }  // namespace vandplan::evaluation

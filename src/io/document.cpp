@@ -154,14 +154,14 @@ double Document::number(const Node& node) const {
   double value = 0.0;
   const std::string& text = scalar(node, "a number");
   const std::errc error = parse(text, value);
-  if (is_infinite_word(text) || (error == std::errc() && !std::isfinite(value))) {
+  if (error == std::errc() && std::isfinite(value)) return value;
+  if (is_infinite_word(text) || error == std::errc()) {
     fail(node, wrong_kind(node, "a finite number"));
   }
   if (error == std::errc::result_out_of_range) {
     fail(node, wrong_kind(node, "a number that fits a double"));
   }
-  if (error != std::errc()) fail(node, wrong_kind(node, "a number"));
-  return value;
+  fail(node, wrong_kind(node, "a number"));
 }
 
 std::int64_t Document::integer(const Node& node) const {

@@ -23,6 +23,8 @@ struct Node {
   struct Key {
     std::string text;
     int line = 0;
+
+    bool operator==(const Key&) const = default;
   };
 
   Kind kind = Kind::nothing;
@@ -31,6 +33,8 @@ struct Node {
   std::string text;         ///< of a scalar
   std::vector<Key> keys;    ///< of a map
   std::vector<Node> items;  ///< of a list, or the values of a map in the order of `keys`
+
+  bool operator==(const Node&) const = default;
 };
 
 /// A text as a tree of nodes.
@@ -121,6 +125,9 @@ class NodeBuilder {
 inline constexpr std::size_t largest_text = std::size_t{64} << 20;
 
 [[nodiscard]] Document parse_yaml(const std::string& text, const std::string& where);
+/// What `parse_yaml` gives, all of it by a parser of YAML, which takes many times as long for long
+/// lists.
+[[nodiscard]] Document parse_yaml_slowly(const std::string& text, const std::string& where);
 /// `first_line` is the number of the text's first line in its file.
 [[nodiscard]] Document parse_json(std::string_view text, const std::string& where, int first_line,
                                   const TakeElement& take);

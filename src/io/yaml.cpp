@@ -10,10 +10,14 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 
 #include "base/escape.h"
 #include "io/document.h"
+#include "io/number_lists.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {
@@ -35,9 +39,16 @@ void check_characters(std::string_view text, const NodeBuilder& builder) {
   }
 }
 
+/// A mark of lists of numbers is not where those lists would be a value of their own.
+class MisplacedMark : public std::runtime_error {
+ public:
+  MisplacedMark() : std::runtime_error("lists of numbers within a scalar") {}
+};
+
 class Events : public YAML::EventHandler {
  public:
-  explicit Events(NodeBuilder& builder) : builder_(builder) {}
+  Events(NodeBuilder& builder, const std::vector<NumberLists>& lists)
+      : builder_(builder), lists_(lists) {}
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -48,7 +59,11 @@ class Events : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
                 const std::string& value) override {
     check_tag(mark, tag);
-    builder_.scalar(value, tag == "!", line(mark));
+    if (!lists_.empty() && value.find(mark_of_lists) != std::string::npos) {
+      replay_lists(value, tag == "!", line(mark));
+    } else {
+      builder_.scalar(value, tag == "!", line(mark));
+    }
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
                        YAML::EmitterStyle::value) override {
@@ -63,6 +78,8 @@ class Events : public YAML::EventHandler {
   }
   void OnMapEnd() override { builder_.end(); }
 
+  [[nodiscard]] bool all_lists_came() const { return replayed_ == lists_.size(); }
+
  private:
   static int line(const YAML::Mark& mark) { return mark.is_null() ? 1 : mark.line + 1; }
 
@@ -72,29 +89,67 @@ class Events : public YAML::EventHandler {
     builder_.fail(line(mark), "has a tag (!name), expected the value alone");
   }
 
+  /// Those that a scalar stands for.
+  void replay_lists(const std::string& value, bool is_quoted, int line) {
+    std::size_t number = 0;
+    (void)std::from_chars(value.data() + 1, value.data() + value.size(), number);
+    const bool is_mark = is_quoted && number < lists_.size() && value == mark_of(number);
+    if (!is_mark || lists_[number].line != line) throw MisplacedMark();
+    replay(lists_[number], builder_);
+    ++replayed_;
+  }
+
   NodeBuilder& builder_;
+  const std::vector<NumberLists>& lists_;
+  std::size_t replayed_ = 0;
 };
 
-}  // namespace
-
-Document parse_yaml(const std::string& text, const std::string& where) {
+/// `lists` are those that the text has marks for.
+Document parse(const std::string& text, const std::vector<NumberLists>& lists,
+               const std::string& where) {
   NodeBuilder builder(where);
-  check_characters(text, builder);
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    Events events(builder);
+    Events events(builder, lists);
     if (!parser.HandleNextDocument(events)) builder.fail(1, "is empty, expected keys and values");
     NodeBuilder rest(where);
-    Events more(rest);
+    Events more(rest, lists);
     if (parser.HandleNextDocument(more)) {
       rest.fail(rest.finish().line, "begins a second document, expected one");
     }
+    if (!events.all_lists_came()) throw MisplacedMark();
   } catch (const YAML::Exception& error) {
     const int line = error.mark.is_null() ? 1 : error.mark.line + 1;
     builder.fail(line, "is not YAML (" + error.msg + "), expected keys and values");
   }
   return {where, builder.finish()};
+}
+
+/// What a text says, if all of its lists of numbers stand where they look like standing, and
+/// nothing is wrong.
+std::optional<Document> parse_shortened(const std::string& text, const std::string& where) {
+  try {
+    const ShortenedText shortened = without_number_lists(text);
+    return parse(shortened.text, shortened.lists, where);
+  } catch (const MisplacedMark&) {
+    return std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+Document parse_yaml(const std::string& text, const std::string& where) {
+  check_characters(text, NodeBuilder(where));
+  if (std::optional<Document> document = parse_shortened(text, where)) return *std::move(document);
+  return parse(text, {}, where);
+}
+
+Document parse_yaml_slowly(const std::string& text, const std::string& where) {
+  check_characters(text, NodeBuilder(where));
+  return parse(text, {}, where);
 }
 
 }  // namespace vandplan::io

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,20 @@ TEST_F(Exports, CsvHasNoFormula) {
   EXPECT_NE(csv.find("\n\"'=1+1, \"\"a\"\"\",0,rrt-bsc-euc,bounds,77,solved,'@SUM(A1),100,"),
             std::string::npos)
       << csv;
+}
+
+TEST_F(Exports, AnOmplDatabaseGoesWhereALinkLeads) {
+  const std::string link = folder_ / "link.db";
+  std::filesystem::create_symlink("target.db", link);
+  for (int time = 0; time < 2; ++time) {  // leads to nothing, then to a database
+    write_ompl_database(store_, link);
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    Database database(folder_ / "target.db", Database::Mode::read);
+    Statement rows(database, "SELECT count(*) FROM experiments");
+    ASSERT_TRUE(rows.step());
+    EXPECT_NE(rows.text(0), "0");
+    EXPECT_FALSE(std::filesystem::exists(link + ".new"));
+  }
 }
 
 // ---- What Planner Arena 1.5 reads (its server.R), as SQL ----

@@ -78,6 +78,9 @@ TEST(World, HasOneCheckerForEachVehicle) {
   const auto world = mapped_world();
   EXPECT_EQ(world->checker(truck), world->checker(truck));
   EXPECT_NE(world->checker(truck), world->checker(car));
+  Vehicle longer = truck;
+  longer.front_overhang += 1;
+  EXPECT_NE(world->checker(truck), world->checker(longer));
   const Problem first = make_problem(world, truck, {10, 10, 0}, {20, 20, 0});
   const Problem second = make_problem(world, truck, {30, 10, 0}, {20, 20, 0});
   EXPECT_EQ(first.task().checker, second.task().checker);

@@ -93,6 +93,46 @@ TEST(WordsInBox, ArcsAreAroundThoseOfEveryPairWhereCirclesCoincide) {
   EXPECT_GT(several, cases(1000));  // or the test says nothing
 }
 
+/// A box anywhere, up to a third of all pairs wide.
+PairBox any_box(Rng& rng) {
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double middle = uniform(0.0, k == 0 ? 0.9 : 1.0, rng);
+    const double half = any_size(1e-4, 0.17, rng);
+    low[k] = std::max(0.0, middle - half);
+    high[k] = std::min(k == 0 ? 0.9 : 1.0, middle + half);
+  }
+  return box_between(low, high);
+}
+
+TEST(WordsInBox, SlopesLeadFromTheCentreToEveryPair) {
+  Rng rng(4);
+  int bounded = 0;
+  for (int i = 0; i < cases(2000); ++i) {
+    const PairBox box = any_box(rng);
+    const Excess excess = excess_over(box, WordSet().set());
+    bounded += excess.bounded ? 1 : 0;
+    for (int k = 0; k < 20 && excess.bounded; ++k) {
+      double low = excess.at_centre;
+      double high = excess.at_centre;
+      std::array<double, 3> pair{};
+      const std::array<Interval, 3> ranges{box.radial, box.side, box.turn};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        pair[axis] = inside(ranges[axis], rng);
+        const double away = pair[axis] - (ranges[axis].low + ranges[axis].high) / 2;
+        const Interval slope = excess.slopes[axis];
+        low += std::min(slope.low * away, slope.high * away);
+        high += std::max(slope.low * away, slope.high * away);
+      }
+      const double truth = excess_at(pair[0], pair[1], pair[2]);
+      ASSERT_GE(truth, low - 3 * margin) << "case " << i;
+      ASSERT_LE(truth, high + 3 * margin) << "case " << i;
+    }
+  }
+  EXPECT_GT(bounded, cases(1000));  // or the test says nothing
+}
+
 // Extended precision, by the table of docs/algorithms/steering.md: coordinates as the box has them.
 struct Precise {
   long double distance, tangent, tilt;
