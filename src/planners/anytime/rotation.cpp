@@ -30,10 +30,10 @@ constexpr std::int64_t first_turn = 256;     // expansions
 constexpr std::int64_t first_of_all = 1024;  // the coarsest search begins with more
 constexpr std::size_t most_nodes = 100'000;  // of one search
 
-CostRule priced(const CostRule& rule, double price) {
-  if (price == 0.0) return {1.0, 1.0, 0.0, rule.initial_gear};
-  return {rule.forward_weight, rule.reverse_weight, price * rule.gear_change_cost,
-          rule.initial_gear};
+CostRule priced(CostRule rule, double price) {
+  if (price == 0.0) return {.initial_gear = rule.initial_gear};
+  rule.gear_change_cost *= price;
+  return rule;
 }
 
 }  // namespace
