@@ -30,10 +30,10 @@ constexpr std::int64_t first_turn = 256;     // expansions
 constexpr std::int64_t first_of_all = 1024;  // the coarsest search begins with more
 constexpr std::size_t most_nodes = 100'000;  // of one search
 
-CostRule priced(const CostRule& rule, double price) {
-  if (price == 0.0) return {1.0, 1.0, 0.0, rule.initial_gear};
-  return {rule.forward_weight, rule.reverse_weight, price * rule.gear_change_cost,
-          rule.initial_gear};
+CostRule priced(CostRule rule, double price) {
+  if (price == 0.0) return {.initial_gear = rule.initial_gear};
+  rule.gear_change_cost *= price;
+  return rule;
 }
 
 }  // namespace
@@ -47,22 +47,22 @@ Rotation::Rotation(const Task& task, const CostRule& rule, const Pose& root, con
   current_ = joined_ - 1;
 }
 
-// The next search that is not done; false if there is none.
+// The next search that is not done; false if there is none. One more joins each time around.
 bool Rotation::begin_turn() {
-  for (std::size_t tried = 0; tried <= searches_.size(); ++tried) {
+  for (std::size_t tried = 0; tried < 2 * searches_.size(); ++tried) {
     if (++current_ >= joined_) {
       current_ = 0;
-      if (tried > 0 || left_ == 0) turn_ = turn_ * 3 / 2;
+      turn_ = turn_ * 3 / 2;
       joined_ = std::min(joined_ + 1, searches_.size());
     }
     Search& search = *searches_[current_];
     if (search.done) continue;
+    left_ = turn_;
     if (!search.lattice) {
       search.lattice = std::make_unique<Lattice>(root_, target_, styles[current_].lattice, guide_,
                                                  search.connector);
+      if (current_ == 0) left_ = first_of_all;
     }
-    left_ = current_ == 0 && !search.began ? first_of_all : turn_;
-    search.began = true;
     return true;
   }
   finished_ = true;

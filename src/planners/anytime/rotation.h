@@ -38,7 +38,6 @@ class Rotation {
     Search(const Task& task, const CostRule& rule) : connector(task, rule) {}
     Connector connector;
     std::unique_ptr<Lattice> lattice;  // null before its first turn and when it is done
-    bool began = false;
     bool done = false;
   };
 
