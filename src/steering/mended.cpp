@@ -100,7 +100,7 @@ Changes least_change(const Chain& chain, const Driven& driven, const Vector& mis
   return change;
 }
 
-/// Changes the lengths; what would become shorter than nothing is left out.
+/// Changes the lengths; what would become nothing, or shorter, is left out.
 Chain changed(const Chain& chain, const Changes& change) {
   Chain result;
   for (std::size_t s = 0; s < chain.count; ++s) {
@@ -134,6 +134,7 @@ std::optional<Chain> mended(const Pose& from, const Pose& to, const Chain& chain
     if (trial.count == 0 || square == 0.0) break;
     trial = changed(trial, least_change(trial, driven, off));
   }
+  if (best) best = changed(*best, Changes{});
   return best;
 }
 

@@ -146,8 +146,8 @@ TEST(PlannerOptions, ARunWithoutALimitTakesTheDefaultTime) {
 
 TEST(PlannerOptions, AnUnknownNameListsTheKnownOnes) {
   const std::string expected =
-      "gaol_bias: unknown option, expected one of seed, time_limit, max_iterations, region, "
-      "goal_bias, max_nodes, max_parents, try_goal, keep_tree, profile";
+      "gaol_bias: unknown option, expected one of seed, time_limit, max_iterations, margin, "
+      "margin_ramp, region, goal_bias, max_nodes, max_parents, try_goal, keep_tree, profile";
   EXPECT_EQ(message_of_setting("rrt-bsc-euc", "gaol_bias", "0.1"), expected);
   EXPECT_EQ(message_of_completing("rrt-bsc-euc", with("gaol_bias", 0.1)), expected);
 }

@@ -22,14 +22,15 @@ std::size_t allocated = 0;  // bytes, since the program began
 
 }  // namespace
 
-// What is built anew takes memory: these count it.
-void* operator new(std::size_t size) {
+// What is built anew takes memory: these count it. Inlined alone, they look to g++ as if they did
+// not belong together.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   allocated += size;
   if (void* const memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace vandplan {
 namespace {

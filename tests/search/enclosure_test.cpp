@@ -108,8 +108,8 @@ TEST(Enclosure, KnowsVehiclesThatAreWiderThanLong) {
 
 TEST(Enclosure, KnowsTheMargin) {
   const Problem problem = problem_of({0, 0, 0}, {60, 3, 1}, room({60, 0}, 15, 3.0));
-  EXPECT_FALSE(is_closed(task_with_margin(problem, 0.2)));
-  EXPECT_TRUE(is_closed(task_with_margin(problem, 0.4)));
+  EXPECT_FALSE(is_closed(task_of(problem, {.margin = 0.2})));
+  EXPECT_TRUE(is_closed(task_of(problem, {.margin = 0.4})));
 }
 
 TEST(Enclosure, LetsBodiesSwingOverKerbs) {
@@ -166,7 +166,8 @@ void expect_open_beside_a_drive(Rng& rng) {
   const double margin = chance(0.3, rng) ? uniform(0, 0.5, rng) : 0;
   std::vector<Polygon> boxes;
   const auto try_box = [&](const Polygon& b) {
-    const CollisionChecker checker(vehicle, {.bounds = wide_bounds, .obstacles = {b}}, margin);
+    const CollisionChecker checker(vehicle, {.bounds = wide_bounds, .obstacles = {b}},
+                                   {.wanted = margin});
     if (!checker.is_free(path.start, path.segments)) return false;
     boxes.push_back(b);
     return true;
@@ -178,7 +179,7 @@ void expect_open_beside_a_drive(Rng& rng) {
     while (size > 0.02 && !try_box(box(x, y, x + size, y + any_size(0.1, size, rng)))) size *= 0.8;
   }
   const Problem problem = problem_of(path.start, end, boxes, wide_bounds, vehicle);
-  ASSERT_FALSE(is_closed(task_with_margin(problem, margin))) << as_code(path) << as_code(boxes);
+  ASSERT_FALSE(is_closed(task_of(problem, {.margin = margin}))) << as_code(path) << as_code(boxes);
 }
 
 TEST(Enclosure, IsNeverProvenBesideADrive) { for_each_case(31, 300, expect_open_beside_a_drive); }
