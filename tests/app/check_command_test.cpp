@@ -170,10 +170,10 @@ TEST_F(CheckCommand, TheRuleOfTheCostIsRead) {
 TEST_F(CheckCommand, ThePriceOfTurningTheWheelsIsRead) {
   Json result = drive_ahead();
   result["path"]["segments"] = {{{"turn", "straight"}, {"length", 5}},
-                                {{"turn", "left"}, {"length", 1}},
-                                {{"turn", "left"}, {"length", -1}}};
+                                {{"turn", "left"}, {"length", -1}},
+                                {{"turn", "left"}, {"length", 1}}};
   result["length"] = 7;
-  result["gear_changes"] = 1;
+  result["gear_changes"] = 2;
   result["options"] = {{"curvature_change_cost", 14}};
   result["cost"] = 7 + 14 / 7;
   EXPECT_EQ(check(result).status, 0);

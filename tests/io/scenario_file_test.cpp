@@ -300,7 +300,7 @@ std::vector<BadFile> bad_files() {
              "rear_overhang, width, min_turning_radius, max_steering_angle, track_width"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, map, unknown"),
+             "goal, goals, obstacles, kerbs, map, unknown, options"),
       spoilt("name: yard\n", "", "1: key \"name\" is missing, expected it"),
       spoilt("width: 2.55, ", "", "3: vehicle: key \"width\" is missing, expected it"),
       spoilt("  y: 5.25   # metres\n", "", "7: goal: key \"y\" is missing, expected it"),
@@ -308,7 +308,7 @@ std::vector<BadFile> bad_files() {
              "1: key \"goal\" is missing, expected either goal or goals"),
       spoilt("goal:", "gaol:",
              "6: unknown key \"gaol\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, map, unknown"),
+             "goal, goals, obstacles, kerbs, map, unknown, options"),
       spoilt("heading: .5", "y: 6",
              "9: key \"y\" is given again, expected it once (first on line 8)"),
       spoilt("start:", "map: yard.yaml\nstart:",
@@ -358,11 +358,13 @@ std::vector<BadFile> bad_files() {
       spoilt("bounds:", "options: [margin]\nbounds:",
              "4: options: is no map, expected options by their names"),
       spoilt("bounds:", "options: {margin: -1}\nbounds:",
-             "4: options.margin: is -1, expected a number from 0 to 1000 [m]"),
+             "4: options.margin: -1 is not a number from 0 to 1000 [m]"),
       spoilt("bounds:", "options: {margin: [1]}\nbounds:",
              "4: options.margin: is a list, expected a text"),
       spoilt("bounds:", "options: {margn: 1}\nbounds:",
-             "4: options.margn: unknown option, expected one of seed"),
+             "4: options.margn: unknown option, expected one of seed, time_limit, max_iterations, "
+             "threads, target_gap, reverse_weight, gear_change_cost, curvature_change_cost, "
+             "initial_gear, margin, margin_ramp, region, min_stroke"),
       spoilt("bounds:", "options: {seed: 7}\nbounds:",
              "4: options.seed: is an option of the budget, expected one of what is planned: --set "
              "seed=7"),
