@@ -124,17 +124,24 @@ std::vector<Point> swept(const Footprint& body, const Pose& from, const Pose& to
   return hull;
 }
 
+// Metres between two poses whose footprints are joined to draw what is swept.
+double fine_step(const Scene& scene) {
+  return std::max(scene.vehicle.min_turning_radius / 8, length(scene.path->segments) / 5000);
+}
+
+void add_swept(cairo_t* cairo, const View& view, const Footprint& body, const Stroke& part) {
+  for (std::size_t i = 1; i < part.poses.size(); ++i) {
+    add_polygon(cairo, view, swept(body, part.poses[i - 1], part.poses[i]));
+  }
+}
+
 // All that is within the margin of what the vehicle sweeps, as one translucent area.
 void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
   const Footprint body = footprint(scene.vehicle);
-  const double fine =
-      std::max(scene.vehicle.min_turning_radius / 8, length(scene.path->segments) / 5000);
   cairo_push_group(cairo);
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-  for (const Stroke& part : strokes_of(*scene.path, fine)) {
-    for (std::size_t i = 1; i < part.poses.size(); ++i) {
-      add_polygon(cairo, view, swept(body, part.poses[i - 1], part.poses[i]));
-    }
+  for (const Stroke& part : strokes_of(*scene.path, fine_step(scene))) {
+    add_swept(cairo, view, body, part);
     set_colour(cairo, colour::margin, 1.0);
     cairo_fill_preserve(cairo);
     stroke(cairo, 2 * scene.margin * view.scale, colour::margin, 1.0);
@@ -148,11 +155,8 @@ void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
 void paint_sweep(cairo_t* cairo, const Scene& scene, const View& view) {
   const Footprint body = footprint(scene.vehicle);
   const double total = length(scene.path->segments);
-  const double fine = std::max(scene.vehicle.min_turning_radius / 8, total / 5000);
-  for (const Stroke& part : strokes_of(*scene.path, fine)) {
-    for (std::size_t i = 1; i < part.poses.size(); ++i) {
-      add_polygon(cairo, view, swept(body, part.poses[i - 1], part.poses[i]));
-    }
+  for (const Stroke& part : strokes_of(*scene.path, fine_step(scene))) {
+    add_swept(cairo, view, body, part);
     set_colour(cairo, colour_of_gear(part.direction), 0.13);
     cairo_fill(cairo);
   }

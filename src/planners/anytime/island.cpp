@@ -42,7 +42,7 @@ void Island::prepare() {
     case Work::random_trees:  // [2]
       attempts_.emplace(task_, rule, region_, stream_seed(seed_, 0));
       break;
-    case Work::detours:  // [8]
+    case Work::detours:  // [6b]
       detours_.emplace(task_, rule, stream_seed(seed_, 0));
       break;
     case Work::bound:  // [7]
