@@ -92,21 +92,9 @@ Placement PlacedSegment::at(double driven) const noexcept {
 }
 
 PlacedSegment PlacedSegment::part(double begin, double last) const noexcept {
-  PlacedSegment result = *this;
-  result.from = at(begin);
-  result.to = at(last);
   const double gear = dot(forward, from.heading) < 0 ? -1 : 1;
   const double side = cross(from.heading, left) < 0 ? -1 : 1;
-  const Point& heading = result.from.heading;
-  result.forward = {gear * heading.x, gear * heading.y};
-  result.left = {-side * heading.y, side * heading.x};
-  result.length = last - begin;
-  result.turn = result.length * curvature;
-  const Turned whole = turned(result.length, curvature);
-  result.sin = whole.sin;
-  result.cos = whole.cos;
-  result.end = whole.end;
-  return result;
+  return {at(begin), Segment{side * curvature, gear * (last - begin)}};
 }
 
 Placement PlacedSegment::placed(double sin_of_turn, double cos_of_turn,
