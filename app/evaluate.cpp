@@ -265,6 +265,9 @@ void add_options_of_campaign(CLI::App& command, EvaluateArguments& arguments) {
 void add_evaluate(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand(
       "evaluate", "Compare planners on scenarios: run, keep every run, report.");
+  command->footer(
+      "All plan the shortest path, whatever scenarios want, unless --set says otherwise: --set\n"
+      "style=driver for those planners that know prices.");
   const auto arguments = std::make_shared<EvaluateArguments>();
   add_options_of_campaign(*command, *arguments);
   add_options_of_output(*command, *arguments);

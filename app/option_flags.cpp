@@ -126,7 +126,10 @@ PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_
                         const std::vector<TypedOption>& typed) {
   PlanOptions options;
   set_honoured(options, planner, wanted_by_file);
-  for (const TypedOption& given : typed) {
+  std::vector<TypedOption> in_order = typed;  // what is given beside a style wins
+  std::ranges::stable_partition(in_order,
+                                [](const TypedOption& given) { return given.option == "style"; });
+  for (const TypedOption& given : in_order) {
     try {
       set_option(options, planner, given.option, given.value);
     } catch (const InputError& error) {
@@ -137,7 +140,9 @@ PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_
 }
 
 std::string help_on_common_options() {
-  std::string help;
+  std::string help = line_of({"style", "driver",
+                              "driver: the prices below; shortest: the length alone; what is set "
+                              "beside it wins"});
   for (const CommonOption& option : common_options()) help += line_of(text_of(option));
   return help;
 }

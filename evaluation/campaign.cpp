@@ -193,7 +193,7 @@ std::vector<RunSpec> runs_of(const Campaign& campaign) {
 }
 
 PlanOptions options_of(const Campaign& campaign, const Planner& planner) {
-  PlanOptions options;
+  PlanOptions options{.cost = shortest_style};
   set_honoured(options, planner, campaign.settings);
   return complete(planner, options);
 }

@@ -115,20 +115,19 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   PlanOptions shown = run.options;
   shown.budget.time_limit.reset();
   shown.budget.max_iterations = run.result.iterations;
-  std::map<std::string, std::string> defaults;
-  for (const auto& [name, value] : option_values({})) defaults[name] = value;
   const auto planner = std::ranges::find(planners(), run.planner, &Planner::name);
   const bool is_ours = planner != planners().end();
-  if (is_ours)
-    for (const OptionInfo& option : planner->options) {
-      PlanOptions standard;
-      standard.planner.set(option.name, option.standard);
-      defaults[option.name] = option_values(standard).back().second;
-    }
+  PlanOptions usual = is_ours ? complete(*planner, {}) : PlanOptions{};
+  usual.budget = {};
+  const bool has_style = is_ours && planner->properties.honours_prices && is_length(shown.cost);
+  if (has_style) usual.cost = shortest_style;
+  std::map<std::string, std::string> defaults;
+  for (const auto& [name, value] : option_values(usual)) defaults[name] = value;
   std::string command =
       fmt::format("{}{} --planner {} --seed {}", is_ours ? "vandplan plan " : "(your own planner) ",
                   base::shell_file(report.files[run.scenario].file), base::shell_word(run.planner),
                   run.options.budget.seed);
+  if (has_style) command += flag("style", "shortest");
   for (const auto& [name, value] : option_values(shown)) {
     const auto standard = defaults.find(name);
     if (name == "profile" || (standard != defaults.end() && standard->second == value)) continue;

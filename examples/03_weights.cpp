@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// How do I make reversing and changing gear dear?
+// How do I say what driving costs: the length alone, what a driver minds, or prices of my own?
 
 #include <vandplan/planner.h>
 
@@ -33,9 +33,10 @@ int main() {
   road.obstacles = {{{-60, 8}, {60, 8}, {60, 10}, {-60, 10}},
                     {{-60, -10}, {60, -10}, {60, -8}, {-60, -8}}};
 
-  const auto by_length = planned(road, {});
+  const auto by_length = planned(road, vandplan::shortest_style);
+  const auto by_driver = planned(road, vandplan::driver_style);  // the default
   const auto by_price = planned(road, {.reverse_weight = 5, .gear_change_cost = 10});
-  if (!by_length.path || !by_price.path) return 1;
+  if (!by_length.path || !by_driver.path || !by_price.path) return 1;
   const bool is_longer = by_price.check->length >= by_length.check->length - 1e-6;
   const bool reverses_less =
       by_price.check->reverse_length <= by_length.check->reverse_length + 1e-6;

@@ -251,7 +251,7 @@ Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool o
 }
 
 Outcome run_ours(const Problem& problem, std::uint64_t seed, double seconds, Region region) {
-  PlanOptions options;
+  PlanOptions options{.cost = shortest_style};
   options.budget.seed = seed;
   options.budget.time_limit = seconds;
   options.planner.set("region", region == Region::scene ? "scene" : "bounds");

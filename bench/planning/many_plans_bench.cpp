@@ -149,7 +149,7 @@ int run(int argc, char** argv) {
     return 0;
   }
   const int threads = std::atoi(argv[2]);
-  PlanOptions options;
+  PlanOptions options{.cost = shortest_style};
   options.budget.time_limit = std::atof(argv[3]);
   const Outcome best = plan_all(problems, options, threads);
   std::printf(

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "vandplan/path.h"
+#include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
 namespace vandplan {
@@ -23,25 +24,12 @@ struct StatedPose {
   std::optional<int> direction = {};     ///< 1 forward, -1 reverse
 };
 
-/// What somebody says that a path costs: its length, with a weight for metres in reverse and prices
-/// for gear changes and for turning the wheels.
+/// What somebody says that a path costs.
 struct StatedCost {
-  double cost = 0.0;                   ///< [m]
-  double reverse_weight = 1.0;         ///< of a metre in reverse
-  double gear_change_cost = 0.0;       ///< of one gear change [m]
-  double curvature_change_cost = 0.0;  ///< of total variation of curvature [m per 1/m]
-  int initial_direction = 0;           ///< before the start: 1 forward, -1 reverse, 0 any
-  std::optional<double> bound = {};    ///< no path costs less [m]
-  std::optional<double> gap = {};      ///< cost / bound - 1
-};
-
-/// How far somebody says that a path stays from things: the footprint from obstacles and the map,
-/// the wheels from kerbs. Of the ends of the path one with a clearance c below the margin has a
-/// ramp: with the rear axle d < `ramp` metres from it, c + (margin - c) d / ramp is enough, less a
-/// millimetre.
-struct StatedMargin {
-  double margin = 0.0;  ///< [m]
-  double ramp = 0.0;    ///< [m]; 0: the margin is kept everywhere
+  double cost = 0.0;                 ///< [m]; what being near things adds is believed to 1e-3 of it
+  CostOptions rule = {};             ///< by which it is worked out
+  std::optional<double> bound = {};  ///< no path costs less [m]
+  std::optional<double> gap = {};    ///< cost / bound - 1
 };
 
 /// What somebody says about a path; whatever is stated is checked. A bound is not proven again, but
@@ -50,7 +38,9 @@ struct PathClaims {
   std::optional<double> length = {};  ///< [m]
   std::optional<int> gear_changes = {};
   std::optional<StatedCost> cost = {};
-  std::optional<StatedMargin> margin = {};
+  /// How far the path stays from things: the footprint from obstacles and the map, the wheels from
+  /// kerbs; less a millimetre on the ramps, which begin at the ends of the path.
+  ClearanceOptions clearance = {};
   /// From end to end, at most 0.1 m apart, in the frame of the path; none: nothing is said.
   std::vector<StatedPose> poses = {};
 };

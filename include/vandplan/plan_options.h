@@ -38,14 +38,35 @@ inline constexpr double default_time_limit = 1.0;
 /// What the vehicle drove last before it stands at the start.
 enum class InitialGear { any, forward, reverse };
 
-/// What driving costs; neutral values make the cost the length.
+/// What driving costs. What is not set costs what it does for a driver; `shortest_style` makes the
+/// cost the length.
 struct CostOptions {
-  double reverse_weight = 1.0;                  ///< cost of a metre in reverse [m]; [1, 1000]
-  double gear_change_cost = 0.0;                ///< cost of one gear change [m]; [0, 10000]
-  double curvature_change_cost = 0.0;           ///< of turning the wheels [m per 1/m]; [0, 10000]
+  double reverse_weight = 2.0;         ///< cost of a metre in reverse [m]; [1, 1000]
+  double gear_change_cost = 5.0;       ///< cost of one gear change [m]; [0, 10000]
+  double curvature_change_cost = 5.0;  ///< of turning the wheels [m per 1/m]; [0, 10000]
+  /// A metre costs 1 + clearance_weight * max(0, 1 - clearance / clearance_distance) times as much,
+  /// where the clearance is that of the body from obstacles, of the wheels from kerbs.
+  double clearance_weight = 2.0;                ///< [0, 1000]
+  double clearance_distance = 1.0;              ///< [m]; [0.01, 1000]
   InitialGear initial_gear = InitialGear::any;  ///< driven before the start; any: free choice
   bool operator==(const CostOptions&) const = default;
 };
+
+/// What a driver minds: reversing, changing gear, turning the wheels, driving close to things.
+/// docs/algorithms/anytime.md gives the reasons for each figure.
+inline constexpr CostOptions driver_style = {};
+
+/// The cost is the length and nothing else.
+inline constexpr CostOptions shortest_style = {.reverse_weight = 1.0,
+                                               .gear_change_cost = 0.0,
+                                               .curvature_change_cost = 0.0,
+                                               .clearance_weight = 0.0};
+
+/// Whether the cost of every path is its length.
+[[nodiscard]] bool is_length(const CostOptions& cost);
+
+/// "driver" or "shortest", without regard to `initial_gear`. Throws InputError for another name.
+[[nodiscard]] CostOptions style_named(std::string_view name);
 
 /// How far the vehicle stays away from things.
 struct ClearanceOptions {
@@ -83,7 +104,8 @@ class PlannerSettings {
   std::map<std::string, OptionValue, std::less<>> values_;
 };
 
-/// Every knob of a run.
+/// Every knob of a run. A planner that knows no prices plans by length, whatever `cost` has as its
+/// defaults.
 struct PlanOptions {
   BudgetOptions budget = {};
   CostOptions cost = {};

@@ -86,10 +86,13 @@ struct CostRule {
   double gear_change_cost = 0.0;       ///< of one change [m]; >= 0
   GearSign initial_gear = 0;           ///< before the first metre; 0: any, and the first is free
   double curvature_change_cost = 0.0;  ///< of total variation of curvature [m per 1/m]; >= 0
+  /// A metre costs 1 + clearance_weight * max(0, 1 - clearance / clearance_distance) times as much.
+  double clearance_weight = 0.0;    ///< >= 0
+  double clearance_distance = 1.0;  ///< [m]; > 0
 
   [[nodiscard]] bool is_length() const {
     return forward_weight == 1.0 && reverse_weight == 1.0 && gear_change_cost == 0.0 &&
-           curvature_change_cost == 0.0;
+           curvature_change_cost == 0.0 && clearance_weight == 0.0;
   }
 };
 
@@ -118,10 +121,26 @@ struct Driven {
 /// Price of going on as `to` after `from`: of a gear change, and of turning the wheels [m].
 [[nodiscard]] double change_cost(const CostRule& rule, const Driven& from, const Driven& to);
 
-/// Cost of driving the segments [m]; `driven` is what was driven before them and becomes how the
-/// last one ends.
+/// Cost of driving the segments [m], apart from what being near things adds to it; `driven` is what
+/// was driven before them and becomes how the last one ends.
 [[nodiscard]] double drive_cost(const CostRule& rule, std::span<const Segment> segments,
                                 Driven& driven);
+
+/// The rule for driving a path from its end to its start: the gears change places, and `before` is
+/// what is driven before the first metre of that.
+[[nodiscard]] CostRule reversed(const CostRule& rule, GearSign before);
+
+/// How finely the clearance is looked at along a way.
+enum class Looks {
+  search,  ///< a few for each `clearance_distance`
+  answer,  ///< within 1e-3 of the cost
+};
+
+/// What being near things adds to the cost of driving the segments from a pose [m]. Above `cutoff`
+/// it is any number above it: the sum ends there. docs/algorithms/anytime.md says how it is found.
+[[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
+                                    std::span<const Segment> segments, Looks looks,
+                                    double cutoff = std::numeric_limits<double>::infinity());
 
 // ---- Which piece joins two poses, what does it cost, and may it be driven? ----
 
@@ -170,9 +189,19 @@ class Connector {
   /// Length of the shortest path on open ground [m].
   [[nodiscard]] double least_length(const Pose& from, const Pose& to) const;
 
-  /// Cost of a piece between two others [m]; the joint to the next one is its part, if there is
-  /// one.
+  /// Cost of a piece between two others [m], apart from what being near things adds to it; the
+  /// joint to the next one is its part, if there is one.
   [[nodiscard]] double cost(const Piece& piece, const Gears& gears = {}) const;
+
+  /// What being near things adds to the cost of the segments [m]; above `cutoff` any number above
+  /// it.
+  [[nodiscard]] double clearance_cost(
+      const Pose& from, std::span<const Segment> segments,
+      double cutoff = std::numeric_limits<double>::infinity()) const {
+    return rule_.clearance_weight == 0.0
+               ? 0.0
+               : search::clearance_cost(task_, rule_, from, segments, Looks::search, cutoff);
+  }
 
   [[nodiscard]] bool is_free(const Pose& from, const Piece& piece);
   [[nodiscard]] bool is_free(const Pose& from, const Segment& segment);
@@ -196,10 +225,10 @@ class Connector {
   [[nodiscard]] Piece cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
                                     const Piece& shortest, double cutoff);
 
+  const Task& task_;
   const CollisionChecker& checker_;
   double radius_;
   CostRule rule_;
-  Pose goal_;
   std::vector<Piece> words_;  // buffer
   std::int64_t solves_ = 0;
   std::int64_t checks_ = 0;

@@ -112,7 +112,7 @@ void read_statistics(const Document& file, const Node& node, PlanResult& result,
   }
 }
 
-/// What the path is held to; the defaults where a file does not say.
+/// What the path is held to; the length alone where a file names no price.
 void read_options(const Document& file, const Node& node, PlanOptions& options) {
   CostOptions& cost = options.cost;
   if (const Node* const weight = file.find(node, "reverse_weight")) {
@@ -129,6 +129,12 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
   }
   if (const Node* const price = file.find(node, "curvature_change_cost")) {
     cost.curvature_change_cost = file.number(*price);
+  }
+  if (const Node* const weight = file.find(node, "clearance_weight")) {
+    cost.clearance_weight = file.number(*weight);
+  }
+  if (const Node* const distance = file.find(node, "clearance_distance")) {
+    cost.clearance_distance = file.number(*distance);
   }
   if (const Node* const gear = file.find(node, "initial_gear")) {
     const std::string& word = file.text(*gear);
@@ -153,12 +159,7 @@ std::optional<StatedCost> cost_from(const Document& file, const Node& node,
   const Node* const cost = file.find(node, "cost");
   if (cost == nullptr) return std::nullopt;
   StatedCost stated{.cost = file.number(*cost)};
-  if (!goes_by_length(record.planner)) {
-    stated.reverse_weight = record.options.cost.reverse_weight;
-    stated.gear_change_cost = record.options.cost.gear_change_cost;
-    stated.curvature_change_cost = record.options.cost.curvature_change_cost;
-    stated.initial_direction = direction_of(record.options.cost.initial_gear);
-  }
+  if (!goes_by_length(record.planner)) stated.rule = record.options.cost;
   if (const Node* const bound = file.find(node, "bound")) stated.bound = file.number(*bound);
   if (const Node* const gap = file.find(node, "gap")) stated.gap = file.number(*gap);
   return stated;
@@ -204,12 +205,12 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
   if (result.status == PlanStatus::solved) {
     result.path = path_from(file, file.at(node, "path"), radius);
     record.claims = claims_from(file, node, lists);
+    record.options.cost = shortest_style;
     if (const Node* const options = file.find(node, "options")) {
       read_options(file, *options, record.options);
     }
     record.claims.cost = cost_from(file, node, record);
-    const ClearanceOptions& clearance = record.options.clearance;
-    if (clearance.margin > 0.0) record.claims.margin = {clearance.margin, clearance.margin_ramp};
+    record.claims.clearance = record.options.clearance;
   }
   read_statistics(file, node, result, lists);
   return record;

@@ -12,6 +12,7 @@ namespace vandplan::judge {
 namespace {
 
 constexpr double length_tolerance = 1e-6;  // [m]; of costs for every metre, too
+constexpr double near_tolerance = 1e-3;    // of a cost with something in it for being near things
 constexpr double gap_tolerance = 1e-6;
 constexpr double pose_distance = 0.1;  // between stated poses, at most [m]
 // Of stated poses [m, rad], curvature [1/m] and distance: files far from the origin, where doubles
@@ -36,25 +37,26 @@ std::optional<std::string> false_figures(const Track& track, const PathClaims& c
   return std::nullopt;
 }
 
-double cost_of(const Track& track, const StatedCost& rule) {
+double cost_of(const Track& track, double near, const CostOptions& rule) {
   int changes = track.gear_changes;
   const Real first = track.stretches[0].direction;
-  if (track.length > 0 && rule.initial_direction * first < 0) ++changes;
+  if (track.length > 0 && direction_of(rule.initial_gear) * first < 0) ++changes;
   return static_cast<double>(track.length + (rule.reverse_weight - 1) * track.reverse_length +
                              rule.gear_change_cost * changes +
-                             rule.curvature_change_cost * track.curvature_change);
+                             rule.curvature_change_cost * track.curvature_change + near);
 }
 
-std::optional<std::string> false_cost(const Track& track, const StatedCost& stated) {
-  const double cost = cost_of(track, stated);
-  if (!(std::abs(stated.cost - cost) <= length_tolerance * (1 + cost))) {
+std::optional<std::string> false_cost(const Track& track, double near, const StatedCost& stated) {
+  const double cost = cost_of(track, near, stated.rule);
+  const double tolerance = length_tolerance * (1 + cost) + (near > 0 ? near_tolerance * cost : 0.0);
+  if (!(std::abs(stated.cost - cost) <= tolerance)) {
     return text("the stated cost is %.10g m, the path costs %.10g m", stated.cost, cost);
   }
   if (!stated.bound) return std::nullopt;
-  if (!(*stated.bound <= cost + length_tolerance * (1 + cost))) {
+  if (!(*stated.bound <= cost + tolerance)) {
     return text("the stated bound is %.10g m, the path costs %.10g m", *stated.bound, cost);
   }
-  const double gap = cost / *stated.bound - 1;
+  const double gap = stated.cost / *stated.bound - 1;
   if (stated.gap && *stated.bound > 0 && !(std::abs(*stated.gap - gap) <= gap_tolerance)) {
     return text("the stated gap is %.10g, cost and bound make it %.10g", *stated.gap, gap);
   }
@@ -103,10 +105,10 @@ std::optional<std::string> false_poses(const Track& track, const std::vector<Sta
 
 }  // namespace
 
-std::optional<std::string> false_claim(const Track& track, const PathClaims& claims) {
+std::optional<std::string> false_claim(const Track& track, double near, const PathClaims& claims) {
   if (auto reason = false_figures(track, claims)) return reason;
   if (claims.cost) {
-    if (auto reason = false_cost(track, *claims.cost)) return reason;
+    if (auto reason = false_cost(track, near, *claims.cost)) return reason;
   }
   return false_poses(track, claims.poses);
 }

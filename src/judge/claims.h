@@ -11,7 +11,9 @@
 
 namespace vandplan::judge {
 
-/// The first claim that is false, and what is true; one line.
-[[nodiscard]] std::optional<std::string> false_claim(const Track& track, const PathClaims& claims);
+/// The first claim that is false, and what is true; one line. `near` is what being near things adds
+/// to the cost [m].
+[[nodiscard]] std::optional<std::string> false_claim(const Track& track, double near,
+                                                     const PathClaims& claims);
 
 }  // namespace vandplan::judge

@@ -13,6 +13,7 @@
 #include "judge/along.h"
 #include "judge/claims.h"
 #include "judge/ground.h"
+#include "judge/near_cost.h"
 #include "judge/track.h"
 
 namespace vandplan {
@@ -174,21 +175,21 @@ std::optional<Fault> collision(const Track& track, const Ground& ground, const O
 
 /// What is to be kept: less around the ends of the path, if there is less and a ramp.
 Keeping keeping_of(const Track& track, const Ground& ground, const Outlines& outlines,
-                   const StatedMargin& stated) {
+                   const ClearanceOptions& stated) {
   Keeping keeping{stated.margin - margin_slack, {}};
-  if (!(stated.ramp > 0)) return keeping;
+  if (!(stated.margin_ramp > 0)) return keeping;
   for (const Position& end : {track.stretches[0].start, track.end}) {
     Effort effort;
     const double clearance = ground.clearance({end}, outlines, stated.margin, effort);
     if (clearance >= stated.margin) continue;
-    keeping.ramps.push_back({end, clearance - ramp_slack, stated.ramp});
+    keeping.ramps.push_back({end, clearance - ramp_slack, stated.margin_ramp});
   }
   return keeping;
 }
 
 /// The first place on the way that is nearer to something than it may be.
 std::optional<Fault> too_near(const Track& track, const Ground& ground, const Outlines& outlines,
-                              const StatedMargin& stated) {
+                              const ClearanceOptions& stated) {
   const Keeping keeping = keeping_of(track, ground, outlines, stated);
   const std::optional<Place> touch = nearest_along(track, ground, outlines, keeping).touch;
   if (!touch) return std::nullopt;
@@ -216,11 +217,12 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Pat
   const Outlines outlines = outlines_of(task.vehicle);
   least = std::numeric_limits<double>::infinity();
   if (auto f = collision(track, *ground, outlines, *least)) return f;
-  if (claims.margin && *least < claims.margin->margin) {
-    if (auto f = too_near(track, *ground, outlines, *claims.margin)) return f;
+  if (*least < claims.clearance.margin) {
+    if (auto f = too_near(track, *ground, outlines, claims.clearance)) return f;
   }
   if (auto f = off_pose(track.end, task.goal, "ends", end_of(track))) return f;
-  if (const auto reason = false_claim(track, claims)) return Fault{*reason, {}};
+  const double near = claims.cost ? near_cost(track, *ground, outlines, claims.cost->rule) : 0.0;
+  if (const auto reason = false_claim(track, near, claims)) return Fault{*reason, {}};
   return std::nullopt;
 }
 

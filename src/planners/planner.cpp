@@ -15,6 +15,7 @@ namespace vandplan {
 namespace {
 
 constexpr double rounding = 1e-12;  // of a sum of lengths, relative
+constexpr std::string_view style_key = "style";
 
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
   const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
@@ -44,9 +45,12 @@ const CommonOption* common_option(std::string_view name) {
   throw InputError(std::string(option), "unknown option, expected one of " + base::joined(names));
 }
 
-/// What is no default though the planner takes no notice of it.
+/// What is no default though the planner takes no notice of it. That it plans by length may be
+/// said.
 void refuse_ignored(const Planner& planner, const PlanOptions& options) {
-  const PlanOptions defaults;
+  PlanOptions defaults;
+  if (is_length(options.cost)) defaults.cost = shortest_style;
+  defaults.cost.clearance_distance = options.cost.clearance_distance;
   for (const CommonOption& common : common_options()) {
     if (honours(planner, common.name)) continue;
     if (common.get(options) != common.get(defaults)) refuse(planner, common.name);
@@ -56,15 +60,10 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   }
 }
 
-std::optional<StatedMargin> stated(const ClearanceOptions& options) {
-  if (options.margin == 0.0) return std::nullopt;
-  return StatedMargin{options.margin, options.margin_ramp};
-}
-
 /// What the judge says of standing at a pose.
 std::string reason_at(const Problem& problem, const Pose& pose, const ClearanceOptions& options) {
   const Problem there = make_problem(problem.world(), problem.vehicle(), pose, pose);
-  return check_path(there, Path{pose, {}}, {.margin = stated(options)}).reason;
+  return check_path(there, Path{pose, {}}, {.clearance = options}).reason;
 }
 
 /// What needs no search: a start or goal that cannot be, and a goal that is the start.
@@ -86,16 +85,20 @@ std::optional<PlannerAnswer> settled(const Task& task) {
   return answer;
 }
 
+/// Sets all prices, but not the gear driven before the start. Whoever knows no prices has the
+/// shortest style.
+void set_style(PlanOptions& options, const Planner& planner, std::string_view name) {
+  CostOptions cost = style_named(name);
+  if (!planner.properties.honours_prices && !is_length(cost)) refuse(planner, style_key);
+  cost.initial_gear = options.cost.initial_gear;
+  options.cost = cost;
+}
+
 /// What is said about a path when it is shown to the judge.
 PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
-  const CostOptions& options = all.cost;
-  StatedCost cost{.cost = result.cost,
-                  .reverse_weight = options.reverse_weight,
-                  .gear_change_cost = options.gear_change_cost,
-                  .curvature_change_cost = options.curvature_change_cost,
-                  .initial_direction = direction_of(options.initial_gear)};
+  StatedCost cost{.cost = result.cost, .rule = all.cost};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
-  return {.cost = cost, .margin = stated(all.clearance)};
+  return {.cost = cost, .clearance = all.clearance};
 }
 
 /// Lets the judge see the path; takes it away if he rejects it, also for a bound that is above the
@@ -117,6 +120,19 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
   result.anytime.clear();
   result.cost = 0.0;
   result.lower_bound = 0.0;
+}
+
+/// The cost of the path to all digits, which is also the last one of the trace: a planner looks at
+/// the clearance less finely.
+void settle_cost(const Task& task, const search::CostRule& rule, PlanResult& result) {
+  search::Driven driven = rule.initial_gear;
+  const std::vector<Segment>& segments = result.path->segments;
+  result.cost = drive_cost(rule, segments, driven);
+  if (rule.clearance_weight == 0.0) return;
+  result.cost += search::clearance_cost(task, rule, task.start, segments, search::Looks::answer);
+  std::vector<CostSample>& trace = result.anytime;
+  while (trace.size() > 1 && trace[trace.size() - 2].cost <= result.cost) trace.pop_back();
+  if (!trace.empty()) trace.back().cost = result.cost;
 }
 
 PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time) {
@@ -167,16 +183,22 @@ const Planner& planner_named(std::string_view name) {
 
 bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
+  if (option == style_key) return planner.properties.honours_prices;
   if (common_option(option) == nullptr) return false;
   if (option == "threads") return planner.properties.honours_threads;
   if (option == "target_gap") return planner.properties.honours_target_gap;
   const bool is_price = option == "reverse_weight" || option == "gear_change_cost" ||
-                        option == "curvature_change_cost" || option == "initial_gear";
+                        option == "curvature_change_cost" || option == "clearance_weight" ||
+                        option == "clearance_distance" || option == "initial_gear";
   return !is_price || planner.properties.honours_prices;
 }
 
 void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
                 std::string_view text) {
+  if (name == style_key) {
+    set_style(options, planner, text);
+    return;
+  }
   if (!honours(planner, name)) refuse(planner, name);
   if (const OptionInfo* const own = own_option(planner, name)) {
     options.planner.set(name, parsed_value(*own, text));
@@ -195,8 +217,12 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
 }
 
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings) {
-  for (const auto& [name, value] : settings) {
-    if (honours(planner, name)) set_option(options, planner, name, value);
+  for (const bool is_style : {true, false}) {  // what is given beside a style wins
+    for (const auto& [name, value] : settings) {
+      if ((name == style_key) == is_style && honours(planner, name)) {
+        set_option(options, planner, name, value);
+      }
+    }
   }
 }
 
@@ -204,6 +230,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
   validate(options);
   refuse_ignored(planner, options);
   PlanOptions all = options;
+  if (!planner.properties.honours_prices) all.cost = shortest_style;
   for (const OptionInfo& info : planner.options) {
     const OptionValue* const given = options.planner.find(info.name);
     all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
@@ -228,8 +255,7 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
     result.reason = reason_at(problem, problem.goal(), all.clearance);
   }
   if (!result.path) return result;
-  search::Driven driven = direction_of(all.cost.initial_gear);
-  result.cost = drive_cost(search::cost_rule(all.cost), result.path->segments, driven);
+  settle_cost(task, search::cost_rule(all.cost), result);
   judge(problem, all, result);
   return result;
 }

@@ -104,6 +104,10 @@ constexpr std::array options_of_all = {
                                          "cost of one gear change [m]; 0 to 10000"),
     cost<&CostOptions::curvature_change_cost>("curvature_change_cost",
                                               "cost of turning the wheels [m per 1/m]; 0 to 10000"),
+    cost<&CostOptions::clearance_weight>("clearance_weight",
+                                         "dearer metres where something is near; 0 to 1000"),
+    cost<&CostOptions::clearance_distance>("clearance_distance",
+                                           "what is near for clearance_weight [m]; 0.01 to 1000"),
     cost<&CostOptions::initial_gear>("initial_gear",
                                      "driven before the start; any, forward or reverse"),
     clearance<&ClearanceOptions::margin>(
@@ -171,6 +175,17 @@ std::string OptionInfo::range() const {
   return text;
 }
 
+bool is_length(const CostOptions& cost) {
+  return cost.reverse_weight == 1.0 && cost.gear_change_cost == 0.0 &&
+         cost.curvature_change_cost == 0.0 && cost.clearance_weight == 0.0;
+}
+
+CostOptions style_named(std::string_view name) {
+  if (name == "driver") return driver_style;
+  if (name == "shortest") return shortest_style;
+  throw InputError("style", "\"" + std::string(name) + "\" is not driver or shortest");
+}
+
 std::span<const CommonOption> common_options() noexcept { return options_of_all; }
 
 std::string json_of(const OptionValue& value) {
@@ -219,6 +234,12 @@ void validate(const PlanOptions& options) {
   const double steering = options.cost.curvature_change_cost;
   require(steering >= 0.0 && steering <= 10000.0, "curvature_change_cost", text_of(steering),
           "a number from 0 to 10000 [m per 1/m]");
+  const double near = options.cost.clearance_weight;
+  require(near >= 0.0 && near <= 1000.0, "clearance_weight", text_of(near),
+          "a number from 0 to 1000");
+  const double distance = options.cost.clearance_distance;
+  require(distance >= 0.01 && distance <= 1000.0, "clearance_distance", text_of(distance),
+          "a number from 0.01 to 1000 [m]");
   const auto& [margin, ramp] = options.clearance;
   require(margin >= 0.0 && margin <= 1000.0, "margin", text_of(margin),
           "a number from 0 to 1000 [m]");

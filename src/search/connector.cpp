@@ -21,10 +21,10 @@ void append(Piece& piece, const Segment& segment) {
 }  // namespace
 
 Connector::Connector(const Task& task, const CostRule& rule, bool profile)
-    : checker_(*task.checker),
+    : task_(task),
+      checker_(*task.checker),
       radius_(task.vehicle.min_turning_radius),
       rule_(rule),
-      goal_(task.goal),
       steering_(profile),
       checking_(profile) {}
 
@@ -32,7 +32,9 @@ std::optional<Connection> Connector::connect(const Pose& from, const Pose& to, c
   const Piece piece = steer(from, to, terms.gears, terms.cutoff - terms.cost_so_far);
   const double total = terms.cost_so_far + cost(piece, terms.gears);
   if (total >= terms.cutoff || !is_free(from, piece)) return std::nullopt;
-  return Connection{piece, total};
+  const double near = clearance_cost(from, piece.view(), terms.cutoff - total);
+  if (total + near >= terms.cutoff) return std::nullopt;
+  return Connection{piece, total + near};
 }
 
 Piece Connector::steer(const Pose& from, const Pose& to, const Gears& gears, double cutoff) {
@@ -50,7 +52,7 @@ Piece Connector::cheapest_word(const Pose& from, const Pose& to, const Gears& ge
                                const Piece& shortest, double cutoff) {
   // The piece to the goal is the last one: nothing is added to where it ends. Wide arcs seldom fit
   // between obstacles, and would hide the words that do.
-  const bool is_last = to == goal_;
+  const bool is_last = to == task_.goal;
   const steering::Closing& closing = is_last ? steering::at_goal : steering::on_the_way;
   Piece best = shortest;
   double best_cost = cost(best, gears);

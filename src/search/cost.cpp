@@ -1,16 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "vandplan/search.h"
 
 namespace vandplan::search {
+namespace {
+
+// Looks for each `clearance_distance`. The rule of midpoints is off by 1/8 of the square of a step
+// where the clearance gets to the distance or has a kink, and by less elsewhere.
+constexpr double looks_of_search = 4;
+constexpr double looks_of_answer = 50;
+constexpr double most_looks = 1e6;  // for a path
+constexpr double looks_ahead = 8;   // that one look may save, at the most
+
+/// The furthest point of the body from its rear axle [m].
+double reach_of(const Vehicle& vehicle) {
+  const Footprint body = footprint(vehicle);
+  return std::hypot(std::max(body.front, body.rear), body.half_width);
+}
+
+/// The integral of 1 - clearance / distance along a segment where that is above 0 [m].
+double nearness(const CollisionChecker& checker, double reach, double distance, double step,
+                const Pose& from, const Segment& segment, double most) {
+  const double length = std::abs(segment.length);
+  const double count = std::ceil(length / step);
+  const double h = length / count;
+  const double tightest =
+      std::max(std::abs(segment.curvature), std::abs(curvature_at(segment, length)));
+  const double moved = (1 + reach * tightest) * h;  // any point of the body, from look to look
+  double sum = 0.0;
+  for (double i = 0; i < count && sum <= most;) {
+    const Pose pose = advance(from, part_of(segment, 0.0, (i + 0.5) * h));
+    const double clearance = checker.clearance(pose, distance + looks_ahead * moved);
+    if (clearance < distance) {
+      sum += h * (1 - clearance / distance);
+      i += 1;
+    } else {
+      i += 1 + std::floor((clearance - distance) / moved);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
 
 CostRule cost_rule(const CostOptions& options) {
   return {.reverse_weight = options.reverse_weight,
           .gear_change_cost = options.gear_change_cost,
           .initial_gear = direction_of(options.initial_gear),
-          .curvature_change_cost = options.curvature_change_cost};
+          .curvature_change_cost = options.curvature_change_cost,
+          .clearance_weight = options.clearance_weight,
+          .clearance_distance = options.clearance_distance};
+}
+
+CostRule reversed(const CostRule& rule, GearSign before) {
+  CostRule result = rule;
+  std::swap(result.forward_weight, result.reverse_weight);
+  result.initial_gear = before;
+  return result;
 }
 
 Driven first_driven(const Piece& piece) {
@@ -50,6 +100,28 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments, Drive
       sum += rule.curvature_change_cost * std::abs(segment.curvature_rate) * size;
     }
     driven = last_driven(segment);
+  }
+  return sum;
+}
+
+double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
+                      std::span<const Segment> segments, Looks looks, double cutoff) {
+  if (rule.clearance_weight == 0.0) return 0.0;
+  const double distance = rule.clearance_distance;
+  const double step =
+      std::max(distance / (looks == Looks::search ? looks_of_search : looks_of_answer),
+               length(segments) / most_looks);
+  const double reach = reach_of(task.vehicle);
+  double sum = 0.0;
+  Pose pose = from;
+  for (const Segment& segment : segments) {
+    if (segment.length == 0.0) continue;
+    if (sum > cutoff) break;
+    const double price =
+        rule.clearance_weight * (segment.length > 0.0 ? rule.forward_weight : rule.reverse_weight);
+    sum += price *
+           nearness(*task.checker, reach, distance, step, pose, segment, (cutoff - sum) / price);
+    pose = advance(pose, segment);
   }
   return sum;
 }

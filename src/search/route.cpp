@@ -28,15 +28,26 @@ Gears gears_around(const CostRule& rule, const Route& route, std::size_t first, 
 double cost_of(const CostRule& rule, const Route& route) {
   Driven driven = rule.initial_gear;
   double sum = 0.0;
-  for (const Leg& leg : route.legs) sum += drive_cost(rule, leg.piece.view(), driven);
+  for (const Leg& leg : route.legs) {
+    sum += drive_cost(rule, leg.piece.view(), driven) + leg.clearance_cost;
+  }
   return sum;
+}
+
+void price(const Connector& connector, Route& route) {
+  for (std::size_t i = 0; i < route.legs.size(); ++i) {
+    Leg& leg = route.legs[i];
+    leg.clearance_cost = connector.clearance_cost(route.begin_of(i), leg.piece.view());
+  }
+  route.cost = cost_of(connector.rule(), route);
 }
 
 Route reversed(const Route& route) {
   if (route.legs.empty()) return route;
   Route result{route.legs.back().end, {}, route.cost};
   for (std::size_t i = route.legs.size(); i > 0; --i) {
-    result.legs.push_back({reversed(route.legs[i - 1].piece), route.begin_of(i - 1)});
+    const Leg& leg = route.legs[i - 1];
+    result.legs.push_back({reversed(leg.piece), route.begin_of(i - 1), leg.clearance_cost});
   }
   return result;
 }

@@ -13,6 +13,7 @@ namespace vandplan::search {
 struct Leg {
   Piece piece;
   Pose end;
+  double clearance_cost = 0.0;  ///< what being near things adds to its cost [m]
 };
 
 /// From the start through via poses to the goal.
@@ -32,8 +33,11 @@ struct Route {
 [[nodiscard]] Gears gears_around(const CostRule& rule, const Route& route, std::size_t first,
                                  std::size_t last);
 
-/// From the first leg to the last.
+/// From the first leg to the last, with the `clearance_cost` that they have.
 [[nodiscard]] double cost_of(const CostRule& rule, const Route& route);
+
+/// Finds the `clearance_cost` of all legs, and the cost of the route.
+void price(const Connector& connector, Route& route);
 
 /// A route driven backwards: from its end to its start.
 [[nodiscard]] Route reversed(const Route& route);

@@ -71,7 +71,7 @@ void print_steering() {
 void print_plans(const std::string& name, std::int64_t iterations) {
   const Problem problem =
       make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/" + name + ".yaml"));
-  PlanOptions options;
+  PlanOptions options{.cost = shortest_style};
   options.budget.max_iterations = iterations;
   for (const Planner& planner : planners()) {
     const PlanResult result = plan(problem, planner, options);

@@ -64,12 +64,15 @@ void answer_all(const std::string& file) {
   if (scenario.is_row()) name += " goal " + std::to_string(goal);
   for (const Planner& planner : planners()) {
     const bool honours_prices = planner.properties.honours_prices;
-    PlanOptions options;
+    PlanOptions options{.cost = shortest_style};
     options.budget.max_iterations = honours_prices ? 2000 : 600;
     answer(name, problems[goal], planner, options, "");
     if (!honours_prices) continue;
-    options.cost = {.reverse_weight = 2, .gear_change_cost = 5};
+    options.cost.reverse_weight = 2;
+    options.cost.gear_change_cost = 5;
     answer(name, problems[goal], planner, options, " reverse_weight=2 gear_change_cost=5");
+    options.cost = driver_style;
+    answer(name, problems[goal], planner, options, " style=driver");
   }
 }
 

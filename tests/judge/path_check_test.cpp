@@ -51,9 +51,10 @@ Polygon wall_beside(double gap) {
   return {{-50, 1.275 + gap}, {50, 1.275 + gap}, {50, 9}, {-50, 9}};
 }
 
-std::string reason_of_margin(const std::vector<Polygon>& obstacles, const StatedMargin& margin) {
+std::string reason_of_margin(const std::vector<Polygon>& obstacles,
+                             const ClearanceOptions& margin) {
   const Problem problem = problem_of({0, 0, 0}, ten_ahead, obstacles);
-  return check_path(problem, ahead, {.margin = margin}).reason;
+  return check_path(problem, ahead, {.clearance = margin}).reason;
 }
 
 TEST(PathCheck, AMarginIsKeptEverywhere) {
@@ -65,7 +66,7 @@ TEST(PathCheck, AMarginIsKeptEverywhere) {
   const Polygon nearer_post{{14, 1.4}, {15, 1.4}, {15, 2}, {14, 2}};
   const Problem problem =
       problem_of({0, 0, 0}, ten_ahead, {wall_beside(1), near_post, nearer_post});
-  const PathCheck check = check_path(problem, ahead, {.margin = StatedMargin{.margin = 0.5}});
+  const PathCheck check = check_path(problem, ahead, {.clearance = {.margin = 0.5}});
   EXPECT_EQ(check.reason, "the footprint is only 0.500 m from obstacles[1], the margin is 0.5 m");
   ASSERT_TRUE(check.at);
   EXPECT_NEAR(check.at->s, 12 - 5.9 - std::sqrt(0.5 * 0.5 - 0.225 * 0.225), 2e-3);
@@ -76,20 +77,20 @@ TEST(PathCheck, TheMarginOfKerbsIsKeptByTheWheels) {
   // The front overhang swings over the kerb, and stays 0.4 m behind its far side.
   const Surroundings yard{.bounds = wide_bounds, .kerbs = {{{15, -5}, {16, -5}, {16, 5}, {15, 5}}}};
   const Problem problem = problem_in(yard, {0, 0, 0}, ten_ahead);
-  EXPECT_EQ(check_path(problem, ahead, {.margin = StatedMargin{.margin = 0.49}}).reason, "");
-  EXPECT_EQ(check_path(problem, ahead, {.margin = StatedMargin{.margin = 0.51}}).reason,
+  EXPECT_EQ(check_path(problem, ahead, {.clearance = {.margin = 0.49}}).reason, "");
+  EXPECT_EQ(check_path(problem, ahead, {.clearance = {.margin = 0.51}}).reason,
             "the wheels are only 0.510 m from kerbs[0], the margin is 0.51 m");
 }
 
 TEST(PathCheck, AroundAnEndThatIsNearerTheMarginGrowsWithTheWay) {
   // Beside the start only: 0.1 m there, and from x = -1.6 - 0.001 on 0.1 + 0.2 * 5 / 10 are asked.
   const auto block_to = [](double x) { return Polygon{{-9, 1.375}, {x, 1.375}, {x, 2}, {-9, 2}}; };
-  EXPECT_EQ(reason_of_margin({block_to(-1.7)}, {.margin = 0.3, .ramp = 10}), "");
-  EXPECT_EQ(reason_of_margin({block_to(-1.7)}, {.margin = 0.3, .ramp = 0}),
+  EXPECT_EQ(reason_of_margin({block_to(-1.7)}, {.margin = 0.3, .margin_ramp = 10}), "");
+  EXPECT_EQ(reason_of_margin({block_to(-1.7)}, {.margin = 0.3, .margin_ramp = 0}),
             "the footprint is only 0.141 m from obstacles[0], the margin is 0.3 m");
   // Driving along it nothing is gained, and more is asked for with each metre.
   EXPECT_EQ(
-      reason_of_margin({block_to(0)}, {.margin = 0.3, .ramp = 10}),
+      reason_of_margin({block_to(0)}, {.margin = 0.3, .margin_ramp = 10}),
       "the footprint is only 0.100 m from obstacles[0], the ramp of the margin asks for 0.100 m");
 }
 

@@ -64,9 +64,13 @@ class Judgement {
     options.budget.max_iterations = static_cast<std::int64_t>(any_size(30, 300, rng_));
     options.budget.seed = rng_();
     if (honours(planner, "region") && chance(0.7, rng_)) options.planner.set("region", "scene");
-    if (!planner.properties.honours_prices || chance(0.6, rng_)) return options;
+    if (!planner.properties.honours_prices || chance(0.3, rng_)) return options;
+    options.cost = shortest_style;
+    if (chance(0.5, rng_)) return options;
     options.cost.reverse_weight = uniform(1, 3, rng_);
     options.cost.gear_change_cost = uniform(0, 10, rng_);
+    if (chance(0.3, rng_)) options.cost.clearance_weight = any_size(0.1, 10, rng_);
+    if (chance(0.3, rng_)) options.cost.clearance_distance = any_size(0.05, 10, rng_);
     if (chance(0.3, rng_)) options.cost.initial_gear = InitialGear::reverse;
     return options;
   }
@@ -86,7 +90,7 @@ class Judgement {
 
   void expect_good(const Planner& planner, const PlanOptions& options, const PlanResult& result) {
     if (result.status == PlanStatus::rejected) fault(planner.name + " rejected: " + result.reason);
-    if (options.cost == CostOptions{}) bound_ = std::max(bound_, result.lower_bound);
+    if (is_length(options.cost)) bound_ = std::max(bound_, result.lower_bound);
     if (!result.path) return;
     ++trial_.paths;
     least_ = std::min(least_, length(*result.path));

@@ -20,8 +20,8 @@
 namespace vandplan {
 namespace {
 
-PlanResult run(const Problem& problem, const CostOptions& cost = {}) {
-  PlanOptions options;
+PlanResult run(const Problem& problem, const CostOptions& cost = shortest_style) {
+  PlanOptions options{.cost = shortest_style};
   options.budget.max_iterations = 20000;
   options.cost = cost;
   PlanResult result = plan(problem, options);
@@ -91,7 +91,7 @@ TEST(AnytimeBound, IsBelowEveryPathOfVehiclesWithAnyOverhang) {
     const Problem problem =
         problem_of({0, 0, uniform(-3, 3, rng)}, {45, uniform(-15, 15, rng), uniform(-3, 3, rng)},
                    boxes, {-60, 100, -60, 60}, vehicle);
-    PlanOptions options;
+    PlanOptions options{.cost = shortest_style};
     options.budget.max_iterations = 3000;
     const PlanResult result = plan(problem, options);
     ASSERT_NE(result.status, PlanStatus::rejected) << result.reason;

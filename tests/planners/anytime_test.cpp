@@ -23,7 +23,7 @@ PlanResult run(const Problem& problem, const PlanOptions& options) {
 }
 
 PlanOptions iterations(std::int64_t count) {
-  PlanOptions options;
+  PlanOptions options{.cost = shortest_style};
   options.budget.max_iterations = count;
   return options;
 }
@@ -161,7 +161,7 @@ Problem gates() {
 
 TEST(Anytime, WithPricesItLooksForAnotherKindOfPath) {
   PlanOptions options = iterations(5000);
-  options.cost = {.reverse_weight = 2, .gear_change_cost = 5};
+  options.cost = by_length_and(2, 5);
   for (options.budget.seed = 1; options.budget.seed <= 5; ++options.budget.seed) {
     const PlanResult result = run(gates(), options);
     EXPECT_LT(result.cost, 90.0) << options.budget.seed;  // 108 without a change
@@ -172,9 +172,9 @@ TEST(Anytime, WithPricesItLooksForAnotherKindOfPath) {
 TEST(Anytime, APriceDoesNotMakeTheSearchWorse) {
   PlanOptions options = iterations(5000);
   for (options.budget.seed = 1; options.budget.seed <= 5; ++options.budget.seed) {
-    options.cost = {};
+    options.cost = shortest_style;
     const PlanResult shortest = run(gates(), options);
-    options.cost = {.gear_change_cost = 1};
+    options.cost = by_length_and(1, 1);
     const PlanResult priced = run(gates(), options);
     const double price = shortest.cost + gear_changes(shortest.path->segments);
     EXPECT_LE(priced.cost, 1.02 * price) << options.budget.seed;
@@ -183,7 +183,7 @@ TEST(Anytime, APriceDoesNotMakeTheSearchWorse) {
 
 TEST(Anytime, WithPricesAnyNumberOfThreadsGivesTheSameAnswer) {
   PlanOptions options = iterations(6000);
-  options.cost = {.reverse_weight = 2, .gear_change_cost = 5};
+  options.cost = by_length_and(2, 5);
   const PlanResult one = run(gates(), options);
   for (const int threads : {2, 6, 16}) {
     options.budget.threads = threads;

@@ -168,8 +168,8 @@ TEST(Margin, ARampLeadsAwayFromAKerb) {
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   EXPECT_NEAR(*result.check->clearance, 0.1, 1.1e-3);
   // Not for ever: the same path with a shorter ramp.
-  const StatedMargin shorter{.margin = 0.3, .ramp = 1};
-  EXPECT_FALSE(check_path(problem, *result.path, {.margin = shorter}).valid);
+  const ClearanceOptions shorter{.margin = 0.3, .margin_ramp = 1};
+  EXPECT_FALSE(check_path(problem, *result.path, {.clearance = shorter}).valid);
 }
 
 TEST(Margin, IsPartOfEveryPlannersTask) {
@@ -250,7 +250,7 @@ TEST(OwnPlanner, ItsOptionsAreCheckedLikeOurs) {
   options.planner.set("parts", 2.5);
   EXPECT_THROW((void)plan(straight_ahead(), planner, options), InputError);
   options = {};
-  options.cost.reverse_weight = 2;  // its properties do not say that it honours prices
+  options.cost.reverse_weight = 3;  // its properties do not say that it honours prices
   EXPECT_THROW((void)plan(straight_ahead(), planner, options), InputError);
 }
 
@@ -258,7 +258,8 @@ TEST(OwnPlanner, PricesAreChargedByPlanWhereItHonoursThem) {
   Planner planner = driving({{0, -1}, {0, 21}});
   planner.properties.honours_prices = true;
   PlanOptions options;
-  options.cost = {.reverse_weight = 3, .gear_change_cost = 5, .initial_gear = InitialGear::forward};
+  options.cost = by_length_and(3, 5);
+  options.cost.initial_gear = InitialGear::forward;
   const PlanResult result = plan(straight_ahead(), planner, options);
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   EXPECT_NEAR(result.cost, 21 + 3 + 2 * 5, 1e-12);

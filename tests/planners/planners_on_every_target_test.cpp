@@ -22,7 +22,7 @@ class PlannersOnEveryTarget : public testing::TestWithParam<Planner> {};
 TEST_P(PlannersOnEveryTarget, FindTheSamePath) {
   const Problem problem =
       problem_of({0, 0, 0}, {30, 0, 1}, {box(14, -12, 16, 12), box(14, 12, 40, 14)});
-  PlanOptions options;
+  PlanOptions options{.cost = shortest_style};
   options.budget.max_iterations = std::max(cases(1500), 300);
   for (const auto& [name, text] : {std::pair{"region", "scene"}, {"keep_tree", "true"}}) {
     if (honours(GetParam(), name)) set_option(options, GetParam(), name, text);

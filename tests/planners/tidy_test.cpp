@@ -146,8 +146,7 @@ Problem narrow_road() {
 }
 
 TEST(Tidied, WhatIsPlannedUnderPricesHasNoCrumbs) {
-  PlanOptions options{.budget = {.max_iterations = 3000},
-                      .cost = {.reverse_weight = 2, .gear_change_cost = 1}};
+  PlanOptions options{.budget = {.max_iterations = 3000}, .cost = by_length_and(2, 1)};
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     options.budget.seed = seed;
     const PlanResult result = plan(narrow_road(), options);
@@ -158,7 +157,7 @@ TEST(Tidied, WhatIsPlannedUnderPricesHasNoCrumbs) {
 }
 
 TEST(MinStroke, IsAnOptionOfThePlanner) {
-  PlanOptions options{.budget = {.max_iterations = 3000}};
+  PlanOptions options{.budget = {.max_iterations = 3000}, .cost = shortest_style};
   set_option(options, planner_named("anytime"), "min_stroke", "1.5");
   const PlanResult result = plan(problem_of({}, {0, 1.5, 0}, {}), options);
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;

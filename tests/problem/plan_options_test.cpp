@@ -59,6 +59,8 @@ TEST(PlanOptions, EveryCommonOptionReadsBackWhatItWrites) {
   options.cost = {.reverse_weight = 1.7,
                   .gear_change_cost = 0.1,
                   .curvature_change_cost = 3.3,
+                  .clearance_weight = 0.7,
+                  .clearance_distance = 2.1,
                   .initial_gear = InitialGear::reverse};
   PlanOptions copy;
   for (const CommonOption& option : common_options()) {
@@ -97,6 +99,10 @@ TEST(PlanOptions, ValidateRejectsWhatIsOutOfRange) {
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.gear_change_cost = infinity; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.curvature_change_cost = -1; }));
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.curvature_change_cost = nan; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.clearance_weight = -0.1; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.clearance_weight = nan; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.clearance_distance = 0; }));
+  EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.clearance_distance = nan; }));
 }
 
 // ---- options of one planner ----
@@ -178,13 +184,45 @@ TEST(PlannerOptions, PricesAndThreadsAreRefusedByTheTrees) {
     change(options);
     return message_of_completing("rrt-opt-rs", options);
   };
-  EXPECT_EQ(completing([](PlanOptions& o) { o.cost.reverse_weight = 2; }),
+  EXPECT_EQ(completing([](PlanOptions& o) { o.cost.reverse_weight = 3; }),
             refusal("reverse_weight"));
   EXPECT_EQ(completing([](PlanOptions& o) { o.cost.gear_change_cost = 2; }),
             refusal("gear_change_cost"));
   EXPECT_EQ(completing([](PlanOptions& o) { o.cost.initial_gear = InitialGear::reverse; }),
             refusal("initial_gear"));
   EXPECT_EQ(completing([](PlanOptions& o) { o.budget.threads = 2; }), refusal("threads"));
+}
+
+TEST(Styles, AreSetsOfPrices) {
+  const Planner& planner = planner_named("anytime");
+  PlanOptions options;
+  EXPECT_EQ(options.cost, driver_style);
+  EXPECT_FALSE(is_length(driver_style));
+  options.cost.initial_gear = InitialGear::reverse;
+  set_option(options, planner, "style", "shortest");
+  EXPECT_TRUE(is_length(options.cost));
+  EXPECT_EQ(options.cost.initial_gear, InitialGear::reverse);
+  EXPECT_EQ(message_of_setting("anytime", "style", "fast"),
+            "style: \"fast\" is not driver or shortest");
+}
+
+TEST(Styles, GiveWayToWhatIsSetBesideThem) {
+  PlanOptions options;
+  set_honoured(options, planner_named("anytime"),
+               std::vector<Setting>{{"gear_change_cost", "7"}, {"style", "shortest"}});
+  EXPECT_EQ(options.cost.gear_change_cost, 7);
+  EXPECT_EQ(options.cost.reverse_weight, 1);
+}
+
+TEST(Styles, OfThoseWhoKnowNoPricesAreTheShortest) {
+  const Planner& planner = planner_named("rrt-opt-rs");
+  PlanOptions options;
+  set_option(options, planner, "style", "shortest");
+  EXPECT_EQ(complete(planner, options).cost, shortest_style);
+  EXPECT_EQ(complete(planner, PlanOptions{}).cost, shortest_style);
+  EXPECT_EQ(
+      message_of_setting("rrt-opt-rs", "style", "driver"),
+      "style: is no option of rrt-opt-rs, expected one of the planners that honour it: anytime");
 }
 
 TEST(PlannerOptions, ABadTextNamesOptionValueAndRule) {

@@ -70,9 +70,10 @@ TEST(CurvatureCost, IsWorkedOutAgainByTheJudge) {
     const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
     const CostRule rule{.reverse_weight = 2, .gear_change_cost = 3, .curvature_change_cost = 10};
     StatedCost stated{.cost = cost_of(rule, path.segments),
-                      .reverse_weight = 2,
-                      .gear_change_cost = 3,
-                      .curvature_change_cost = 10};
+                      .rule = {.reverse_weight = 2,
+                               .gear_change_cost = 3,
+                               .curvature_change_cost = 10,
+                               .clearance_weight = 0}};
     const PathCheck check = check_path(problem, path, {.cost = stated});
     EXPECT_TRUE(check.valid) << check.reason;
     EXPECT_NEAR(10 * check.curvature_change, cost_of(steering, path.segments) - check.length, 1e-9);
@@ -104,7 +105,7 @@ TEST(CurvatureCost, MakesPathsWithFewerTurnsOfTheWheel) {
     const std::vector<Polygon> boxes = {box(10, -4, 14, 6), box(24, -9, 28, 2)};
     const Problem problem =
         problem_of({0, 0, 0}, {uniform(38, 45, rng), uniform(-3, 3, rng), 0}, boxes);
-    PlanOptions options{.budget = {.max_iterations = 4000}};
+    PlanOptions options{.budget = {.max_iterations = 4000}, .cost = shortest_style};
     const PlanResult free = plan(problem, options);
     options.cost.curvature_change_cost = 50;
     const PlanResult priced = plan(problem, options);

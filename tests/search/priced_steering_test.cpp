@@ -28,7 +28,7 @@ using search::end_of;
 constexpr double radius = 7;
 constexpr CostRule rules[] = {{1, 2, 20, 0},  {1, 2, 5, 0}, {1, 1, 0.1, 0},
                               {1, 1.5, 0, 0}, {1, 3, 5, 1}, {2, 1, 5, -1}};
-constexpr CostOptions dear{.reverse_weight = 2, .gear_change_cost = 20};
+constexpr CostOptions dear = by_length_and(2, 20);
 
 Piece piece_of(std::span<const Segment> segments) {
   Piece piece;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vandplan/path.h"
+#include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
 namespace vandplan {
@@ -63,6 +64,14 @@ inline Scenario moved_by(Scenario scenario, double dx, double dy) {
   move_polygons(scenario.kerbs);
   if (scenario.map) move_pose(scenario.map->origin);
   return scenario;
+}
+
+/// The length, with these two prices and no other.
+[[nodiscard]] constexpr CostOptions by_length_and(double reverse_weight, double gear_change_cost) {
+  CostOptions cost = shortest_style;
+  cost.reverse_weight = reverse_weight;
+  cost.gear_change_cost = gear_change_cost;
+  return cost;
 }
 
 }  // namespace vandplan

@@ -98,7 +98,7 @@ void Run::try_open_ground() {
   const Piece piece = connector.steer(task_.start, task_.goal, {rule_.initial_gear, 0});
   if (!connector.is_free(task_.start, piece)) return;
   best_ = Route{task_.start, {{piece, task_.goal}}, 0.0};
-  best_->cost = cost_of(rule_, *best_);
+  price(connector, *best_);
   trace_.push_back({budget_.elapsed(), 0, best_->cost});
 }
 
@@ -184,7 +184,8 @@ void Run::make_drivable(double min_stroke) {
   Connector connector(task_, rule_);
   segments_ = tidied(connector, task_.start, std::move(segments_), min_stroke);
   Driven driven = rule_.initial_gear;
-  const double cost = drive_cost(rule_, segments_, driven);
+  const double cost =
+      drive_cost(rule_, segments_, driven) + connector.clearance_cost(task_.start, segments_);
   while (trace_.size() > 1 && trace_[trace_.size() - 2].cost <= cost) trace_.pop_back();
   trace_.back().cost = cost;
 }

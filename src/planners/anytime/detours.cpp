@@ -65,13 +65,12 @@ void Detours::begin() {
   choose();
   CostRule rule = rule_;
   if (!before_.legs.empty()) rule.initial_gear = last_driven(before_.legs.back().piece).gear;
-  old_.cost = cost_of(rule, old_);
+  price(Connector(task_, rule), old_);
   const Pose& first = old_.start;
   const Pose& last = old_.legs.back().end;
   if (backwards_) {
     const GearSign next = after_.legs.empty() ? 0 : first_driven(after_.legs.front().piece).gear;
-    rule = {rule_.reverse_weight, rule_.forward_weight, rule_.gear_change_cost, -next,
-            rule_.curvature_change_cost};
+    rule = reversed(rule_, -next);
   }
   connector_.emplace(task_, rule);
   const Bounds box = ellipse_box(first, last, slack * old_.cost, scene_);
@@ -93,7 +92,7 @@ bool Detours::offer() {
   found_ = before_;
   found_.legs.insert(found_.legs.end(), stretch.legs.begin(), stretch.legs.end());
   found_.legs.insert(found_.legs.end(), after_.legs.begin(), after_.legs.end());
-  found_.cost = cost_of(rule_, found_);
+  price(Connector(task_, rule_), found_);
   return found_.cost < base_.cost || !are_alike(stretch, old_, task_.vehicle.min_turning_radius);
 }
 

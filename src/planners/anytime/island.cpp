@@ -114,7 +114,9 @@ std::optional<Route> Island::search() {
 bool Island::step() {
   if (!candidate_) {
     std::optional<Route> route = search();
-    if (!route || is_known(*route)) return false;
+    if (!route) return false;
+    if (connector_.rule().clearance_weight > 0.0) price(connector_, *route);
+    if (is_known(*route)) return false;
     if (!connector_.rule().is_length()) raw_ = *route;
     candidate_.emplace(connector_, *std::move(route), stream_seed(seed_, ++candidates_));
     trials_ = 0;

@@ -131,7 +131,7 @@ void Lattice::build_route(std::int32_t node, const Piece& last) {
     route_.legs.back().end = step.pose;
   }
   route_.legs.push_back({last, target_});
-  route_.cost = cost_of(connector_.rule(), route_);
+  price(connector_, route_);
 }
 
 // The entry whose turn it is, if that is found out with a few looks at open ground.
@@ -141,10 +141,8 @@ std::optional<Lattice::Entry> Lattice::next() {
     if (entry.open_ground > 0.0) return entry;
     const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
     entry.open_ground = connector_.least_cost(node.pose, target_, {driven_to(node), 0});
-    const double open_ground =
-        options_.goes_by_length ? connector_.least_length(node.pose, target_) : entry.open_ground;
-    if (open_ground <= entry.around) return entry;
-    entry.rank = node.cost_to_come + options_.greediness * open_ground;
+    if (entry.open_ground <= entry.around) return entry;
+    entry.rank = node.cost_to_come + options_.greediness * entry.open_ground;
     if (open_.empty() || open_.front() < entry) return entry;
     push(entry);
   }
@@ -186,6 +184,21 @@ void Lattice::expand(std::int32_t id) {
   }
 }
 
+// Adds what being near things costs on the way to a pose, which is known to be free. True if it is
+// no longer the first one then.
+bool Lattice::waits_for_cheaper(Entry entry) {
+  Node& node = nodes_[static_cast<std::size_t>(entry.node)];
+  node.is_free = true;
+  if (options_.overlooks_clearance) return false;
+  const Pose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
+  const double near = connector_.clearance_cost(from, std::span(&node.segment, 1));
+  node.cost_to_come += near;
+  entry.rank += near;
+  if (near == 0.0 || open_.empty() || open_.front() < entry) return false;
+  push(entry);
+  return true;
+}
+
 bool Lattice::step() {
   const std::optional<Entry> entry = next();
   if (!entry) return false;
@@ -193,9 +206,10 @@ bool Lattice::step() {
   if (node.cost_to_come + entry->open_ground >= cutoff_) return false;
   const std::uint64_t key = key_of(node);
   if (is_closed(key)) return false;
-  if (node.parent >= 0) {
+  if (node.parent >= 0 && !node.is_free) {
     const Pose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
     if (!connector_.is_free(from, node.segment)) return false;
+    if (waits_for_cheaper(*entry)) return false;
   }
   close(key);
   const bool found = shoot(*entry);

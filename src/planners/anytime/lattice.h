@@ -20,8 +20,8 @@ struct LatticeOptions {
   int headings = 24;        ///< cells of a full turn; an arc step turns by one of them
   double cell = 0.25;       ///< side of a position cell [turning radii]
   double greediness = 1.0;  ///< weight of the cost-to-go; >= 1
-  /// The cost-to-go is told by length alone, prices or not: a first route comes sooner.
-  bool goes_by_length = false;
+  /// A pose's turn comes without regard to what is near: routes are found sooner, not the best.
+  bool overlooks_clearance = false;
 };
 
 /// One search from `root` to `target`.
@@ -46,6 +46,7 @@ class Lattice {
     Segment segment;  // from the parent
     double cost_to_come;
     std::int32_t parent;
+    bool is_free = false;  // the way from the parent, as far as is known
   };
   // Ranked by the way around at first, and again by the larger of both when its turn comes: most
   // never get there.
@@ -65,6 +66,7 @@ class Lattice {
   void push(const Entry& entry);
   [[nodiscard]] Entry pop();
   [[nodiscard]] std::optional<Entry> next();
+  [[nodiscard]] bool waits_for_cheaper(Entry entry);
   bool shoot(const Entry& entry);
   void expand(std::int32_t id);
   bool close(std::uint64_t key);

@@ -49,7 +49,8 @@ double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) co
   Driven driven = gears.before;
   double sum = 0.0;
   for (const Leg& leg : legs) {
-    sum += rule.is_length() ? leg.piece.length : drive_cost(rule, leg.piece.view(), driven);
+    sum += rule.is_length() ? leg.piece.length
+                            : drive_cost(rule, leg.piece.view(), driven) + leg.clearance_cost;
   }
   return rule.is_length() ? sum : sum + change_cost(rule, driven, gears.after);
 }
@@ -59,6 +60,18 @@ Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const
   const Gears gears = gears_around(connector_.rule(), route_, first, last);
   return {first, last, gears,
           cost_of_legs(std::span(route_.legs).subspan(first, last - first), gears)};
+}
+
+// Finds what being near things adds to the cost of the trial. False if that takes up the gain.
+bool Shortener::stays_cheaper(Pose from, double gain) {
+  if (connector_.rule().clearance_weight == 0.0) return true;
+  for (Leg& leg : trial_) {
+    leg.clearance_cost = connector_.clearance_cost(from, leg.piece.view(), gain);
+    gain -= leg.clearance_cost;
+    if (gain < least_gain) return false;
+    from = leg.end;
+  }
+  return true;
 }
 
 // Puts the trial in the place of the stretch if that is cheaper and free. `fresh` are the legs of
@@ -71,6 +84,7 @@ bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
     const Pose& from = is_first ? route_.begin_of(old.first) : (&leg - 1)->end;
     if (!connector_.is_free(from, leg.piece)) return false;
   }
+  if (!stays_cheaper(route_.begin_of(old.first), gain)) return false;
   const auto at = route_.legs.begin() + static_cast<std::ptrdiff_t>(old.first);
   const auto next = route_.legs.erase(at, at + static_cast<std::ptrdiff_t>(old.last - old.first));
   route_.legs.insert(next, trial_.begin(), trial_.end());

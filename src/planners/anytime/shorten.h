@@ -50,6 +50,7 @@ class Shortener {
   [[nodiscard]] double cost_of_legs(std::span<const Leg> legs, const Gears& gears) const;
   [[nodiscard]] Stretch stretch(std::size_t first, std::size_t last) const;
   bool replace_by_way_of(const Pose& via, const Stretch& old);
+  [[nodiscard]] bool stays_cheaper(Pose from, double gain);
   bool replace(const Stretch& old, std::span<const Leg> fresh);
 
   Connector& connector_;

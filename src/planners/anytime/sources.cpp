@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/anytime/sources.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -12,10 +13,10 @@ namespace {
 // Each search is twice as fine as the one before it but one. The first ones are greedy: they find
 // a first route; the third looks for the best; the others find ways out of ever tighter slots.
 constexpr std::array<LatticeOptions, 8> searches = {
-    LatticeOptions{12, 0.5, 2.0, true}, LatticeOptions{24, 0.25, 1.5},
-    LatticeOptions{36, 0.17, 1.2},      LatticeOptions{48, 0.125, 2.0},
-    LatticeOptions{96, 0.06, 2.0},      LatticeOptions{192, 0.03, 3.0},
-    LatticeOptions{384, 0.015, 3.0},    LatticeOptions{768, 0.0075, 3.0}};
+    LatticeOptions{12, 0.5, 2.0},    LatticeOptions{24, 0.25, 1.5},
+    LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
+    LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
+    LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
 constexpr std::size_t most_nodes = 300'000;  // of one search: some 30 MB
 constexpr double first_guide_side = 1.0;     // [vehicle widths]
 constexpr double fine_guide_side = 0.5;      // of all searches but the first
@@ -25,11 +26,8 @@ constexpr double slack = 1.05;                 // what shortening may yet take o
 constexpr std::array far_shares = {1.0, 0.4};  // of the attempts with trees, in turns
 constexpr std::int64_t first_patience = 256;   // samples
 
-// Driven backwards the gears change places, and the initial one is not the first.
 CostRule rule_from(const CostRule& rule, Root root) {
-  if (root == Root::start) return rule;
-  return {rule.reverse_weight, rule.forward_weight, rule.gear_change_cost, 0,
-          rule.curvature_change_cost};
+  return root == Root::start ? rule : reversed(rule, 0);
 }
 
 }  // namespace
@@ -41,7 +39,8 @@ Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
       to_(root == Root::start ? task.goal : task.start),
       root_(root),
       rule_(rule),
-      connector_(task, rule_from(rule, root)),
+      by_length_(task),
+      by_price_(task, rule_from(rule, root)),
       guide_side_(first_guide_side),
       cutoff_(std::numeric_limits<double>::infinity()) {
   next_guide();
@@ -60,7 +59,7 @@ void Ladder::next_search() {
     finished_ = true;
     return;
   }
-  lattice_.emplace(from_, to_, searches[level_], *guide_, connector_);
+  lattice_.emplace(from_, to_, searches[level_], *guide_, minds_prices_ ? by_price_ : by_length_);
   ++level_;
 }
 
@@ -73,6 +72,11 @@ bool Ladder::step() {
     return false;
   }
   if (takes_turns()) return step_rotation();
+  if (!rule_.is_length() && is_known() && !minds_prices_) {
+    minds_prices_ = true;
+    lattice_.reset();
+    level_ -= std::min<std::size_t>(level_, 1);
+  }
   if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_nodes) {
     if (level_ == 1 && guide_side_ > fine_guide_side / 2) {
       next_guide();
@@ -87,9 +91,10 @@ bool Ladder::step() {
 
 // Where coarse searches found nothing there are no other kinds to look for.
 bool Ladder::takes_turns() const {
-  const bool is_known = cutoff_ < std::numeric_limits<double>::infinity();
-  return !rule_.is_length() && is_known && level_ <= last_coarse_level;
+  return !rule_.is_length() && is_known() && (rotation_ || level_ <= last_coarse_level);
 }
+
+bool Ladder::is_known() const { return cutoff_ < std::numeric_limits<double>::infinity(); }
 
 bool Ladder::step_rotation() {
   if (!rotation_) {
@@ -98,7 +103,7 @@ bool Ladder::step_rotation() {
       next_guide();
       return false;
     }
-    rotation_.emplace(task_, connector_.rule(), from_, to_, *guide_);
+    rotation_.emplace(task_, by_price_.rule(), from_, to_, *guide_);
   }
   const bool found = rotation_->step(cutoff_);
   finished_ = rotation_->is_finished();
@@ -106,11 +111,11 @@ bool Ladder::step_rotation() {
 }
 
 std::int64_t Ladder::solves() const {
-  return connector_.solves() + (rotation_ ? rotation_->solves() : 0);
+  return by_length_.solves() + by_price_.solves() + (rotation_ ? rotation_->solves() : 0);
 }
 
 std::int64_t Ladder::checks() const {
-  return connector_.checks() + (rotation_ ? rotation_->checks() : 0);
+  return by_length_.checks() + by_price_.checks() + (rotation_ ? rotation_->checks() : 0);
 }
 
 std::size_t Ladder::size() const {

@@ -17,8 +17,9 @@ namespace vandplan::anytime {
 /// Which end a systematic search begins at.
 enum class Root { start, goal };
 
-/// Lattice searches from coarse to fine, all from the same root; when driving has prices and a
-/// route is known, searches of many kinds in turns.
+/// Lattice searches from coarse to fine, all from the same root. When driving has prices they go by
+/// length until a route is known; from then on searches of many kinds take turns, or the one goes
+/// on by price that a tight slot needed.
 class Ladder {
  public:
   Ladder(const Task& task, const CostRule& rule, Root root);
@@ -38,6 +39,7 @@ class Ladder {
 
  private:
   [[nodiscard]] bool takes_turns() const;
+  [[nodiscard]] bool is_known() const;
   bool step_rotation();
   void next_search();
   void next_guide();
@@ -48,7 +50,8 @@ class Ladder {
   Pose to_;
   Root root_;
   CostRule rule_;        // of the route
-  Connector connector_;  // in the direction of the search
+  Connector by_length_;  // of searches before a route is known
+  Connector by_price_;   // of searches from then on, in their direction
   std::optional<GridDistance> guide_;
   double guide_side_;    // of its cells [vehicle widths]
   bool guided_ = false;  // the guide is complete
@@ -56,6 +59,7 @@ class Ladder {
   std::size_t level_ = 0;
   double cutoff_;
   std::optional<Lattice> lattice_;
+  bool minds_prices_ = false;  // the searches that are under way
   std::optional<Rotation> rotation_;
 };
 

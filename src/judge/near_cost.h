@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does being near things add to the cost of a path, in the eyes of the judge?
+
+#include "judge/ground.h"
+#include "judge/track.h"
+#include "vandplan/plan_options.h"
+
+namespace vandplan::judge {
+
+/// The integral of `clearance_weight` max(0, 1 - clearance / `clearance_distance`) along the track,
+/// metres in reverse weighted as the rule has it [m].
+[[nodiscard]] double near_cost(const Track& track, const Ground& ground, const Outlines& outlines,
+                               const CostOptions& rule);
+
+}  // namespace vandplan::judge
