@@ -26,10 +26,10 @@ struct StatedPose {
 
 /// What somebody says that a path costs.
 struct StatedCost {
-  double cost = 0.0;                 ///< [m]; what being near things adds is believed to 1e-3 of it
-  CostOptions rule = {};             ///< by which it is worked out
-  std::optional<double> bound = {};  ///< no path costs less [m]
-  std::optional<double> gap = {};    ///< cost / bound - 1
+  double cost = 0.0;  ///< [m]; what being near things adds is believed to 1e-3 of it
+  CostOptions rule = shortest_style;  ///< by which it is worked out
+  std::optional<double> bound = {};   ///< no path costs less [m]
+  std::optional<double> gap = {};     ///< cost / bound - 1
 };
 
 /// What somebody says about a path; whatever is stated is checked. A bound is not proven again, but

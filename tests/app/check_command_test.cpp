@@ -181,6 +181,19 @@ TEST_F(CheckCommand, ThePriceOfTurningTheWheelsIsRead) {
   EXPECT_EQ(check(result).status, 1);
 }
 
+// The truck ends 1.1 m before the wall; what is nearer than 3 m costs more.
+TEST_F(CheckCommand, ThePriceOfBeingNearIsRead) {
+  Json result = drive_ahead();
+  result["options"] = {{"clearance_weight", 2}, {"clearance_distance", 3}};
+  result["cost"] = 5 + 2 * 1.9 * 1.9 / 6;
+  EXPECT_EQ(check(result).status, 0) << check(result).out;
+  result["options"]["clearance_distance"] = 2;
+  EXPECT_EQ(check(result).status, 1);
+  result["planner"] = "rrt-opt-rs";  // goes by length, whatever the options say
+  result["cost"] = 5;
+  EXPECT_EQ(check(result).status, 0);
+}
+
 TEST_F(CheckCommand, ThePlaceIsInTheFrameOfTheScenario) {
   std::string far = replaced(yard(), "start: {x: 0", "start: {x: 4500000000");
   far = replaced(far, "goal: {x: 20, y: 5", "goal: {x: 4500000005, y: 0");

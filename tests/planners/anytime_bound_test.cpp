@@ -20,6 +20,10 @@
 namespace vandplan {
 namespace {
 
+double bound_of(const Problem& problem, const search::CostRule& rule) {
+  return least_cost(anytime::open_ground(problem.task(), rule), rule, 0.0);
+}
+
 PlanResult run(const Problem& problem, const CostOptions& cost = shortest_style) {
   PlanOptions options{.cost = shortest_style};
   options.budget.max_iterations = 20000;
@@ -157,7 +161,7 @@ TEST(AnytimeBound, HoldsForEveryPathThatTheJudgeAccepts) {
       const CostRule& rule = rules[rng() % std::size(rules)];
       search::Driven driven = rule.initial_gear;
       const double cost = drive_cost(rule, drive.view(), driven);
-      EXPECT_LE(anytime::open_ground(problem.task(), rule).bound, cost)
+      EXPECT_LE(bound_of(problem, rule), cost)
           << as_code(drive.view()) << " from " << as_code(problem.start());
     }
   });
@@ -171,7 +175,8 @@ TEST(AnytimeBound, IsCloseBelowTheLeastOfForwardReverseAndOneChange) {
       const Pose to = uniform_pose({-50, 50, -50, 50}, rng);
       const Problem problem = problem_of(from, to, {});
       const CostRule& rule = rules[rng() % 4];
-      const auto [bound, leeway] = anytime::open_ground(problem.task(), rule);
+      const double bound = bound_of(problem, rule);
+      const double leeway = anytime::open_ground(problem.task(), rule).leeway;
       const double forward = dubins_length(from, to, radius);
       const double reverse = rule.reverse_weight * dubins_length(to, from, radius);
       const double one_change = reeds_shepp_length(from, to, radius) + rule.gear_change_cost;
@@ -187,14 +192,30 @@ TEST(AnytimeBound, DoesNotJumpWhereAnArcVanishes) {
   for (const double off : {-1e-7, 0.0, 1e-7}) {
     for (const Pose& goal : {Pose{7 + off, 7, 1.570796}, Pose{7, 7 + off, 1.570797}}) {
       const Problem problem = problem_of({}, goal, {});
-      EXPECT_NEAR(anytime::open_ground(problem.task(), rules[0]).bound, 10.9956, 1e-3);
+      EXPECT_NEAR(bound_of(problem, rules[0]), 10.9956, 1e-3);
     }
   }
   const Pose lane = search::end_of({}, Piece{{Segment{1 / radius, 5}, {-1 / radius, 5}}, 2, 10});
   for (const double off : {-1e-7, 0.0, 1e-7}) {
     const Problem problem = problem_of({}, {lane.x + off, lane.y, lane.heading}, {});
-    EXPECT_NEAR(anytime::open_ground(problem.task(), rules[0]).bound, 10, 0.02);
+    EXPECT_NEAR(bound_of(problem, rules[0]), 10, 0.02);
   }
+}
+
+// The way around holds for each kind of path, and a change of gear comes on top of it.
+TEST(AnytimeBound, PutsOpenGroundAndTheWayAroundTogether) {
+  const anytime::OpenGround ground{.forward = 50, .reverse = 22, .shortest = 10};
+  search::CostRule rule{.reverse_weight = 2, .gear_change_cost = 5};
+  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 0), 15);
+  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 20), 25);
+  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 48), 50);
+  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 60), 60);
+  rule.initial_gear = 1;
+  rule.gear_change_cost = 100;
+  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 20), 50);
+  rule.initial_gear = -1;
+  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 24), 48);
+  EXPECT_DOUBLE_EQ(least_cost(ground, {}, 20), 20);
 }
 
 // A planner that claims too much is told so; its claim is not made to fit.

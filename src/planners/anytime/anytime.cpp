@@ -103,15 +103,16 @@ void Run::try_open_ground() {
 }
 
 bool Run::is_optimal() const {
-  return best_ && best_->cost <= open_ground_.bound * (1 + 1e-12) + open_ground_.leeway;
+  return best_ &&
+         best_->cost <= least_cost(open_ground_, rule_, 0.0) * (1 + 1e-12) + open_ground_.leeway;
 }
 
 double Run::lower_bound() const {
-  double bound = open_ground_.bound;
   // Ends that are off may save so much on the way around, too.
   const double off = rule_.is_length() ? 0.0 : 2 * steering::judged.position;
-  for (const Island& island : islands_) bound = std::max(bound, island.shortest() - off);
-  return bound;
+  double around = 0.0;
+  for (const Island& island : islands_) around = std::max(around, island.shortest() - off);
+  return least_cost(open_ground_, rule_, around);
 }
 
 bool Run::is_good_enough() const {
@@ -173,7 +174,7 @@ void Run::tidy(std::uint64_t seed) {
   }
   Route tidied = shortener.route();
   tidied.cost = cost_of(rule_, tidied);
-  if (tidied.cost <= open_ground_.bound * (1 + 1e-9)) best_ = std::move(tidied);
+  if (tidied.cost <= open_ground_.shortest * (1 + 1e-9)) best_ = std::move(tidied);
 }
 
 // Under prices and for those who ask for strokes: the shortest path is what it is.

@@ -35,24 +35,30 @@ Closing seen_from_start(const Task& task) {
 
 }  // namespace
 
-// A path is driven forward, or in reverse, or changes gear; in one of the first two it may have to
-// change gear before it begins. The Reeds-Shepp length is a distance, so moving an end changes it
-// by no more than the length of the move.
+// The Reeds-Shepp length is a distance, so moving an end changes it by no more than the length of
+// the move.
 OpenGround open_ground(const Task& task, const search::CostRule& rule) {
   const double radius = task.vehicle.min_turning_radius;
   const double shortest = reeds_shepp_length(task.start, task.goal, radius);
-  if (rule.is_length()) return {shortest, 0.0};
+  if (rule.is_length()) return {shortest, shortest, shortest, 0.0};
   const auto turned = [](const Pose& p) { return Pose{p.x, p.y, p.heading + std::numbers::pi}; };
   const Closing scaled{judged.position + curvature_slack * distance(task), judged.heading};
   const double leeway = longest_between(judged, radius) + longest_between(scaled, radius);
   const Closing off = seen_from_start(task);
   const double forward = steering::dubins_bound(task.start, task.goal, radius, off);
   const double reverse = steering::dubins_bound(turned(task.start), turned(task.goal), radius, off);
-  const double least =
-      std::min({rule.forward_weight * forward + change_cost(rule, rule.initial_gear, 1),
-                rule.reverse_weight * reverse + change_cost(rule, rule.initial_gear, -1),
-                std::max(shortest - leeway, 0.0) + rule.gear_change_cost});
-  return {least / (1 + curvature_slack), leeway};
+  const double slack = 1 + curvature_slack;
+  return {forward / slack, reverse / slack, std::max(shortest - leeway, 0.0) / slack, leeway};
+}
+
+// In one gear only it may have to change gear before it begins.
+double least_cost(const OpenGround& ground, const search::CostRule& rule, double around) {
+  if (rule.is_length()) return std::max(ground.shortest, around);
+  return std::min({rule.forward_weight * std::max(ground.forward, around) +
+                       change_cost(rule, rule.initial_gear, 1),
+                   rule.reverse_weight * std::max(ground.reverse, around) +
+                       change_cost(rule, rule.initial_gear, -1),
+                   std::max(ground.shortest, around) + rule.gear_change_cost});
 }
 
 }  // namespace vandplan::anytime
