@@ -58,9 +58,17 @@ Vehicle lengths_from(const Document& file, const Node& node) {
 }
 
 /// Takes the number over if the key is there.
-template <class Limit>
-void read_limit(const Document& file, const Node& node, std::string_view key, Limit& limit) {
+void read_limit(const Document& file, const Node& node, std::string_view key, double& limit) {
   if (const Node* const found = file.find(node, key)) limit = file.number(*found);
+}
+
+/// A limit that may be none.
+void read_limit(const Document& file, const Node& node, std::string_view key,
+                std::optional<double>& limit) {
+  const Node* const found = file.find(node, key);
+  if (found == nullptr) return;
+  const bool is_none = found->kind == Node::Kind::scalar && found->text == "none";
+  limit = is_none ? std::nullopt : std::optional(file.number(*found));
 }
 
 /// Takes over what is given of the limits.
@@ -75,12 +83,7 @@ void read_limits(const Document& file, const Node& node, DrivingLimits& limits) 
   read_limit(file, node, "max_acceleration", limits.max_acceleration);
   read_limit(file, node, "max_braking", limits.max_braking);
   read_limit(file, node, "max_lateral_acceleration", limits.max_lateral_acceleration);
-  const Node* const jerk = file.find(node, "max_jerk");
-  if (jerk != nullptr && jerk->kind == Node::Kind::scalar && jerk->text == "none") {
-    limits.max_jerk = std::nullopt;
-  } else if (jerk != nullptr) {
-    limits.max_jerk = file.number(*jerk);
-  }
+  read_limit(file, node, "max_jerk", limits.max_jerk);
 }
 
 const EmbeddedVehicle* find_vehicle(std::string_view name) {
