@@ -9,8 +9,8 @@
 namespace vandplan::speed {
 namespace {
 
-constexpr double tolerance = 5e-4;  // of speed^2, between a limit and the tangents below it
-constexpr int deepest = 24;         // halvings of a stretch
+constexpr double tolerance = 1e-3;  // of speed^2, between a limit and the tangents below it
+constexpr int deepest = 24;         // halvings of a part
 
 /// A squared speed and its slope over the distance.
 struct Tangent {
@@ -32,8 +32,6 @@ class SegmentLimits {
     // The wheels turn by wheelbase * rate / (1 + (wheelbase * curvature)^2) for each metre.
     straight_ = limits_.max_steering_rate / (wheelbase_ * std::abs(segment.curvature_rate));
   }
-
-  [[nodiscard]] double top() const { return top_; }
 
   /// The limit of that kind at a place.
   [[nodiscard]] Tangent tangent(SpeedBound bound, double s) const {
@@ -106,24 +104,28 @@ class Builder {
         s_(s),
         caps_(caps) {}
 
-  /// A stretch on which one limit is the lowest; it is convex there.
-  void add_stretch(double begin, double end) {
+  /// A part on which one limit is the lowest; it is convex there.
+  void add_part(double begin, double end) {
     bound_ = limits_.bound_at((begin + end) / 2);
-    if (bound_ == SpeedBound::max_speed) {
-      add_line(begin, limits_.top(), end, limits_.top());
-    } else {
-      add_tangents(limits_.tangent(bound_, begin), limits_.tangent(bound_, end), 0);
-    }
+    const Tangent first = limits_.tangent(bound_, begin);
+    const Tangent last = limits_.tangent(bound_, end);
+    from_ = begin;
+    value_ = first.value;
+    if (bound_ != SpeedBound::max_speed) add_tangents(first, last, 0);
+    add_line_to(end, last.value);
   }
 
  private:
-  void add_line(double begin, double first, double end, double last) {
-    if (!(begin < end)) return;
-    caps_.push_back({s_ + begin, s_ + end, first, last, bound_});
-    if (!(caps_.back().begin < caps_.back().end)) caps_.pop_back();
+  /// The line from where the last one ended.
+  void add_line_to(double end, double value) {
+    const Cap line{s_ + from_, s_ + end, value_, value, bound_};
+    if (line.begin < line.end) caps_.push_back(line);
+    from_ = end;
+    value_ = value;
   }
 
-  /// What is below a convex limit: two of its tangents, or more of them in between.
+  /// Lines up to the last one of what is below a convex limit: its tangents at `a` and `b`, or more
+  /// of them in between.
   void add_tangents(const Tangent& a, const Tangent& b, int depth) {
     const double gain = b.slope - a.slope;
     double meet = (a.s + b.s) / 2;
@@ -137,8 +139,7 @@ class Builder {
     const bool is_steep = a.slope >= steepest_rise_ || b.slope <= steepest_fall_;
     const bool is_inside = a.s < meet && meet < b.s;
     if (is_close || is_steep || !is_inside || depth == deepest) {
-      add_line(a.s, a.value, meet, low);
-      add_line(meet, low, b.s, b.value);
+      add_line_to(meet, low);
     } else {
       add_tangents(a, between, depth + 1);
       add_tangents(between, b, depth + 1);
@@ -151,6 +152,8 @@ class Builder {
   double s_;
   std::vector<Cap>& caps_;
   SpeedBound bound_ = SpeedBound::max_speed;
+  double from_ = 0.0;   // where the next line begins, from the start of the segment
+  double value_ = 0.0;  // and at which speed^2
 };
 
 }  // namespace
@@ -177,7 +180,7 @@ void add_caps(const Segment& segment, double s, const Vehicle& vehicle, std::vec
   // 2. Between them lines below the lowest limit.
   Builder builder(limits, vehicle.limits, s, caps);
   for (std::size_t i = 0; i + 1 < count; ++i) {
-    if (places[i] < places[i + 1]) builder.add_stretch(places[i], places[i + 1]);
+    if (places[i] < places[i + 1]) builder.add_part(places[i], places[i + 1]);
   }
 }
 

@@ -12,7 +12,7 @@
 
 namespace vandplan::speed {
 
-/// A stretch of the path on which the square of the largest speed is a line.
+/// A part of the path on which the square of the largest speed is a line.
 struct Cap {
   double begin = 0.0;                        ///< driven distance [m]
   double end = 0.0;                          ///< > begin
@@ -24,7 +24,7 @@ struct Cap {
 };
 
 /// Adds the caps of a segment that begins `s` metres from the start: never above a limit, and at
-/// most 0.05 % below in speed^2 wherever that can matter.
+/// most 0.1 % below in speed^2 wherever that can matter.
 void add_caps(const Segment& segment, double s, const Vehicle& vehicle, std::vector<Cap>& caps);
 
 }  // namespace vandplan::speed

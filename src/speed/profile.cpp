@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "speed/caps.h"
-#include "speed/stroke.h"
+#include "speed/stretch.h"
 #include "vandplan/input_error.h"
 #include "vandplan/speed.h"
 
@@ -28,7 +28,7 @@ void check_finite(const Path& path) {
   }
 }
 
-/// Puts the drive together, stroke by stroke.
+/// Puts the drive together, stretch by stretch.
 class Drive {
  public:
   Drive(const Vehicle& vehicle, double start_curvature)
@@ -50,7 +50,7 @@ class Drive {
   }
 
   SpeedProfile finish() {
-    finish_stroke();
+    finish_stretch();
     profile_.knots.push_back({.t = t_, .s = s_});
     profile_.duration = t_;
     return std::move(profile_);
@@ -62,9 +62,9 @@ class Drive {
     return std::abs(steering_angle(vehicle_, curvature) - steering_angle(vehicle_, curvature_));
   }
 
-  /// Drives the stroke up to here and stands until the wheels are turned.
+  /// Drives the stretch up to here and stands until the wheels are turned.
   void stop(double curvature) {
-    finish_stroke();
+    finish_stretch();
     const double pause = turn_to(curvature) / vehicle_.limits.max_steering_rate;
     profile_.stops.push_back({t_, s_, pause, curvature_, curvature});
     if (pause > 0.0) profile_.knots.push_back({.t = t_, .s = s_});
@@ -73,13 +73,13 @@ class Drive {
     curvature_ = curvature;
   }
 
-  void finish_stroke() {
+  void finish_stretch() {
     if (caps_.empty()) return;
     std::vector<SpeedKnot>& knots = profile_.knots;
     const std::size_t first = knots.size();
     const DrivingLimits& limits = vehicle_.limits;
-    const double duration = limits.max_jerk ? speed::drive_stroke_smoothly(caps_, limits, knots)
-                                            : speed::drive_stroke(caps_, limits, knots);
+    const double duration = limits.max_jerk ? speed::drive_stretch_smoothly(caps_, limits, knots)
+                                            : speed::drive_stretch(caps_, limits, knots);
     for (std::size_t i = first; i < knots.size(); ++i) knots[i].t += t_;
     t_ += duration;
     caps_.clear();
@@ -87,7 +87,7 @@ class Drive {
 
   const Vehicle& vehicle_;
   SpeedProfile profile_;
-  std::vector<Cap> caps_;  // of the stroke
+  std::vector<Cap> caps_;  // of the stretch
   double curvature_;       // that the wheels are turned to
   double gear_ = 0.0;      // 1, -1, or 0 before the first segment
   double s_ = 0.0;

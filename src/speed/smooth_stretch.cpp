@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How is a stroke driven when the acceleration may not jump?
+// How is a stretch driven when the acceleration may not jump?
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "speed/stroke.h"
+#include "speed/stretch.h"
 
 namespace vandplan::speed {
 namespace {
 
-/// A stretch with one largest speed.
+/// A part of the path with one largest speed.
 struct Zone {
   double begin;  // [m]
   double end;    // [m]
@@ -77,7 +77,7 @@ struct Hump {
   Ramp down;
 };
 
-/// Puts a stroke together from humps.
+/// Puts a stretch together from humps.
 class Smoother {
  public:
   Smoother(std::vector<Zone> zones, const DrivingLimits& limits, std::vector<SpeedKnot>& knots)
@@ -240,7 +240,7 @@ std::vector<Zone> zones_below(std::span<const Cap> caps) {
 
 }  // namespace
 
-double drive_stroke_smoothly(std::span<const Cap> caps, const DrivingLimits& limits,
+double drive_stretch_smoothly(std::span<const Cap> caps, const DrivingLimits& limits,
                              std::vector<SpeedKnot>& knots) {
   Smoother smoother(zones_below(caps), limits, knots);
   smoother.drive({caps.front().begin, 0.0}, {caps.back().end, 0.0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "speed/stroke.h"
+#include "speed/stretch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ void turn_round(std::vector<Cap>& caps) {
 
 }  // namespace
 
-double drive_stroke(std::vector<Cap>& caps, const DrivingLimits& limits,
+double drive_stretch(std::vector<Cap>& caps, const DrivingLimits& limits,
                     std::vector<SpeedKnot>& knots) {
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
   // 1. Forward: no faster than it can have become since the last stop.

@@ -12,13 +12,13 @@
 namespace vandplan::speed {
 
 /// The fastest drive from stop to stop below caps that follow each other without gaps, adding its
-/// knots, with times since the start of the stroke; returns how long it takes [s]. `caps` may be
+/// knots, with times since the start of the stretch; returns how long it takes [s]. `caps` may be
 /// changed.
-double drive_stroke(std::vector<Cap>& caps, const DrivingLimits& limits,
+double drive_stretch(std::vector<Cap>& caps, const DrivingLimits& limits,
                     std::vector<SpeedKnot>& knots);
 
 /// The drive that also keeps `limits.max_jerk`, which must be there; near the fastest.
-double drive_stroke_smoothly(std::span<const Cap> caps, const DrivingLimits& limits,
+double drive_stretch_smoothly(std::span<const Cap> caps, const DrivingLimits& limits,
                              std::vector<SpeedKnot>& knots);
 
 }  // namespace vandplan::speed
