@@ -94,8 +94,8 @@ Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& pro
           .curvature = place.curvature,
           .steering_angle = steering_angle(vehicle, place.curvature),
           .direction = place.direction,
-          .v = place.direction * v,
-          .a = place.direction * a};
+          .v = place.direction * v + 0.0,  // no -0
+          .a = place.direction * a + 0.0};
 }
 
 }  // namespace

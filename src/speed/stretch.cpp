@@ -21,8 +21,7 @@ class RisePass {
     const double gap = cap.first - value_;
     const double length = cap.end - cap.begin;
     // How far it takes to reach the cap.
-    double reach = slope < rise_ ? gap / (rise_ - slope) : length;
-    if (gap == 0.0 && slope <= rise_) reach = 0.0;
+    const double reach = slope < rise_ ? gap / (rise_ - slope) : length;
     if (!(reach < length)) {
       push(cap.begin, cap.end, std::min(value_ + rise_ * length, cap.last), bound_);
       return;
@@ -61,7 +60,7 @@ void turn_round(std::vector<Cap>& caps) {
 }  // namespace
 
 double drive_stretch(std::vector<Cap>& caps, const DrivingLimits& limits,
-                    std::vector<SpeedKnot>& knots) {
+                     std::vector<SpeedKnot>& knots) {
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
   // 1. Forward: no faster than it can have become since the last stop.
   std::vector<Cap> risen;

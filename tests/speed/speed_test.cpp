@@ -199,6 +199,8 @@ TEST(Motion, ReverseIsNegative) {
   EXPECT_DOUBLE_EQ(motion.pose.x, -0.5);
   EXPECT_EQ(motion.direction, -1);
   EXPECT_DOUBLE_EQ(motion_at(path, car(), profile, 6.0).a, 1.0);
+  EXPECT_FALSE(std::signbit(motion_at(path, car(), profile, 0.0).v));  // no -0 in files
+  EXPECT_FALSE(std::signbit(motion_at(path, car(), profile, 3.0).a));
 }
 
 TEST(Motion, TheWheelsTurnEvenlyWhileItStands) {
