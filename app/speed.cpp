@@ -41,15 +41,16 @@ struct Choice {
 };
 
 /// The goal of a row that was asked for, or the furthest one that has a path, or the first one.
-std::size_t goal_of(const std::vector<ResultRecord>& records, std::optional<std::size_t> asked) {
+std::size_t goal_of(const ScenarioFile& file, const std::vector<ResultRecord>& records,
+                    std::optional<std::size_t> asked) {
   if (asked && *asked >= records.size()) {
     throw InputError("--goal", fmt::format("is {}, expected 0 to {}", *asked, records.size() - 1));
   }
   if (asked) return *asked;
   std::size_t best = 0;
-  for (std::size_t i = 0; i < records.size(); ++i) {
+  for (std::size_t i = 1; i < records.size(); ++i) {
     const auto reach = [&](std::size_t goal) {
-      return records[goal].result.path ? records[goal].distance.value_or(0.0) : -1.0;
+      return records[goal].result.path ? file.row[goal].distance : -1.0;
     };
     if (reach(i) > reach(best)) best = i;
   }
@@ -78,7 +79,7 @@ Choice chosen(const ScenarioProblems& read, const SpeedArguments& arguments) {
     throw InputError("--goal", "the scenario has one goal, not a row of them");
   }
   std::vector<ResultRecord> records = reader.all();
-  const std::size_t i = goal_of(records, arguments.goal);
+  const std::size_t i = goal_of(read.file, records, arguments.goal);
   std::string label = read.file.scenario.name;
   if (read.file.is_row()) label += fmt::format(" goals[{}]", i);
   return {read.problems[i], std::move(records[i]), std::move(label)};

@@ -163,7 +163,7 @@ TEST_F(SpeedCommand, ThereIsNothingToDriveWithoutAGoodPath) {
 }
 
 TEST_F(SpeedCommand, SaysWhatCannotBeWrittenOrRead) {
-  EXPECT_EQ(speed({"--output", folder_ / "none" / "drive.csv"}).status, 2);
+  EXPECT_EQ(speed({"--output", folder_ / "none/drive.csv"}).status, 2);
   EXPECT_EQ(speed({"--output", folder_ / "drive.json"}).err,
             "vandplan: " + (folder_ / "drive.json") +
                 ": ends in .json, but a drive is CSV, expected a name that ends in .csv\n");
