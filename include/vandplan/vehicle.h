@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which lengths describe the vehicle, and where is its footprint?
+// Which lengths and limits describe the vehicle, and where is its footprint?
 
 #include <array>
 #include <optional>
 
+#include "vandplan/driving_limits.h"
 #include "vandplan/geometry.h"
 
 namespace vandplan {
 
-/// The lengths of a rigid vehicle that steers at the front [m]; the field names are keys of
-/// scenario files.
+/// The lengths of a rigid vehicle that steers at the front [m], and how fast it may be driven; the
+/// field names are keys of scenario files, where those of `limits` stand beside the lengths.
 struct Vehicle {
   double wheelbase = 4.5;           ///< rear axle to front axle; > 0
   double front_overhang = 1.4;      ///< front axle to front bumper; >= 0
@@ -20,8 +21,20 @@ struct Vehicle {
   double min_turning_radius = 7.0;  ///< of the rear-axle midpoint at full steering; > 0
   /// Width over the wheels of an axle; > 0, at most `width`, which holds where there is none.
   std::optional<double> track_width = {};
+  DrivingLimits limits = {};
   bool operator==(const Vehicle&) const = default;
 };
+
+/// Whether two vehicles have the same lengths, whatever their limits.
+[[nodiscard]] bool same_lengths(const Vehicle& a, const Vehicle& b) noexcept;
+
+/// The angle of the front wheel of a bicycle with this wheelbase that makes the midpoint of the
+/// rear axle drive this curvature [rad]; in (-pi/2, pi/2), positive to the left.
+[[nodiscard]] double steering_angle(const Vehicle& vehicle, double curvature) noexcept;
+
+/// The largest change of curvature per metre driven [1/m^2]: `limits.max_curvature_rate`, or what
+/// the steering rate allows at 1 m/s with any curvature, rate / (wheelbase * 1 m/s).
+[[nodiscard]] double max_curvature_rate(const Vehicle& vehicle) noexcept;
 
 /// A rectangle in the vehicle frame (origin at the rear-axle midpoint, x forward): x from `-rear`
 /// to `front`, y from `-half_width` to `half_width`. Closed. [m]

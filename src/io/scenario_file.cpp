@@ -329,17 +329,12 @@ ScenarioProblems read_problems(const std::string& file) {
 
 std::string to_yaml(const ScenarioFile& file) {
   const Scenario& scenario = file.scenario;
-  const Vehicle& v = scenario.vehicle;
   const Bounds& b = scenario.bounds;
   std::string text = fmt::format("name: {}\n", quoted(scenario.name));
   if (!scenario.description.empty()) {
     text += fmt::format("description: {}\n", quoted(scenario.description));
   }
-  text += fmt::format(
-      "vehicle: {{wheelbase: {}, front_overhang: {}, rear_overhang: {}, width: {}, "
-      "min_turning_radius: {}{}}}\n",
-      v.wheelbase, v.front_overhang, v.rear_overhang, v.width, v.min_turning_radius,
-      v.track_width ? fmt::format(", track_width: {}", *v.track_width) : "");
+  text += fmt::format("vehicle: {}\n", yaml_of(scenario.vehicle));
   text += fmt::format("bounds: {{x: [{}, {}], y: [{}, {}]}}\n", b.x_min, b.x_max, b.y_min, b.y_max);
   text += fmt::format("start: {}\n", yaml_of(scenario.start));
   if (!file.is_row()) text += fmt::format("goal: {}\n", yaml_of(scenario.goal));

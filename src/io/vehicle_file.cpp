@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "base/text.h"
 #include "base/trigonometry.h"
@@ -40,7 +42,9 @@ double turning_radius_from(const Document& file, const Node& node, double wheelb
 
 Vehicle lengths_from(const Document& file, const Node& node) {
   file.allow_only(node, {"wheelbase", "front_overhang", "rear_overhang", "width",
-                         "min_turning_radius", "max_steering_angle", "track_width"});
+                         "min_turning_radius", "max_steering_angle", "track_width",
+                         "max_steering_rate", "max_curvature_rate", "max_speed", "max_acceleration",
+                         "max_braking", "max_lateral_acceleration", "max_jerk"});
   Vehicle vehicle{.wheelbase = file.number(file.at(node, "wheelbase")),
                   .front_overhang = file.number(file.at(node, "front_overhang")),
                   .rear_overhang = file.number(file.at(node, "rear_overhang")),
@@ -53,6 +57,35 @@ Vehicle lengths_from(const Document& file, const Node& node) {
   return vehicle;
 }
 
+/// Takes the number over if the key is there.
+void read_limit(const Document& file, const Node& node, std::string_view key, double& limit) {
+  if (const Node* const found = file.find(node, key)) limit = file.number(*found);
+}
+
+/// A limit that may be none.
+void read_limit(const Document& file, const Node& node, std::string_view key,
+                std::optional<double>& limit) {
+  const Node* const found = file.find(node, key);
+  if (found == nullptr) return;
+  const bool is_none = found->kind == Node::Kind::scalar && found->text == "none";
+  limit = is_none ? std::nullopt : std::optional(file.number(*found));
+}
+
+/// Takes over what is given of the limits.
+void read_limits(const Document& file, const Node& node, DrivingLimits& limits) {
+  read_limit(file, node, "max_steering_rate", limits.max_steering_rate);
+  read_limit(file, node, "max_curvature_rate", limits.max_curvature_rate);
+  if (const Node* const speed = file.find(node, "max_speed")) {
+    file.allow_only(*speed, {"forward", "reverse"});
+    read_limit(file, *speed, "forward", limits.max_speed.forward);
+    read_limit(file, *speed, "reverse", limits.max_speed.reverse);
+  }
+  read_limit(file, node, "max_acceleration", limits.max_acceleration);
+  read_limit(file, node, "max_braking", limits.max_braking);
+  read_limit(file, node, "max_lateral_acceleration", limits.max_lateral_acceleration);
+  read_limit(file, node, "max_jerk", limits.max_jerk);
+}
+
 const EmbeddedVehicle* find_vehicle(std::string_view name) {
   const auto found = std::find_if(std::begin(embedded_vehicles), std::end(embedded_vehicles),
                                   [&](const EmbeddedVehicle& v) { return v.name == name; });
@@ -61,7 +94,48 @@ const EmbeddedVehicle* find_vehicle(std::string_view name) {
 
 Vehicle read(const EmbeddedVehicle& vehicle) {
   const Document file = parse_yaml(std::string(vehicle.text), std::string(vehicle.name) + ".yaml");
-  return lengths_from(file, file.root());
+  Vehicle read = lengths_from(file, file.root());
+  read_limits(file, file.root(), read.limits);
+  return read;
+}
+
+/// The limits that a vehicle with these lengths has unless a file says otherwise.
+DrivingLimits usual_limits(const Vehicle& vehicle) {
+  static const auto catalogue = [] {
+    std::vector<Vehicle> vehicles;
+    for (const EmbeddedVehicle& known : embedded_vehicles) vehicles.push_back(read(known));
+    return vehicles;
+  }();
+  for (const Vehicle& known : catalogue) {
+    if (same_lengths(known, vehicle)) return known.limits;
+  }
+  return {};
+}
+
+/// ", key: value" where the value is not the usual one.
+void add_limit(std::string& text, std::string_view key, const std::optional<double>& value,
+               const std::optional<double>& usual) {
+  if (value == usual) return;
+  text += fmt::format(", {}: {}", key, value ? fmt::format("{}", *value) : "none");
+}
+
+/// The limits that `usual_limits` does not know.
+std::string yaml_of_limits(const Vehicle& vehicle) {
+  const DrivingLimits& limits = vehicle.limits;
+  const DrivingLimits usual = usual_limits(vehicle);
+  std::string text;
+  add_limit(text, "max_steering_rate", limits.max_steering_rate, usual.max_steering_rate);
+  add_limit(text, "max_curvature_rate", limits.max_curvature_rate, usual.max_curvature_rate);
+  if (limits.max_speed != usual.max_speed) {
+    text += fmt::format(", max_speed: {{forward: {}, reverse: {}}}", limits.max_speed.forward,
+                        limits.max_speed.reverse);
+  }
+  add_limit(text, "max_acceleration", limits.max_acceleration, usual.max_acceleration);
+  add_limit(text, "max_braking", limits.max_braking, usual.max_braking);
+  add_limit(text, "max_lateral_acceleration", limits.max_lateral_acceleration,
+            usual.max_lateral_acceleration);
+  add_limit(text, "max_jerk", limits.max_jerk, usual.max_jerk);
+  return text;
 }
 
 std::string no_such_vehicle(std::string_view name) {
@@ -72,10 +146,25 @@ std::string no_such_vehicle(std::string_view name) {
 }  // namespace
 
 Vehicle vehicle_from(const Document& file, const Node& node) {
-  if (node.kind != Node::Kind::scalar) return lengths_from(file, node);
+  if (node.kind != Node::Kind::scalar) {
+    Vehicle vehicle = lengths_from(file, node);
+    vehicle.limits = usual_limits(vehicle);
+    read_limits(file, node, vehicle.limits);
+    return vehicle;
+  }
   const EmbeddedVehicle* const found = find_vehicle(node.text);
   if (found == nullptr) file.fail(node, no_such_vehicle(node.text) + ", or a map of lengths");
   return read(*found);
+}
+
+std::string yaml_of(const Vehicle& vehicle) {
+  const std::string track =
+      vehicle.track_width ? fmt::format(", track_width: {}", *vehicle.track_width) : "";
+  return fmt::format(
+      "{{wheelbase: {}, front_overhang: {}, rear_overhang: {}, width: {}, min_turning_radius: "
+      "{}{}{}}}",
+      vehicle.wheelbase, vehicle.front_overhang, vehicle.rear_overhang, vehicle.width,
+      vehicle.min_turning_radius, track, yaml_of_limits(vehicle));
 }
 
 }  // namespace vandplan::io

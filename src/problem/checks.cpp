@@ -149,6 +149,11 @@ void check_vehicle(const Vehicle& vehicle) {
                                 "vehicle.rear_overhang");
   problem::require_positive(vehicle.width, "vehicle.width");
   problem::require_positive(vehicle.min_turning_radius, "vehicle.min_turning_radius");
+  try {
+    check_limits(vehicle.limits);
+  } catch (const InputError& error) {
+    throw InputError("vehicle." + error.where(), error.problem());
+  }
   if (!vehicle.track_width) return;
   problem::require_positive(*vehicle.track_width, "vehicle.track_width");
   problem::require(*vehicle.track_width <= vehicle.width, "vehicle.track_width",

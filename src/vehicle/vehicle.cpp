@@ -8,6 +8,22 @@
 
 namespace vandplan {
 
+bool same_lengths(const Vehicle& a, const Vehicle& b) noexcept {
+  Vehicle other = b;
+  other.limits = a.limits;
+  return a == other;
+}
+
+double steering_angle(const Vehicle& vehicle, double curvature) noexcept {
+  return base::atan_2(vehicle.wheelbase * curvature, 1.0);
+}
+
+double max_curvature_rate(const Vehicle& vehicle) noexcept {
+  constexpr double speed = 1.0;  // [m/s]
+  return vehicle.limits.max_curvature_rate.value_or(vehicle.limits.max_steering_rate /
+                                                    (vehicle.wheelbase * speed));
+}
+
 Footprint footprint(const Vehicle& vehicle) noexcept {
   return {.rear = vehicle.rear_overhang,
           .front = vehicle.wheelbase + vehicle.front_overhang,

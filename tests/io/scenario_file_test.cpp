@@ -185,7 +185,8 @@ std::string with_vehicle(const std::string& vehicle) {
 
 TEST(ScenarioFile, AVehicleMayBeNamed) {
   const Scenario scenario = scenario_from_yaml(with_vehicle("city-bus"), "s.yaml").scenario;
-  EXPECT_EQ(scenario.vehicle, (Vehicle{7.6, 2.1, 2.4, 2.6, 8.66}));
+  EXPECT_TRUE(same_lengths(scenario.vehicle, {7.6, 2.1, 2.4, 2.6, 8.66}));
+  EXPECT_EQ(scenario.vehicle.limits.max_steering_rate, 0.71);
   EXPECT_EQ(message_for(with_vehicle("city-buss")),
             "s.yaml:3: vehicle: is \"city-buss\", expected one of city-bus, coach, "
             "three-axle-truck, tpcap-car, two-axle-truck, van, or a map of lengths");
@@ -297,7 +298,9 @@ std::vector<BadFile> bad_files() {
       // Keys
       spoilt("width:", "widht:",
              "3: vehicle: unknown key \"widht\", expected one of wheelbase, front_overhang, "
-             "rear_overhang, width, min_turning_radius, max_steering_angle, track_width"),
+             "rear_overhang, width, min_turning_radius, max_steering_angle, track_width, "
+             "max_steering_rate, max_curvature_rate, max_speed, max_acceleration, max_braking, "
+             "max_lateral_acceleration, max_jerk"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
              "goal, goals, obstacles, kerbs, map, unknown, options"),

@@ -42,7 +42,8 @@ const std::string valid =
 TEST_F(Tpcap, ReadsPosesObstaclesAndDrawsBoundsAroundThem) {
   const Scenario scenario = read(valid);
   EXPECT_EQ(scenario.name, "Case7");
-  EXPECT_EQ(scenario.vehicle, (Vehicle{2.8, 0.96, 0.929, 1.942, 3.005593}));
+  EXPECT_TRUE(same_lengths(scenario.vehicle, {2.8, 0.96, 0.929, 1.942, 3.005593}));
+  EXPECT_EQ(scenario.vehicle.limits.max_speed, (GearSpeeds{2.5, 2.5}));
   EXPECT_EQ(scenario.start, (Pose{1.5, -2, 0.25}));
   EXPECT_EQ(scenario.goal, (Pose{10, 3, -1.5}));
   EXPECT_EQ(scenario.obstacles, (std::vector<Polygon>{{{0, 0}, {1, 0}, {1, 1}},

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// vandplan speed: how fast can a path be driven, and where is the vehicle when?
+#include "vandplan/speed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "commands.h"
+#include "endings.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
+#include "vandplan/path_check.h"
+#include "vandplan/result_file.h"
+#include "wording.h"
+
+namespace vandplan::app {
+namespace {
+
+constexpr double most_rows = 2e6;
+
+struct SpeedArguments {
+  std::string scenario;
+  std::string result;
+  std::optional<std::string> output;
+  std::optional<std::size_t> goal;
+  std::optional<std::size_t> pair;
+  double step = 0.05;  // between rows [s]
+  bool json = false;
+};
+
+/// One path of a result file, with the problem that it solves.
+struct Choice {
+  Problem problem;
+  ResultRecord record;
+  std::string label;  // "yard goals[2]"
+};
+
+/// The goal of a row that was asked for, or the furthest one that has a path, or the first one.
+std::size_t goal_of(const ScenarioFile& file, const std::vector<ResultRecord>& records,
+                    std::optional<std::size_t> asked) {
+  if (asked && *asked >= records.size()) {
+    throw InputError("--goal", fmt::format("is {}, expected 0 to {}", *asked, records.size() - 1));
+  }
+  if (asked) return *asked;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    const auto reach = [&](std::size_t goal) {
+      return records[goal].result.path ? file.row[goal].distance : -1.0;
+    };
+    if (reach(i) > reach(best)) best = i;
+  }
+  return best;
+}
+
+Choice chosen_pair(const ScenarioProblems& read, ResultReader& reader, std::size_t number) {
+  const Problem& pattern = read.problems.front();
+  while (const std::optional<PairRecord> pair = reader.next()) {
+    if (pair->pair != number) continue;
+    return {make_problem(pattern.world(), pattern.vehicle(), pair->poses.start, pair->poses.goal),
+            pair->record, fmt::format("{} pair {}", read.file.scenario.name, number)};
+  }
+  throw InputError("--pair", fmt::format("there is no pair {}", number));
+}
+
+Choice chosen(const ScenarioProblems& read, const SpeedArguments& arguments) {
+  ResultReader reader(arguments.result, read.file);
+  if (reader.has_pairs()) {
+    if (arguments.goal) throw InputError("--goal", "the results are for pairs: --pair N");
+    if (!arguments.pair) throw InputError(arguments.result, "holds many results: --pair N");
+    return chosen_pair(read, reader, *arguments.pair);
+  }
+  if (arguments.pair) throw InputError("--pair", "the result is one, not many with numbers");
+  if (arguments.goal && !read.file.is_row()) {
+    throw InputError("--goal", "the scenario has one goal, not a row of them");
+  }
+  std::vector<ResultRecord> records = reader.all();
+  const std::size_t i = goal_of(read.file, records, arguments.goal);
+  std::string label = read.file.scenario.name;
+  if (read.file.is_row()) label += fmt::format(" goals[{}]", i);
+  return {read.problems[i], std::move(records[i]), std::move(label)};
+}
+
+/// The longest way from stop to stop.
+struct Stretch {
+  double length = 0.0;    // [m]
+  double duration = 0.0;  // [s]
+};
+
+Stretch longest_stretch(const SpeedProfile& profile) {
+  Stretch longest;
+  double s = 0.0;
+  double t = 0.0;
+  const auto end_at = [&](double end_s, double end_t) {
+    if (end_s - s > longest.length) longest = {end_s - s, end_t - t};
+  };
+  for (const Stop& stop : profile.stops) {
+    end_at(stop.s, stop.t);
+    s = stop.s;
+    t = stop.t + stop.pause;
+  }
+  end_at(profile.knots.back().s, profile.duration);
+  return longest;
+}
+
+constexpr std::array bounds = {SpeedBound::max_speed,     SpeedBound::lateral_acceleration,
+                               SpeedBound::steering_rate, SpeedBound::acceleration,
+                               SpeedBound::braking,       SpeedBound::jerk,
+                               SpeedBound::standing};
+
+/// How long that is what keeps the vehicle from being faster [s].
+double time_bound_by(SpeedBound bound, const SpeedProfile& profile) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < profile.knots.size(); ++i) {
+    if (profile.knots[i].bound == bound) sum += profile.knots[i + 1].t - profile.knots[i].t;
+  }
+  return sum;
+}
+
+/// Where the vehicle stands between start and goal; turning wheels at the start is no stop.
+std::ptrdiff_t stops_on_the_way(const SpeedProfile& profile) {
+  return std::ranges::count_if(profile.stops, [](const Stop& stop) { return stop.s > 0.0; });
+}
+
+double highest_speed(const SpeedProfile& profile) {
+  double highest = 0.0;
+  for (const SpeedKnot& knot : profile.knots) highest = std::max(highest, knot.v);
+  return highest;
+}
+
+nlohmann::ordered_json json_of(const Choice& choice, const SpeedProfile& profile) {
+  const Stretch longest = longest_stretch(profile);
+  nlohmann::ordered_json json = {
+      {"scenario", choice.record.scenario},
+      {"duration", profile.duration},
+      {"length", length(*choice.record.result.path)},
+      {"standing", profile.standing},
+      {"highest_speed", highest_speed(profile)},
+      {"longest_stretch", {{"length", longest.length}, {"duration", longest.duration}}}};
+  json["stops"] = nlohmann::ordered_json::array();
+  for (const Stop& stop : profile.stops) {
+    json["stops"].push_back({{"t", stop.t},
+                             {"s", stop.s},
+                             {"pause", stop.pause},
+                             {"curvature_before", stop.curvature_before},
+                             {"curvature_after", stop.curvature_after}});
+  }
+  for (const SpeedBound bound : bounds) {
+    json["bound_by"][std::string(name_of(bound))] = time_bound_by(bound, profile);
+  }
+  return json;
+}
+
+void print_summary(const Choice& choice, const SpeedProfile& profile) {
+  const Stretch longest = longest_stretch(profile);
+  fmt::print("{}: {} for {}, at most {:.3f} m/s, stops {}, standing {}\n", printable(choice.label),
+             seconds_text(profile.duration), metres_text(length(*choice.record.result.path)),
+             highest_speed(profile), stops_on_the_way(profile), seconds_text(profile.standing));
+  fmt::print("  longest stretch: {} in {}\n", metres_text(longest.length),
+             seconds_text(longest.duration));
+  std::string shares;
+  for (const SpeedBound bound : bounds) {
+    const double share = time_bound_by(bound, profile) / profile.duration;
+    if (!(share > 0.0)) continue;
+    shares += fmt::format("{}{} {:.1f} %", shares.empty() ? "" : ", ", name_of(bound), 100 * share);
+  }
+  if (!shares.empty()) fmt::print("  bound by: {}\n", shares);
+}
+
+/// Writes the drive, whole or not at all; returns the number of rows.
+std::size_t write_drive(const std::string& output, const std::vector<Motion>& motions) {
+  FileWriter writer(output);
+  writer.write("t,s,x,y,heading,curvature,steering_angle,direction,v,a\n");
+  std::string piece;
+  for (const Motion& m : motions) {
+    piece += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", m.t, m.s, m.pose.x, m.pose.y,
+                         m.pose.heading, m.curvature, m.steering_angle, m.direction, m.v, m.a);
+    if (piece.size() < (std::size_t{1} << 20)) continue;
+    writer.write(piece);
+    piece.clear();
+  }
+  writer.write(piece);
+  writer.commit();
+  return motions.size();
+}
+
+/// Says why there is nothing to drive.
+int refuse(const Choice& choice, const std::string& text, const SpeedArguments& arguments) {
+  if (arguments.json) {
+    print({{"scenario", choice.record.scenario}, {"reason", text}});
+  } else {
+    fmt::print("{}: {}\n", printable(choice.label), text);
+  }
+  return exit_status::failed;
+}
+
+void check_output(const SpeedArguments& arguments) {
+  if (!(arguments.step >= 1e-4 && arguments.step <= 0.05)) {
+    throw InputError("--step", fmt::format("is {}, expected 0.0001 to 0.05 s", arguments.step));
+  }
+  if (!arguments.output) return;
+  if (arguments.json && *arguments.output == "-") {
+    throw InputError("--json", "and --output - both print, expected one of them");
+  }
+  expect_ending(*arguments.output, {"a drive is CSV", {".csv"}});
+  expect_writable(*arguments.output);
+}
+
+int run(const SpeedArguments& arguments) {
+  check_output(arguments);
+  const ScenarioProblems read = read_problems(arguments.scenario);
+  warn(read.file.warnings);
+  const Choice choice = chosen(read, arguments);
+  const std::optional<Path>& path = choice.record.result.path;
+  if (!path) return refuse(choice, no_path_text(choice.record.result), arguments);
+  const PathCheck verdict = check_path(choice.problem, *path, choice.record.claims);
+  if (!verdict.valid) return refuse(choice, "invalid: " + verdict.reason, arguments);
+  const Vehicle& vehicle = choice.problem.vehicle();
+  const SpeedProfile profile = speed_profile(*path, vehicle);
+  nlohmann::ordered_json json = json_of(choice, profile);
+  if (arguments.output) {
+    if (profile.duration / arguments.step > most_rows) {
+      throw InputError("--output", fmt::format("would have more than {} rows", most_rows));
+    }
+    json["rows"] = write_drive(*arguments.output, sampled(*path, vehicle, profile, arguments.step));
+    json["output"] = *arguments.output;
+  }
+  if (arguments.json) {
+    print(json);
+  } else if (arguments.output != "-") {
+    print_summary(choice, profile);
+    if (arguments.output) {
+      fmt::print("  {} rows written to {}\n", json["rows"].get<std::size_t>(),
+                 printable(*arguments.output));
+    }
+  }
+  return exit_status::done;
+}
+
+}  // namespace
+
+void add_speed(CLI::App& vandplan, int& status) {
+  CLI::App* const command = vandplan.add_subcommand(
+      "speed",
+      "Drive the path of a result as fast as the limits of the scenario's vehicle allow: speed,\n"
+      "acceleration, braking, lateral acceleration, steering rate, jerk. It stands at start, goal\n"
+      "and gear changes, and wherever the curvature jumps until the wheels are turned; before the\n"
+      "start they are straight. The judge sees the path first.");
+  command->footer(
+      "Columns: t [s], s [m], x, y [m], heading [rad], curvature [1/m], steering_angle [rad],\n"
+      "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse, a is its change.\n"
+      "Exit status: 0 done, 1 no path or an invalid one, 2 bad input or usage.");
+  const auto arguments = std::make_shared<SpeedArguments>();
+  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
+      ->required();
+  command->add_option("RESULT", arguments->result, "Result file (JSON or JSON Lines)")->required();
+  command->add_option("-o,--output", arguments->output, "The drive over time (.csv), - prints it")
+      ->type_name("FILE");
+  command
+      ->add_option("--step", arguments->step,
+                   "Rows are no further apart [s]; 0.0001 to 0.05; all multiples of it have one")
+      ->type_name("S")
+      ->capture_default_str();
+  command
+      ->add_option("--goal", arguments->goal,
+                   "In a row of goals the one of this number, from 0; unless given the furthest\n"
+                   "that has a path")
+      ->type_name("N");
+  command->add_option("--pair", arguments->pair, "Of many results the one of this number, from 1")
+      ->type_name("N");
+  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace vandplan::app

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Where is the vehicle when?
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/trigonometry.h"
+#include "vandplan/speed.h"
+
+namespace vandplan {
+namespace {
+
+/// The last stop that has begun at `t`; null if there is none.
+const Stop* stop_at(const SpeedProfile& profile, double t) {
+  const auto later = std::ranges::upper_bound(profile.stops, t, {}, &Stop::t);
+  return later == profile.stops.begin() ? nullptr : &*std::prev(later);
+}
+
+/// The drive along one path: the segments with what lies before them.
+class Way {
+ public:
+  explicit Way(const Path& path)
+      : origin_{std::round(path.start.x), std::round(path.start.y)},
+        segments_(merged(path.segments)) {
+    // Poses are added up beside the start, like those of the path.
+    Pose pose{path.start.x - origin_.x, path.start.y - origin_.y, path.start.heading};
+    double s = 0.0;
+    for (const Segment& segment : segments_) {
+      begins_.push_back({s, pose});
+      pose = advance(pose, segment);
+      s += std::abs(segment.length);
+    }
+    begins_.push_back({s, pose});
+  }
+
+  /// The place after `s` metres. Where two segments meet `is_next` chooses the later one.
+  [[nodiscard]] PathPoint at(double s, bool is_next) const {
+    if (segments_.empty()) return {0.0, to_path(begins_.front().pose), 0.0, 1};
+    const auto later = is_next ? std::ranges::upper_bound(begins_, s, {}, &Begin::s)
+                               : std::ranges::lower_bound(begins_, s, {}, &Begin::s);
+    const auto after = static_cast<std::size_t>(later - begins_.begin());
+    const std::size_t i = std::clamp<std::size_t>(after, 1, segments_.size()) - 1;
+    const Segment& segment = segments_[i];
+    const double driven = std::clamp(s - begins_[i].s, 0.0, std::abs(segment.length));
+    return {s, to_path(advance(begins_[i].pose, part_of(segment, 0.0, driven))),
+            curvature_at(segment, driven), segment.length < 0.0 ? -1 : 1};
+  }
+
+ private:
+  struct Begin {
+    double s;
+    Pose pose;  // beside the origin
+  };
+
+  [[nodiscard]] Pose to_path(const Pose& pose) const {
+    return {pose.x + origin_.x, pose.y + origin_.y, pose.heading};
+  }
+
+  Point origin_;
+  std::vector<Segment> segments_;
+  std::vector<Begin> begins_;  // of the segments, and the end of the path
+};
+
+/// Everything but the motion along the path, for a vehicle that stands.
+Motion standing(const Way& way, const Vehicle& vehicle, const Stop& stop, double t) {
+  const double before = steering_angle(vehicle, stop.curvature_before);
+  const double after = steering_angle(vehicle, stop.curvature_after);
+  const double share = stop.pause > 0.0 ? std::min((t - stop.t) / stop.pause, 1.0) : 1.0;
+  const PathPoint place = way.at(stop.s, true);
+  Motion motion{.t = t, .s = stop.s, .pose = place.pose, .direction = place.direction};
+  motion.steering_angle = share < 1.0 ? before + share * (after - before) : after;
+  const auto [sin, cos] = base::sin_cos(motion.steering_angle);
+  motion.curvature = share < 1.0 ? sin / cos / vehicle.wheelbase : stop.curvature_after;
+  return motion;
+}
+
+Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& profile, double t) {
+  t = std::clamp(t, 0.0, profile.duration);
+  const Stop* const stop = stop_at(profile, t);
+  if (stop != nullptr && t < stop->t + stop->pause) return standing(way, vehicle, *stop, t);
+  const auto later = std::ranges::upper_bound(profile.knots, t, {}, &SpeedKnot::t);
+  const SpeedKnot& knot = *std::prev(later);
+  const double end = later == profile.knots.end() ? knot.s : later->s;
+  const double d = t - knot.t;
+  const double s = std::min(knot.s + d * (knot.v + d * (knot.a / 2 + d * knot.jerk / 6)), end);
+  const double v = std::max(knot.v + d * (knot.a + d * knot.jerk / 2), 0.0);
+  const double a = knot.a + d * knot.jerk;
+  // At a stop the segment that leads there, until the stop has begun.
+  const PathPoint place = way.at(s, s < end);
+  return {.t = t,
+          .s = s,
+          .pose = place.pose,
+          .curvature = place.curvature,
+          .steering_angle = steering_angle(vehicle, place.curvature),
+          .direction = place.direction,
+          .v = place.direction * v + 0.0,  // no -0
+          .a = place.direction * a + 0.0};
+}
+
+}  // namespace
+
+Motion motion_at(const Path& path, const Vehicle& vehicle, const SpeedProfile& profile, double t) {
+  return motion_on(Way(path), vehicle, profile, t);
+}
+
+std::vector<Motion> sampled(const Path& path, const Vehicle& vehicle, const SpeedProfile& profile,
+                            double step) {
+  const Way way(path);
+  // 1. The times: of start, goal and pauses, and a grid, but for what is next to those.
+  std::vector<double> times = {0.0, profile.duration};
+  for (const Stop& stop : profile.stops) {
+    times.push_back(stop.t);
+    times.push_back(stop.t + stop.pause);
+  }
+  std::ranges::sort(times);
+  const auto marked = static_cast<std::ptrdiff_t>(times.size());
+  auto next = times.begin();
+  std::vector<double> grid;
+  const double near = step / 1000;
+  for (double i = 1.0; i * step < profile.duration; ++i) {
+    const double t = i * step;
+    next = std::lower_bound(next, times.end(), t - near);
+    if (*next > t + near) grid.push_back(t);
+  }
+  times.insert(times.end(), grid.begin(), grid.end());
+  std::inplace_merge(times.begin(), times.begin() + marked, times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  // 2. The motion then.
+  std::vector<Motion> motions;
+  motions.reserve(times.size());
+  for (const double t : times) motions.push_back(motion_on(way, vehicle, profile, t));
+  return motions;
+}
+
+}  // namespace vandplan

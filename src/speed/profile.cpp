@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "speed/caps.h"
+#include "speed/stretch.h"
+#include "vandplan/input_error.h"
+#include "vandplan/speed.h"
+
+namespace vandplan {
+namespace {
+
+using speed::Cap;
+
+/// What is shorter is driven with the wheels as they are [m].
+constexpr double shortest_turn = 1e-9;
+
+void check_finite(const Path& path) {
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const auto& [curvature, length, rate] = path.segments[i];
+    if (std::isfinite(curvature_at(path.segments[i], std::abs(length))) &&
+        std::isfinite(curvature) && std::isfinite(length) && std::isfinite(rate)) {
+      continue;
+    }
+    throw InputError("segments[" + std::to_string(i) + "]", "is not finite, expected numbers");
+  }
+}
+
+/// Puts the drive together, stretch by stretch.
+class Drive {
+ public:
+  Drive(const Vehicle& vehicle, double start_curvature)
+      : vehicle_(vehicle), curvature_(start_curvature) {}
+
+  void add(Segment segment) {
+    const double length = std::abs(segment.length);
+    if (!(s_ < s_ + length)) return;
+    // Nobody turns wheels for less than that.
+    if (length < shortest_turn) segment = {curvature_, segment.length, 0.0};
+    const double sign = segment.length < 0.0 ? -1.0 : 1.0;
+    const bool changes_gear = gear_ != 0.0 && sign != gear_;
+    const bool jumps = turn_to(segment.curvature) > ignored_steering_jump;
+    if (changes_gear || jumps) stop(segment.curvature);
+    speed::add_caps(segment, s_, vehicle_, caps_);
+    s_ += length;
+    gear_ = sign;
+    curvature_ = curvature_at(segment, length);
+  }
+
+  SpeedProfile finish() {
+    finish_stretch();
+    profile_.knots.push_back({.t = t_, .s = s_});
+    profile_.duration = t_;
+    return std::move(profile_);
+  }
+
+ private:
+  /// By how much the wheels turn to make that curvature [rad].
+  [[nodiscard]] double turn_to(double curvature) const {
+    return std::abs(steering_angle(vehicle_, curvature) - steering_angle(vehicle_, curvature_));
+  }
+
+  /// Drives the stretch up to here and stands until the wheels are turned.
+  void stop(double curvature) {
+    finish_stretch();
+    const double pause = turn_to(curvature) / vehicle_.limits.max_steering_rate;
+    profile_.stops.push_back({t_, s_, pause, curvature_, curvature});
+    if (pause > 0.0) profile_.knots.push_back({.t = t_, .s = s_});
+    profile_.standing += pause;
+    t_ += pause;
+    curvature_ = curvature;
+  }
+
+  void finish_stretch() {
+    if (caps_.empty()) return;
+    std::vector<SpeedKnot>& knots = profile_.knots;
+    const std::size_t first = knots.size();
+    const DrivingLimits& limits = vehicle_.limits;
+    const double duration = limits.max_jerk ? speed::drive_stretch_smoothly(caps_, limits, knots)
+                                            : speed::drive_stretch(caps_, limits, knots);
+    for (std::size_t i = first; i < knots.size(); ++i) knots[i].t += t_;
+    t_ += duration;
+    caps_.clear();
+  }
+
+  const Vehicle& vehicle_;
+  SpeedProfile profile_;
+  std::vector<Cap> caps_;  // of the stretch
+  double curvature_;       // that the wheels are turned to
+  double gear_ = 0.0;      // 1, -1, or 0 before the first segment
+  double s_ = 0.0;
+  double t_ = 0.0;
+};
+
+}  // namespace
+
+std::string_view name_of(SpeedBound bound) noexcept {
+  switch (bound) {
+    case SpeedBound::max_speed:
+      return "max_speed";
+    case SpeedBound::lateral_acceleration:
+      return "lateral_acceleration";
+    case SpeedBound::steering_rate:
+      return "steering_rate";
+    case SpeedBound::acceleration:
+      return "acceleration";
+    case SpeedBound::braking:
+      return "braking";
+    case SpeedBound::jerk:
+      return "jerk";
+    case SpeedBound::standing:
+      break;
+  }
+  return "standing";
+}
+
+SpeedProfile speed_profile(const Path& path, const Vehicle& vehicle, const SpeedOptions& options) {
+  check_limits(vehicle.limits);
+  check_finite(path);
+  Drive drive(vehicle, options.start_curvature);
+  for (const Segment& segment : merged(path.segments)) drive.add(segment);
+  return drive.finish();
+}
+
+}  // namespace vandplan

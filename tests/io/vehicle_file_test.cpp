@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Are the limits of a vehicle read, checked and written?
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "support/cases.h"
+#include "vandplan/input_error.h"
+#include "vandplan/scenario_file.h"
+
+namespace vandplan {
+namespace {
+
+const std::string truck =
+    "wheelbase: 4.5, front_overhang: 1.4, rear_overhang: 1.6, width: 2.55, min_turning_radius: 7";
+
+std::string scenario_with(const std::string& vehicle) {
+  return "name: a\nvehicle: " + vehicle +
+         "\nbounds: {x: [-9, 9], y: [-9, 9]}\nstart: {x: 0, y: 0, heading: 0}\n"
+         "goal: {x: 1, y: 0, heading: 0}\nobstacles: []\n";
+}
+
+Vehicle read(const std::string& vehicle) {
+  return scenario_from_yaml(scenario_with(vehicle), "s.yaml").scenario.vehicle;
+}
+
+std::string message_for(const std::string& vehicle) {
+  try {
+    (void)read(vehicle);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The line that states the vehicle, as it is written.
+std::string written(const Vehicle& vehicle) {
+  Scenario scenario = scenario_from_yaml(scenario_with("{" + truck + "}"), "s.yaml").scenario;
+  scenario.vehicle = vehicle;
+  const std::string text = to_yaml(scenario);
+  const std::size_t begin = text.find("vehicle: ") + 9;
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST(VehicleFile, WithoutLimitsItHasTheDefaults) {
+  EXPECT_EQ(read("{" + truck + "}").limits, DrivingLimits{});
+}
+
+TEST(VehicleFile, EveryLimitIsRead) {
+  const Vehicle vehicle =
+      read("{" + truck +
+           ", max_steering_rate: 0.71, max_curvature_rate: 0.08, max_speed: {forward: 3, "
+           "reverse: 2}, max_acceleration: 1.1, max_braking: 1.2, max_lateral_acceleration: 1.6, "
+           "max_jerk: 2.5}");
+  EXPECT_EQ(vehicle.limits, (DrivingLimits{.max_steering_rate = 0.71,
+                                           .max_curvature_rate = 0.08,
+                                           .max_speed = {3, 2},
+                                           .max_acceleration = 1.1,
+                                           .max_braking = 1.2,
+                                           .max_lateral_acceleration = 1.6,
+                                           .max_jerk = 2.5}));
+  EXPECT_EQ(read("{" + truck + ", max_speed: {reverse: 2}}").limits.max_speed,
+            (GearSpeeds{GearSpeeds{}.forward, 2}));
+  EXPECT_EQ(read("{" + truck + ", max_jerk: none}").limits, DrivingLimits{});
+}
+
+TEST(VehicleFile, WhatALimitMayNotBeIsSaid) {
+  EXPECT_EQ(message_for("{" + truck + ", max_jerk: -2}"),
+            "s.yaml:2: vehicle.max_jerk: is -2, expected 0.001 to 1000 m/s^3");
+  EXPECT_EQ(message_for("{" + truck + ", max_steering_rate: 0}"),
+            "s.yaml:2: vehicle.max_steering_rate: is 0, expected 0.001 to 1000 rad/s");
+  EXPECT_EQ(message_for("{" + truck + ", max_curvature_rate: 0}"),
+            "s.yaml:2: vehicle.max_curvature_rate: is 0, expected 0.001 to 1000 1/m^2");
+  EXPECT_EQ(message_for("{" + truck + ", max_speed: {forward: 0}}"),
+            "s.yaml:2: vehicle.max_speed.forward: is 0, expected 0.001 to 1000 m/s");
+  EXPECT_EQ(message_for("{" + truck + ", max_speed: {reverse: 1e9}}"),
+            "s.yaml:2: vehicle.max_speed.reverse: is 1e+09, expected 0.001 to 1000 m/s");
+  EXPECT_EQ(message_for("{" + truck + ", max_acceleration: 0}"),
+            "s.yaml:2: vehicle.max_acceleration: is 0, expected 0.001 to 1000 m/s^2");
+  EXPECT_EQ(message_for("{" + truck + ", max_braking: 0}"),
+            "s.yaml:2: vehicle.max_braking: is 0, expected 0.001 to 1000 m/s^2");
+  EXPECT_EQ(message_for("{" + truck + ", max_lateral_acceleration: 0}"),
+            "s.yaml:2: vehicle.max_lateral_acceleration: is 0, expected 0.001 to 1000 m/s^2");
+  EXPECT_EQ(message_for("{" + truck + ", max_speed: 3}"),
+            "s.yaml:2: vehicle.max_speed: is \"3\", expected a map of keys");
+  EXPECT_EQ(message_for("{" + truck + ", max_speed: {forwards: 3}}"),
+            "s.yaml:2: vehicle.max_speed: unknown key \"forwards\", expected one of forward, "
+            "reverse");
+  EXPECT_EQ(message_for("{" + truck + ", max_acceleration: none}"),
+            "s.yaml:2: vehicle.max_acceleration: is \"none\", expected a number");
+}
+
+// Files, and the hashes that stores keep of them, stay as they were before there were limits.
+TEST(VehicleFile, UsualLimitsAreNotWritten) {
+  EXPECT_EQ(written(Vehicle{}), "{" + truck + "}");
+  EXPECT_EQ(written(vehicle_named("tpcap-car")),
+            "{wheelbase: 2.8, front_overhang: 0.96, rear_overhang: 0.929, width: 1.942, "
+            "min_turning_radius: 3.005593}");
+}
+
+TEST(VehicleFile, TheLengthsOfAVehicleOfTheCatalogueBringItsLimits) {
+  for (const std::string& name : vehicle_names()) {
+    const Vehicle named = vehicle_named(name);
+    EXPECT_EQ(read(written(named)), named) << name;
+    EXPECT_NE(named.limits.max_steering_rate, 0) << name;
+  }
+  Vehicle slow = vehicle_named("tpcap-car");
+  slow.limits.max_speed = {};
+  EXPECT_EQ(read(written(slow)), slow);
+}
+
+TEST(VehicleFile, AnyLimitsReadBackUnchanged) {
+  for_each_case(1, 300, [](Rng& rng) {
+    const auto size = [&] { return uniform(0.01, 10, rng); };
+    Vehicle vehicle = uniform01(rng) < 0.5 ? Vehicle{} : vehicle_named("city-bus");
+    DrivingLimits& limits = vehicle.limits;
+    if (uniform01(rng) < 0.5) limits.max_steering_rate = size();
+    if (uniform01(rng) < 0.5) limits.max_curvature_rate = size();
+    if (uniform01(rng) < 0.5) limits.max_speed.forward = size();
+    if (uniform01(rng) < 0.5) limits.max_speed.reverse = size();
+    if (uniform01(rng) < 0.5) limits.max_acceleration = size();
+    if (uniform01(rng) < 0.5) limits.max_braking = size();
+    if (uniform01(rng) < 0.5) limits.max_lateral_acceleration = size();
+    if (uniform01(rng) < 0.5) limits.max_jerk = size();
+    EXPECT_EQ(read(written(vehicle)), vehicle);
+  });
+}
+
+}  // namespace
+}  // namespace vandplan
