@@ -190,6 +190,7 @@ Store Store::open(const std::string& file) {
 
 Store Store::create(const std::string& file) {
   if (std::filesystem::exists(file)) throw InputError(file, "exists already");
+  if (std::filesystem::is_symlink(file)) throw InputError(file, "is a link to nothing");
   const std::string unfinished = file + ".new";
   std::filesystem::remove(unfinished);
   {
