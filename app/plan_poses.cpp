@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <span>
 
 #include "commands.h"
@@ -31,6 +32,29 @@ std::vector<Problem> problems_of(const Problem& pattern, std::span<const PosePai
     problems.push_back(make_problem(pattern.world(), pattern.vehicle(), pair.start, pair.goal));
   }
   return problems;
+}
+
+/// How each pair is planned, and how many at a time.
+struct Manner {
+  const Planner& planner;
+  const PlanOptions& options;
+  int jobs;
+};
+
+using Take = std::function<void(std::size_t pair, const Problem& problem, PlanResult result)>;
+
+/// Plans all pairs in the world of `pattern`; hands results over in their order, pairs counted from
+/// 1.
+void plan_all(const Problem& pattern, std::span<const PosePair> pairs, const Manner& manner,
+              const Take& take) {
+  for (std::size_t first = 0; first < pairs.size(); first += problems_at_once) {
+    const std::size_t count = std::min(problems_at_once, pairs.size() - first);
+    const std::vector<Problem> problems = problems_of(pattern, pairs.subspan(first, count));
+    plan_many(problems, manner.planner, manner.options, manner.jobs,
+              [&](std::size_t i, PlanResult result) {
+                take(first + i + 1, problems[i], std::move(result));
+              });
+  }
 }
 
 std::string summary_of(const PlanResult& result) {
@@ -90,17 +114,13 @@ int plan_poses(const ScenarioProblems& read, const Planner& planner, const PlanO
     ProgressBar bar;
     Progress progress;
     progress.total = static_cast<int>(poses.pairs.size());
-    for (std::size_t first = 0; first < poses.pairs.size(); first += problems_at_once) {
-      const std::span pairs = std::span(poses.pairs).subspan(first);
-      const std::vector<Problem> problems =
-          problems_of(read.problems.front(), pairs.first(std::min(problems_at_once, pairs.size())));
-      plan_many(problems, planner, options, job.jobs, [&](std::size_t i, PlanResult result) {
-        results.take(first + i + 1, problems[i], std::move(result));
-        ++progress.done;
-        progress.elapsed = seconds_since(begin);
-        bar.show(progress);
-      });
-    }
+    const auto take = [&](std::size_t pair, const Problem& problem, PlanResult result) {
+      results.take(pair, problem, std::move(result));
+      ++progress.done;
+      progress.elapsed = seconds_since(begin);
+      bar.show(progress);
+    };
+    plan_all(read.problems.front(), poses.pairs, {planner, options, job.jobs}, take);
   }
   results.commit();
   const double elapsed = seconds_since(begin);

@@ -119,12 +119,13 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   for (const auto& [name, value] : option_values({})) defaults[name] = value;
   const auto planner = std::ranges::find(planners(), run.planner, &Planner::name);
   const bool is_ours = planner != planners().end();
-  if (is_ours)
+  if (is_ours) {
     for (const OptionInfo& option : planner->options) {
       PlanOptions standard;
       standard.planner.set(option.name, option.standard);
       defaults[option.name] = option_values(standard).back().second;
     }
+  }
   std::string command =
       fmt::format("{}{} --planner {} --seed {}", is_ours ? "vandplan plan " : "(your own planner) ",
                   base::shell_file(report.files[run.scenario].file), base::shell_word(run.planner),
