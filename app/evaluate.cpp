@@ -52,9 +52,10 @@ struct EvaluateArguments {
 std::vector<std::string> scenario_files(const std::string& path) {
   if (!fs::is_directory(path)) return {path};
   std::vector<std::string> files, maps;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path))
+  for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
     if (entry.path().extension() == ".yaml")
       (is_map(entry.path()) ? maps : files).push_back(entry.path().string());
+  }
   std::ranges::sort(files);
   std::ranges::sort(maps);
   if (files.empty()) throw InputError(path, "holds no scenario (*.yaml)");
@@ -65,10 +66,12 @@ std::vector<std::string> scenario_files(const std::string& path) {
 
 std::vector<Planner> chosen_planners(const std::vector<std::string>& words) {
   std::vector<Planner> found;
-  for (const std::string& word : words)
-    for (const Planner& planner : planners_called(word))
+  for (const std::string& word : words) {
+    for (const Planner& planner : planners_called(word)) {
       if (std::ranges::find(found, planner.name, &Planner::name) == found.end())
         found.push_back(planner);
+    }
+  }
   return found;
 }
 
@@ -106,13 +109,16 @@ Campaign campaign_of(const EvaluateArguments& arguments) {
                     .profile = true,
                     .settings = settings_of(arguments)};
   set_repeats(arguments, campaign);
-  for (const std::string& path : arguments.scenarios)
+  for (const std::string& path : arguments.scenarios) {
     for (const std::string& file : scenario_files(path))
       campaign.scenarios.push_back({read_scenario_file(file), file});
-  for (const auto& [scenario, file] : campaign.scenarios)
-    if (!scenario.options.empty())
+  }
+  for (const auto& [scenario, file] : campaign.scenarios) {
+    if (!scenario.options.empty()) {
       warn(
           {file + ": options: left out, all scenarios are compared with the same options (--set)"});
+    }
+  }
   return campaign;
 }
 

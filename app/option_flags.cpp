@@ -65,24 +65,26 @@ std::string line_of(const OptionText& text) {
   return fmt::format("  {:<28}{}\n", text.name + "=" + text.standard, text.summary);
 }
 
-/// The planners of a family that have the same options of their own, and "a|b" for a default in
-/// which they differ.
+/// Adds an option of a planner to those of its family; "a|b" for a default in which they differ.
+void add_to(std::vector<OptionText>& texts, const OptionText& text) {
+  const auto known = std::ranges::find(texts, text.name, &OptionText::name);
+  if (known == texts.end()) {
+    texts.push_back(text);
+    return;
+  }
+  const bool is_listed =
+      ("|" + known->standard + "|").find("|" + text.standard + "|") != std::string::npos;
+  if (!is_listed) known->standard += "|" + text.standard;
+}
+
+/// The planners of a family that have the same options of their own.
 std::string help_on_family(const std::string& family) {
   std::vector<OptionText> texts;
   int members = 0;
   for (const Planner& planner : planners()) {
     if (planner.properties.family != family) continue;
     ++members;
-    for (const OptionInfo& info : planner.options) {
-      const OptionText text = text_of(info);
-      const auto known = std::ranges::find(texts, text.name, &OptionText::name);
-      if (known == texts.end()) {
-        texts.push_back(text);
-      } else if (("|" + known->standard + "|").find("|" + text.standard + "|") ==
-                 std::string::npos) {
-        known->standard += "|" + text.standard;
-      }
-    }
+    for (const OptionInfo& info : planner.options) add_to(texts, text_of(info));
   }
   const std::string who =
       members > 1 ? fmt::format("the {} planners {}-...", members, family) : family;

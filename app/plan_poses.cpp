@@ -4,8 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
+#include <functional>
+#include <span>
 
 #include "commands.h"
 #include "progress_bar.h"
@@ -20,14 +23,38 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::vector<Problem> problems_of(const Problem& pattern, const PosesJob& job) {
-  const PosePairs read = read_pose_pairs(job.poses);
-  warn(read.warnings);
+// A problem and its result take many times the memory of a pair, of which there may be millions.
+constexpr std::size_t problems_at_once = 4096;
+
+std::vector<Problem> problems_of(const Problem& pattern, std::span<const PosePair> pairs) {
   std::vector<Problem> problems;
-  for (const PosePair& pair : read.pairs) {
+  for (const PosePair& pair : pairs) {
     problems.push_back(make_problem(pattern.world(), pattern.vehicle(), pair.start, pair.goal));
   }
   return problems;
+}
+
+/// How each pair is planned, and how many at a time.
+struct Manner {
+  const Planner& planner;
+  const PlanOptions& options;
+  int jobs;
+};
+
+using Take = std::function<void(std::size_t pair, const Problem& problem, PlanResult result)>;
+
+/// Plans all pairs in the world of `pattern`; hands results over in their order, pairs counted from
+/// 1.
+void plan_all(const Problem& pattern, std::span<const PosePair> pairs, const Manner& manner,
+              const Take& take) {
+  for (std::size_t first = 0; first < pairs.size(); first += problems_at_once) {
+    const std::size_t count = std::min(problems_at_once, pairs.size() - first);
+    const std::vector<Problem> problems = problems_of(pattern, pairs.subspan(first, count));
+    plan_many(problems, manner.planner, manner.options, manner.jobs,
+              [&](std::size_t i, PlanResult result) {
+                take(first + i + 1, problems[i], std::move(result));
+              });
+  }
 }
 
 std::string summary_of(const PlanResult& result) {
@@ -75,7 +102,8 @@ class Results {
 
 int plan_poses(const ScenarioProblems& read, const Planner& planner, const PlanOptions& options,
                const PosesJob& job) {
-  const std::vector<Problem> problems = problems_of(read.problems.front(), job);
+  const PosePairs poses = read_pose_pairs(job.poses);
+  warn(poses.warnings);
   ResultRecord pattern;
   pattern.scenario = read.file.scenario.name;
   pattern.planner = planner.name;
@@ -85,22 +113,23 @@ int plan_poses(const ScenarioProblems& read, const Planner& planner, const PlanO
   {
     ProgressBar bar;
     Progress progress;
-    progress.total = static_cast<int>(problems.size());
-    plan_many(problems, planner, options, job.jobs, [&](std::size_t i, PlanResult result) {
-      results.take(i + 1, problems[i], std::move(result));
+    progress.total = static_cast<int>(poses.pairs.size());
+    const auto take = [&](std::size_t pair, const Problem& problem, PlanResult result) {
+      results.take(pair, problem, std::move(result));
       ++progress.done;
       progress.elapsed = seconds_since(begin);
       bar.show(progress);
-    });
+    };
+    plan_all(read.problems.front(), poses.pairs, {planner, options, job.jobs}, take);
   }
   results.commit();
   const double elapsed = seconds_since(begin);
   if (!job.json) {
     fmt::print("{}{}, {}: {} of {} solved in {}, {:.1f} plans per second\n", results.summaries(),
-               printable(pattern.scenario), planner.name, results.solved(), problems.size(),
-               seconds_text(elapsed), static_cast<double>(problems.size()) / elapsed);
+               printable(pattern.scenario), planner.name, results.solved(), poses.pairs.size(),
+               seconds_text(elapsed), static_cast<double>(poses.pairs.size()) / elapsed);
   }
-  return results.solved() == problems.size() ? exit_status::done : exit_status::failed;
+  return results.solved() == poses.pairs.size() ? exit_status::done : exit_status::failed;
 }
 
 }  // namespace vandplan::app

@@ -61,9 +61,10 @@ std::vector<Turn> turns_of(const Campaign& campaign, const std::vector<Lineup>& 
     for (std::size_t s = 0; s < campaign.scenarios.size(); ++s) {
       const ScenarioFile& scenario = campaign.scenarios[s].scenario;
       const int repeats = scenario.is_row() ? lineup.repeats_per_goal : lineup.repeats;
-      for (std::size_t goal = 0; goal < scenario.size(); ++goal)
+      for (std::size_t goal = 0; goal < scenario.size(); ++goal) {
         for (int repeat = 0; repeat < repeats; ++repeat)
           turns.push_back({s, goal, repeat, (repeat + 0.5) / repeats, &lineup.planners});
+      }
     }
   }
   std::ranges::stable_sort(turns, {}, &Turn::when);
@@ -72,9 +73,10 @@ std::vector<Turn> turns_of(const Campaign& campaign, const std::vector<Lineup>& 
 
 void check_settings(const Campaign& campaign) {
   for (const Setting& setting : campaign.settings) {
-    for (const char* const own : {"seed", "region", "profile"})
+    for (const char* const own : {"seed", "region", "profile"}) {
       if (setting.name == own)
         throw InputError(setting.name, "is set by the comparison itself, run by run");
+    }
     const auto takes_it = [&](const Planner& planner) { return honours(planner, setting.name); };
     if (std::ranges::any_of(campaign.planners, takes_it)) continue;
     PlanOptions options;
@@ -93,9 +95,10 @@ void check(const Campaign& campaign) {
     if (cap.repeats_per_goal < 1)
       throw InputError("goal-repeats", "must be at least 1 for " + cap.group);
   }
-  for (const Planner& planner : campaign.planners)
+  for (const Planner& planner : campaign.planners) {
     if (std::ranges::count(campaign.planners, planner.name, &Planner::name) > 1)
       throw InputError("planners", "two of them have the name \"" + planner.name + "\"");
+  }
   check_settings(campaign);
 }
 
@@ -128,9 +131,10 @@ class RunList {
     for (const Turn& turn : turns) {
       const std::vector<std::size_t>& planners = *turn.planners;
       const std::size_t first = turn.scenario + turn.goal + static_cast<std::size_t>(turn.repeat);
-      for (const Region region : campaign_.regions)
+      for (const Region region : campaign_.regions) {
         for (std::size_t i = 0; i < planners.size(); ++i)
           add(turn, region, planners[(first + i) % planners.size()], profile);
+      }
     }
   }
 
@@ -217,11 +221,12 @@ std::string explain_runs(const Campaign& campaign) {
              {static_cast<std::size_t>(lineup.repeats_per_goal), "repeat"}},
             ", in rows of goals");
   }
-  if (campaign.profile)
+  if (campaign.profile) {
     sum.add({{profiled_planners(campaign).size(), "planner"},
              regions,
              {campaign.scenarios.size(), "scenario"}},
             ", once more to measure phases");
+  }
   return sum.text();
 }
 

@@ -54,9 +54,10 @@ std::string csv_line(const RunRecord& run, const StoredScenario& scenario,
 Json run_json(const RunRecord& run) {
   const PlanResult& result = run.result;
   Json anytime = Json::array();
-  for (const CostSample& sample : result.anytime)
+  for (const CostSample& sample : result.anytime) {
     anytime.push_back(
         {{"time", sample.time}, {"iteration", sample.iteration}, {"cost", sample.cost}});
+  }
   Json json = {{"environment", run.environment},
                {"scenario", run.scenario},
                {"goal", run.goal},
@@ -116,9 +117,10 @@ class OmplWriter {
   OmplWriter(Database& database, Store& store)
       : database_(database), environments_(store.environments()), files_(store.scenarios()) {
     for (const StoredScenario& file : files_) scenarios_.push_back(scenario_of(file));
-    for (const PlanStatus status : plan_statuses())
+    for (const PlanStatus status : plan_statuses()) {
       Statement(database_, "INSERT INTO enums VALUES ('status', ?, ?)")
           .run(static_cast<int>(status), name_of(status));
+    }
   }
 
   void add(const RunRecord& run) {
@@ -219,9 +221,10 @@ std::string runs_to_json(Store& store) {
   Json environments = Json::array(), scenarios = Json::array(), runs = Json::array();
   for (const Environment& environment : store.environments())
     environments.push_back(environment_json(environment));
-  for (const StoredScenario& scenario : store.scenarios())
+  for (const StoredScenario& scenario : store.scenarios()) {
     scenarios.push_back(
         {{"name", scenario.name}, {"file", scenario.file}, {"yaml", scenario.yaml}});
+  }
   for (const RunRecord& run : store.runs()) runs.push_back(run_json(run));
   const Json all = {{"format", "vandplan-runs/1"},
                     {"environments", environments},

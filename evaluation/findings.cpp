@@ -40,9 +40,10 @@ std::vector<Compared> table_comparisons(const Summary& summary, const Circumstan
   std::vector<Compared> found;
   for (const ScenarioSummary& scenario : summary.scenarios) {
     if (scenario.region != where.region) continue;
-    for (const TwinComparison& twins : scenario.twins)
+    for (const TwinComparison& twins : scenario.twins) {
       if (is_table_under(twins.properties, where.setting))
         found.push_back({&twins, scenario.scenario, twins.*measure});
+    }
   }
   return found;
 }
@@ -86,15 +87,18 @@ Finding better_in_six_of_nine(const Summary& summary, const Circumstances& where
                         scenarios, best.planner, best.worse, best.no_difference);
   for (const Verdict kind : {Verdict::smaller, Verdict::larger}) {
     std::string list;
-    for (const Pooled& planner : pooled_tables(summary, where))
-      if (planner.verdict == kind)
+    for (const Pooled& planner : pooled_tables(summary, where)) {
+      if (planner.verdict == kind) {
         list += fmt::format("{}{} ({:.0f} % of the pairs better, {:.0f} % worse)",
                             list.empty() ? "" : ", ", planner.planner,
                             100.0 * planner.cheaper / planner.pairs,
                             100.0 * planner.dearer / planner.pairs);
-    if (!list.empty())
+      }
+    }
+    if (!list.empty()) {
       found += fmt::format(". All scenarios together {} beyond chance: {}",
                            kind == Verdict::smaller ? "better" : "worse", list);
+    }
   }
   return {where, "better paths in at least six of nine scenarios", 9 * best.better >= 6 * scenarios,
           found};

@@ -24,6 +24,15 @@ OptionValue value_of(const std::string& name, const nlohmann::json& json) {
   throw InputError("options", name + " is no number, word, true or false");
 }
 
+void set(PlanOptions& options, const std::string& name, const nlohmann::json& value) {
+  const auto common = std::ranges::find(common_options(), name, &CommonOption::name);
+  if (common == common_options().end()) {
+    options.planner.set(name, value_of(name, value));
+  } else {
+    common->set(options, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> option_values(const PlanOptions& options) {
@@ -46,14 +55,7 @@ PlanOptions options_from_json(const std::string& json) {
   PlanOptions options{.cost = shortest_style};  // of older runs that do not name all prices
   try {
     const nlohmann::json object = nlohmann::json::parse(json);
-    for (const auto& [name, value] : object.items()) {
-      const auto common = std::ranges::find(common_options(), name, &CommonOption::name);
-      if (common == common_options().end()) {
-        options.planner.set(name, value_of(name, value));
-      } else {
-        common->set(options, value.is_string() ? value.get<std::string>() : value.dump());
-      }
-    }
+    for (const auto& [name, value] : object.items()) set(options, name, value);
   } catch (const nlohmann::json::exception& error) {
     throw InputError("options", error.what());
   }

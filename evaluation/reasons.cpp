@@ -22,10 +22,12 @@ std::string upper(std::string text) {
 // In order of appearance.
 std::vector<std::string> strategies_of(const Summary& summary) {
   std::vector<std::string> found;
-  for (const ScenarioSummary& scenario : summary.scenarios)
-    for (const TwinComparison& twins : scenario.twins)
+  for (const ScenarioSummary& scenario : summary.scenarios) {
+    for (const TwinComparison& twins : scenario.twins) {
       if (std::ranges::find(found, twins.properties.strategy) == found.end())
         found.push_back(twins.properties.strategy);
+    }
+  }
   return found;
 }
 
@@ -60,20 +62,23 @@ void add(const MethodSummary& method, const MethodSummary& twin, Effect& effect)
   effect.twin_solves.push_back(twin.exact_solves / twin.iterations);
 }
 
+void add(const ScenarioSummary& scenario, const TwinComparison& twins, Effect& effect) {
+  effect.pairs += twins.cost.pairs;
+  for (const double ratio : twins.cost_ratios) {
+    effect.better += ratio < 1.0;
+    effect.worse += ratio > 1.0;
+  }
+  add(*method_named(scenario, twins.planner), *method_named(scenario, twins.twin), effect);
+}
+
 Effect effect_of(const Summary& summary, const Circumstances& where, const std::string& strategy) {
   Effect effect;
   for (const ScenarioSummary& scenario : summary.scenarios) {
     if (scenario.region != where.region) continue;
     for (const TwinComparison& twins : scenario.twins) {
-      if (!is_table_under(twins.properties, where.setting) ||
-          twins.properties.strategy != strategy || twins.cost.pairs == 0)
-        continue;
-      effect.pairs += twins.cost.pairs;
-      for (const double ratio : twins.cost_ratios) {
-        effect.better += ratio < 1.0;
-        effect.worse += ratio > 1.0;
-      }
-      add(*method_named(scenario, twins.planner), *method_named(scenario, twins.twin), effect);
+      const bool counts = is_table_under(twins.properties, where.setting) &&
+                          twins.properties.strategy == strategy && twins.cost.pairs != 0;
+      if (counts) add(scenario, twins, effect);
     }
   }
   return effect;
@@ -141,15 +146,17 @@ std::string reason_for_paths(const Summary& summary, const std::vector<ScenarioF
 std::string reason_for_times(const Summary& summary, const Circumstances& where) {
   return for_each_strategy(summary, where, [](const Effect& effect) {
     std::string text;
-    if (!effect.slower.empty())
+    if (!effect.slower.empty()) {
       text = fmt::format(
           "an iteration takes {:.2f} times as long as with Euclid and solves {:.1f} exact lengths"
           " instead of {:.1f}",
           middle(effect.slower), middle(effect.solves), middle(effect.twin_solves));
-    if (!effect.ranking.empty())
+    }
+    if (!effect.ranking.empty()) {
       text += fmt::format("{}ranking is {:.0f} % of the time instead of {:.0f} %",
                           text.empty() ? "" : "; ", 100.0 * middle(effect.ranking),
                           100.0 * middle(effect.twin_ranking));
+    }
     return text;
   });
 }

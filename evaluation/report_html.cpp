@@ -84,15 +84,17 @@ class MapList {
 };
 
 Json goals_json(const ScenarioFile& scenario) {
-  if (!scenario.is_row())
+  if (!scenario.is_row()) {
     return {{{"pose", pose(scenario.scenario.goal)},
              {"distance", nullptr},
              {"obstacles", Json::array()}}};
+  }
   Json goals = Json::array();
-  for (const RowGoal& goal : scenario.row)
+  for (const RowGoal& goal : scenario.row) {
     goals.push_back({{"pose", pose(goal.goal)},
                      {"distance", goal.distance},
                      {"obstacles", polygons(goal.obstacles)}});
+  }
   return goals;
 }
 
@@ -186,12 +188,13 @@ Json cells_json(const Report& report) {
 // One short row for each run; the page finds the columns by their names.
 Json runs_json(const Report& report) {
   Json rows = Json::array();
-  for (const RunRecord& run : report.runs)
+  for (const RunRecord& run : report.runs) {
     rows.push_back({run.scenario, name_of(run.region), run.goal, run.planner,
                     run.options.budget.seed, name_of(run.result.status), final_cost(run),
                     first_solution_time(run), run.result.time_total, run.result.iterations,
                     counter(run.result, "nodes"), is_profiled(run), run.result.reason,
                     reproduce_command(report, run)});
+  }
   return {{"columns",
            {"scenario", "region", "goal", "planner", "seed", "status", "cost", "first", "total",
             "iterations", "nodes", "profile", "reason", "command"}},

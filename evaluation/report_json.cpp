@@ -62,8 +62,8 @@ OrderedJson json_of(const TwinComparison& twins) {
 
 OrderedJson pooled_json(const Summary& summary) {
   OrderedJson json = OrderedJson::array();
-  for (const Region region : {Region::bounds, Region::scene})
-    for (const Pooled& planner : pooled(summary, region))
+  for (const Region region : {Region::bounds, Region::scene}) {
+    for (const Pooled& planner : pooled(summary, region)) {
       json.push_back({{"region", name_of(region)},
                       {"planner", planner.planner},
                       {"tries_goal", planner.properties.tries_goal},
@@ -77,6 +77,8 @@ OrderedJson pooled_json(const Summary& summary) {
                       {"cost_ratio", finite_json(planner.ratio)},
                       {"exact_lengths_per_iteration", planner.exact_solves},
                       {"verdict", verdict_name(planner.verdict)}});
+    }
+  }
   return json;
 }
 
@@ -110,13 +112,14 @@ OrderedJson harness_json(const std::vector<Session>& sessions) {
 
 OrderedJson claims_json(const std::vector<Finding>& findings) {
   OrderedJson claims = OrderedJson::array();
-  for (const Finding& finding : findings)
+  for (const Finding& finding : findings) {
     claims.push_back({{"setting", name_of(finding.where.setting)},
                       {"region", name_of(finding.where.region)},
                       {"claim", finding.claim},
                       {"holds", finding.holds},
                       {"found", finding.found},
                       {"why", finding.why}});
+  }
   return claims;
 }
 
@@ -147,21 +150,23 @@ OrderedJson shared_options_json(const ReportOptions& options) {
 
 OrderedJson differing_options_json(const ReportOptions& options) {
   OrderedJson json = OrderedJson::array();
-  for (const ReportOptions::Own& own : options.differing)
+  for (const ReportOptions::Own& own : options.differing) {
     json.push_back(
         {{"name", own.name}, {"value", OrderedJson::parse(own.value)}, {"planners", own.planners}});
+  }
   return json;
 }
 
 OrderedJson planners_json(const std::vector<Planner>& planners) {
   OrderedJson list = OrderedJson::array();
-  for (const Planner& planner : planners)
+  for (const Planner& planner : planners) {
     list.push_back({{"name", planner.name},
                     {"summary", planner.summary},
                     {"family", planner.properties.family},
                     {"strategy", planner.properties.strategy},
                     {"estimate", planner.properties.estimate},
                     {"tries_goal", planner.properties.tries_goal}});
+  }
   return list;
 }
 

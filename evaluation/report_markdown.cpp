@@ -53,7 +53,7 @@ std::string short_name(const std::string& scenario) {
 std::string headline_cell(const MethodSummary& method, bool row) {
   if (row)
     return method.furthest > 0.0 ? fmt::format("{:.0f} m", method.furthest) : std::string(none);
-  const std::string cost = cost_text(method.cost_at_end.median);
+  std::string cost = cost_text(method.cost_at_end.median);
   if (method.solved == method.runs) return cost;
   return fmt::format("{} ({}/{})", cost, method.solved, method.runs);
 }
@@ -115,7 +115,7 @@ std::string scenario_table(const ScenarioSummary& scenario, bool row) {
   const auto cost = row ? ratio_text : cost_text;
   TextTable table({"planner", "solved", "first [ms]", "at 10 ms", "at 100 ms", "tree full",
                    "at the end", "nodes", "iterations", "time [ms]", "rank/steer/check [%]"});
-  for (const MethodSummary& method : scenario.methods)
+  for (const MethodSummary& method : scenario.methods) {
     table.add({markdown(method.planner), solved_text(method),
                with_interval(method.first_time, time_text), cost(method.cost_at_10ms.median),
                cost(method.cost_at_100ms.median),
@@ -123,6 +123,7 @@ std::string scenario_table(const ScenarioSummary& scenario, bool row) {
                with_interval(method.cost_at_end, cost), fmt::format("{:.0f}", method.nodes),
                fmt::format("{:.0f}", method.iterations), time_text(method.time_total),
                phases_text(method)});
+  }
   return table.markdown();
 }
 
@@ -155,7 +156,7 @@ const char* verdict_text(PairedComparison::Verdict verdict) {
 
 std::string comparison_text(const PairedComparison& comparison) {
   const auto& [low, high] = comparison.interval;
-  const std::string text =
+  std::string text =
       fmt::format("{}: {}", verdict_text(comparison.verdict), change_text(comparison.ratio));
   if (low == 0.0 && std::isinf(high)) return text;  // too few pairs, or too mixed, to bound it
   return fmt::format("{} [{}, {}]", text, change_text(low), change_text(high));
@@ -164,9 +165,10 @@ std::string comparison_text(const PairedComparison& comparison) {
 std::string twin_table(const ScenarioSummary& scenario) {
   if (scenario.twins.empty()) return "";
   TextTable table({"against its Euclid twin", "cost", "first solution", "whole run"});
-  for (const TwinComparison& twins : scenario.twins)
+  for (const TwinComparison& twins : scenario.twins) {
     table.add({markdown(twins.planner), comparison_text(twins.cost),
                comparison_text(twins.first_time), comparison_text(twins.time_total)});
+  }
   return table.markdown();
 }
 
@@ -201,19 +203,21 @@ std::string jobs_text(const Report& report) {
 // The options in force, in one line for what is shared and one for each that differs.
 std::string options_text(const ReportOptions& options) {
   std::string text = "Options: `" + shared_options_json(options).dump() + "`.\n";
-  for (const ReportOptions::Own& own : options.differing)
+  for (const ReportOptions::Own& own : options.differing) {
     text += fmt::format("`{}` is {} for {}.\n", own.name, markdown(own.value),
                         markdown(base::joined(own.planners)));
+  }
   return text;
 }
 
 std::string rejected_text(const Report& report) {
   std::string text;
-  for (const OrderedJson& rejected : rejected_json(report.runs))
+  for (const OrderedJson& rejected : rejected_json(report.runs)) {
     text += fmt::format("{} paths of {} were rejected by the judge, the first because {}.\n",
                         rejected.at("runs").get<int>(),
                         markdown(rejected.at("planner").get<std::string>()),
                         markdown(rejected.at("reason").get<std::string>()));
+  }
   return text;
 }
 
@@ -230,16 +234,18 @@ std::string circumstances(const Report& report) {
   const auto share = [&](const char* part) {
     return 100.0 * harness.at(part).get<double>() / planning;
   };
-  if (planning > 0.0)
+  if (planning > 0.0) {
     text += fmt::format(
         "Planning took {:.1f} s; storing the runs {:.2f} % of that, judging their paths {:.1f} %, "
         "the rest {:.1f} %.\n",
         planning, share("storing"), share("judging"), share("rest"));
-  if (report.left_out > 0)
+  }
+  if (report.left_out > 0) {
     text += fmt::format(
         "{} runs in the store are of other programs, machines or options, or of files changed "
         "since, and are left out.\n",
         report.left_out);
+  }
   return text;
 }
 
@@ -274,12 +280,13 @@ std::string claims(const Report& report) {
                      claims_table(report.findings) +
                      "\nAs printed: the goal is a sample like others. Goal tried: from every new "
                      "node.\n\n";
-  for (const Finding& finding : report.findings)
+  for (const Finding& finding : report.findings) {
     text += fmt::format("- {}, region {}, \"{}\": **{}**. {}. {}\n",
                         finding.where.setting == GoalSetting::sampled ? "As printed" : "Goal tried",
                         name_of(finding.where.region), finding.claim,
                         finding.holds ? "confirmed" : "not confirmed", markdown(finding.found),
                         markdown(finding.why));
+  }
   return text;
 }
 
@@ -293,10 +300,12 @@ std::string headline_markdown(const Report& report) {
   std::string text = "# Comparison of planners\n\n";
   for (const std::string& verdict : verdicts(report.findings))
     text += "- " + markdown(verdict) + "\n";
-  for (const Region region : {Region::bounds, Region::scene})
-    if (has_region(report, region))
+  for (const Region region : {Region::bounds, Region::scene}) {
+    if (has_region(report, region)) {
       text += fmt::format("- Samples from the {}: {}\n", name_of(region),
                           markdown(headline(report.summary, region)));
+    }
+  }
   text += "\n" + circumstances(report);
   for (const Region region : {Region::bounds, Region::scene}) {
     if (!has_region(report, region)) continue;

@@ -164,10 +164,11 @@ void check_jobs(const Campaign& campaign, int jobs) {
   const auto is_timed = [&](const Planner& planner) {
     return options_of(campaign, planner).budget.time_limit.has_value();
   };
-  if (jobs > cores && std::ranges::any_of(campaign.planners, is_timed))
+  if (jobs > cores && std::ranges::any_of(campaign.planners, is_timed)) {
     throw InputError("jobs", fmt::format("{} runs at once on {} cores would take each other's "
                                          "time, expected at most {} with a time budget",
                                          jobs, cores, cores));
+  }
 }
 
 }  // namespace

@@ -92,9 +92,10 @@ void check_is_store(Database& database) {
   if (database.integer("PRAGMA application_id") != application_id)
     throw InputError(database.file(), "is not a result store of vandplan");
   const std::int64_t format = database.integer("PRAGMA user_version");
-  if (format != Store::format)
+  if (format != Store::format) {
     throw InputError(database.file(), fmt::format("is a result store of format {}, expected {}",
                                                   format, Store::format));
+  }
   const std::string verdict = database.text("PRAGMA quick_check(1)");
   if (verdict != "ok") throw InputError(database.file(), "is damaged: " + verdict);
   const std::string orphan = database.text("PRAGMA foreign_key_check");
@@ -190,6 +191,7 @@ Store Store::open(const std::string& file) {
 
 Store Store::create(const std::string& file) {
   if (std::filesystem::exists(file)) throw InputError(file, "exists already");
+  if (std::filesystem::is_symlink(file)) throw InputError(file, "is a link to nothing");
   const std::string unfinished = file + ".new";
   std::filesystem::remove(unfinished);
   {
@@ -208,10 +210,11 @@ Store Store::create(const std::string& file) {
 std::size_t Store::index_of(const Environment& environment) {
   const std::vector<Environment> known = environments();
   const auto found = std::ranges::find(known, environment);
-  if (found == known.end())
+  if (found == known.end()) {
     Statement(database_, "INSERT INTO environments VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)")
         .run(environment.version, environment.compiler, environment.build_type,
              environment.executable, environment.processor, environment.cores, environment.system);
+  }
   return static_cast<std::size_t>(found - known.begin());
 }
 
@@ -260,9 +263,10 @@ bool Store::insert(const RunRecord& run) {
     statements_->add_cost.run(id, number++, sample.time, sample.iteration, sample.cost);
   if (!result.path) return true;
   number = 0;
-  for (const Segment& segment : result.path->segments)
+  for (const Segment& segment : result.path->segments) {
     statements_->add_segment.run(id, number++, segment.curvature, segment.length,
                                  segment.curvature_rate);
+  }
   return true;
 }
 
@@ -304,9 +308,10 @@ int Store::merge(Store& other) {
 std::vector<Environment> Store::environments() {
   Statement rows(database_, "SELECT * FROM environments ORDER BY id");
   std::vector<Environment> found;
-  while (rows.step())
+  while (rows.step()) {
     found.push_back({rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5),
                      static_cast<int>(rows.integer(6)), rows.text(7)});
+  }
   return found;
 }
 
@@ -315,10 +320,11 @@ std::vector<StoredScenario> Store::scenarios() { return stored_scenarios(databas
 std::vector<Session> Store::sessions() {
   Statement rows(database_, "SELECT * FROM sessions ORDER BY id");
   std::vector<Session> found;
-  while (rows.step())
+  while (rows.step()) {
     found.push_back({index_of_id(rows.integer(1)), rows.text(2), static_cast<int>(rows.integer(3)),
                      static_cast<int>(rows.integer(4)), rows.real(5), rows.real(6), rows.real(7),
                      rows.real(8)});
+  }
   return found;
 }
 
@@ -331,9 +337,10 @@ std::vector<RunRecord> Store::runs() {
   };
   std::map<std::int64_t, Configuration> configurations;
   Statement configuration_rows(database_, "SELECT id, planner, options FROM configurations");
-  while (configuration_rows.step())
+  while (configuration_rows.step()) {
     configurations[configuration_rows.integer(0)] = {configuration_rows.text(1),
                                                      options_from_json(configuration_rows.text(2))};
+  }
 
   Statement rows(database_, fmt::format("SELECT {} FROM runs ORDER BY id", columns_of_runs));
   Statement costs(database_,

@@ -27,7 +27,7 @@ class Store {
 
   /// Opens a store. Throws InputError when it is missing, damaged, of another format, or no store.
   [[nodiscard]] static Store open(const std::string& file);
-  /// Makes an empty store. Throws InputError if the file exists.
+  /// Makes an empty store. Throws InputError if the file exists, or is a link to nothing.
   [[nodiscard]] static Store create(const std::string& file);
   ~Store();
   Store(const Store&) = delete;

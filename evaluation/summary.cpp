@@ -111,10 +111,11 @@ double furthest_of(const std::vector<GoalSummary>& goals) {
 // The best and the middle run; of a row, among those to its furthest goal.
 void pick_examples(Runs runs, const ScenarioFile& scenario, const RunRecord* first,
                    MethodSummary& summary) {
-  if (scenario.is_row())
+  if (scenario.is_row()) {
     std::erase_if(runs, [&](const RunRecord* run) {
       return scenario.row[run->goal].distance != summary.furthest;
     });
+  }
   if (runs.empty()) return;
   std::ranges::stable_sort(runs, {}, [](const RunRecord* run) { return final_cost(*run); });
   const RunRecord* const middle = runs[runs.size() / 2];

@@ -25,8 +25,8 @@ constexpr int rounds = 15;
 template <typename Space, typename Length>
 void compare(const char* name, double reach, Length length) {
   Rng rng(1);
-  std::vector<PosePair> pairs(4096);
-  for (PosePair& pair : pairs) pair = near_pair(reach, rng);
+  std::vector<DrawnPair> pairs(4096);
+  for (DrawnPair& pair : pairs) pair = near_pair(reach, rng);
   OmplPoses<Space> peer(radius);
   for (const auto& [from, to] : pairs) {
     peer.add(from);

@@ -67,6 +67,7 @@ Obstacles::Obstacles(std::span<const Polygon> polygons) {
   std::vector<Group> groups;
   for (const Polygon& polygon : polygons) append_groups(polygon, groups);
   std::vector<Bounds> boxes;
+  boxes.reserve(groups.size());
   for (const Group& group : groups) boxes.push_back(box_of(group.sides));
   std::vector<Bounds> near;
   std::vector<Bounds> right_of;

@@ -112,6 +112,15 @@ void read_statistics(const Document& file, const Node& node, PlanResult& result,
   }
 }
 
+/// Throws for the first option that no planner could have been given.
+void expect_in_range(const Document& file, const Node& node, const PlanOptions& options) {
+  try {
+    validate(options);
+  } catch (const InputError& error) {
+    file.fail(file.at(node, error.where()), error.problem());
+  }
+}
+
 /// What the path is held to; the length alone where a file names no price.
 void read_options(const Document& file, const Node& node, PlanOptions& options) {
   CostOptions& cost = options.cost;
@@ -145,6 +154,7 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
                         : word == "reverse" ? InitialGear::reverse
                                             : InitialGear::any;
   }
+  expect_in_range(file, node, options);
 }
 
 /// Whether the planner's cost is the length, whatever the options say.

@@ -97,6 +97,26 @@ TEST_F(PlanCommand, ManyPairsArePlannedInOneWorld) {
   EXPECT_EQ(pair, 3);
 }
 
+TEST_F(PlanCommand, ThousandsOfPairsKeepTheirOrder) {
+  const std::string poses = folder_ / "poses.csv";
+  constexpr int pairs = 4100;  // more than are planned in one go
+  std::string rows;
+  for (int i = 1; i <= pairs; ++i) rows += "0,0,0," + std::to_string(1 + i % 4) + ",0,0\n";
+  write_content(poses, rows);
+  const Outcome outcome = plan({"--poses", poses, "--max-iterations", "1", "--jobs", "2"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  std::string line;
+  for (int i = 1; i <= pairs; ++i) {
+    std::getline(lines, line);
+    const std::string expected =
+        std::to_string(i) + ": solved: length " + std::to_string(1 + i % 4) + ".000 m,";
+    ASSERT_EQ(line.substr(0, expected.size()), expected);
+  }
+  std::getline(lines, line);
+  EXPECT_TRUE(line.starts_with("yard, anytime: 4100 of 4100 solved in ")) << line;
+}
+
 TEST_F(PlanCommand, APairIsPlannedAsIfAlone) {
   const std::string poses = folder_ / "poses.csv";
   write_content(poses, "0,0,0,0,0,3\n0,0,0,20,5,0\n");

@@ -243,6 +243,19 @@ TEST(Store, RefusesToReplaceAFile) {
   EXPECT_THROW(static_cast<void>(Store::create(file)), InputError);
 }
 
+TEST(Store, RefusesToReplaceALinkToNothing) {
+  const TemporaryFolder folder;
+  const std::string link = folder / "runs.sqlite";
+  std::filesystem::create_symlink(folder / "elsewhere", link);
+  try {
+    static_cast<void>(Store::create(link));
+    ADD_FAILURE() << "made a store";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), link + ": is a link to nothing");
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+}
+
 TEST(Store, RefusesAFileThatIsNoDatabase) {
   const TemporaryFolder folder;
   const std::string file = folder / "runs.sqlite";

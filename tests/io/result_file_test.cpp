@@ -393,6 +393,30 @@ TEST_F(ReadResults, EveryErrorNamesLineKeyAndWhatWasExpected) {
             "r.json:1: key \"goals\" is missing, expected it");
 }
 
+// What no planner could have been given is a mistake of the file.
+TEST_F(ReadResults, OptionsOutOfRangeNameTheirLine) {
+  const auto message = [&](const std::string& options) {
+    return message_for(
+        "{\"format\": \"vandplan-result/1\",\n\"options\": {\"seed\": 1,\n" + options +
+            "},\n\"path\": {\"start\": {\"x\": 0, \"y\": 0, \"heading\": 0}, \"segments\": []}}",
+        yard_file());
+  };
+  EXPECT_EQ(message("\"margin\": -0.1"),
+            "r.json:3: options.margin: -0.1 is not a number from 0 to 1000 [m]");
+  EXPECT_EQ(message("\"margin\": 1e300"),
+            "r.json:3: options.margin: 1e+300 is not a number from 0 to 1000 [m]");
+  EXPECT_EQ(message("\"margin\": 1,\n\"margin_ramp\": -2"),
+            "r.json:4: options.margin_ramp: -2 is not a number from 0 to 1000 [m]");
+  EXPECT_EQ(message("\"reverse_weight\": 0"),
+            "r.json:3: options.reverse_weight: 0 is not a number from 1 to 1000");
+  EXPECT_EQ(message("\"gear_change_cost\": -1"),
+            "r.json:3: options.gear_change_cost: -1 is not a number from 0 to 10000 [m]");
+  EXPECT_EQ(
+      message("\"curvature_change_cost\": 10001"),
+      "r.json:3: options.curvature_change_cost: 10001 is not a number from 0 to 10000 [m per 1/m]");
+  EXPECT_EQ(message("\"margin\": 0.1, \"curvature_change_cost\": 10000"), "no error");
+}
+
 // ---- many pairs ----
 
 class ReadPairs : public testing::Test {
