@@ -72,8 +72,10 @@ class GridObstacles::Search {
   [[nodiscard]] double distance(double margin) const {
     const Rectangle near = around(0, 0);
     const Footprint body{body_.rear - margin, body_.front - margin, body_.half_width - margin};
+    const Rectangle slim{near.middle, near.forward, (body.front + body.rear) / 2, body.half_width};
     double least = margin * margin;
     (void)any_run(near, [&](const CellBox& run) {
+      if (slim.squared_gap(square(run)) >= least) return false;  // most of them
       least = std::min(least, squared_distance(body, placed_.from, sides_of(square(run))));
       return least == 0;
     });
@@ -91,6 +93,21 @@ class GridObstacles::Search {
       const double x = half_length * std::abs(forward.x) + half_width * std::abs(forward.y);
       const double y = half_length * std::abs(forward.y) + half_width * std::abs(forward.x);
       return {middle.x - x, middle.x + x, middle.y - y, middle.y + y};
+    }
+
+    /// No point of the box is nearer, squared: along and across the rectangle it is so far away.
+    [[nodiscard]] double squared_gap(const Bounds& b) const {
+      const double dx = (b.x_min + b.x_max) / 2 - middle.x;
+      const double dy = (b.y_min + b.y_max) / 2 - middle.y;
+      const double half_x = (b.x_max - b.x_min) / 2;
+      const double half_y = (b.y_max - b.y_min) / 2;
+      const double u = std::abs(forward.x);
+      const double v = std::abs(forward.y);
+      const double along = std::abs(dx * forward.x + dy * forward.y) - half_length;
+      const double aside = std::abs(dy * forward.x - dx * forward.y) - half_width;
+      const double ahead = std::max(along - half_x * u - half_y * v, 0.0);
+      const double beside = std::max(aside - half_x * v - half_y * u, 0.0);
+      return ahead * ahead + beside * beside;
     }
 
     /// Whether they overlap, if the box overlaps the one around.
