@@ -90,7 +90,7 @@ bool unknown_from(const Document& file, const Node& node) {
 /// An option that some planner honours, its value one that it takes.
 Setting setting_from(const Document& file, const Node& map, std::size_t i) {
   const Node& value = map.items[i];
-  const Setting setting{map.keys[i].text, file.text(value)};
+  Setting setting{map.keys[i].text, file.text(value)};
   const auto honouring = std::ranges::find_if(
       planners(), [&](const Planner& planner) { return honours(planner, setting.name); });
   try {

@@ -26,6 +26,7 @@ std::size_t chains_of(std::uint32_t sides) {
 
 struct Item {
   Box box;
+  Point middle;  ///< of the box
   std::uint32_t polygon = 0;
 };
 
@@ -54,7 +55,7 @@ Builder::Builder(std::span<const Polygon> polygons) : polygons_(polygons) {
   for (const Polygon& polygon : polygons) {
     Box box = Box::of(polygon[0]);
     for (const Point& corner : polygon) box.add(corner);
-    items.push_back({box, static_cast<std::uint32_t>(items.size())});
+    items.push_back({box, box.middle(), static_cast<std::uint32_t>(items.size())});
     chains += chains_of(static_cast<std::uint32_t>(polygon.size()));
   }
   nodes_.reserve(2 * chains - 1);
@@ -72,10 +73,10 @@ std::size_t Builder::add_children(std::size_t node) {
 /// What is much longer than all of it is wide stands apart from the rest, or it would make every
 /// bar long; else polygons are parted where half of them lie on either side.
 std::size_t part(std::span<Item> items) {
-  Box middles = Box::of(items[0].box.middle());
+  Box middles = Box::of(items[0].middle);
   double longest = 0.0;
   for (const Item& item : items) {
-    middles.add(item.box.middle());
+    middles.add(item.middle);
     longest = std::max(longest, item.box.size());
   }
   if (longest > middles.size()) {
@@ -88,9 +89,7 @@ std::size_t part(std::span<Item> items) {
   const std::size_t half = items.size() / 2;
   std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
                    [&](const Item& a, const Item& b) {
-                     const Point p = a.box.middle();
-                     const Point q = b.box.middle();
-                     return wide ? p.x < q.x : p.y < q.y;
+                     return wide ? a.middle.x < b.middle.x : a.middle.y < b.middle.y;
                    });
   return half;
 }

@@ -77,6 +77,7 @@ void GridDistance::mark_border() {
 
 // Cells whose centre is so near to a side that no point of them is free for the disc; at least the
 // cells that the side runs through.
+// NOLINTNEXTLINE(readability-function-size): sides, rows and columns
 void GridDistance::mark(const std::vector<Polygon>& polygons, double near) {
   const auto index = [&](double offset, std::int32_t count) {
     // In double first: an obstacle may be further away than an integer counts cells.

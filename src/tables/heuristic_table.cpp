@@ -87,6 +87,7 @@ HeuristicTableOptions thesis_table_options(int number) {
   return tables[static_cast<std::size_t>(number) - 1];
 }
 
+// NOLINTNEXTLINE(readability-function-size): a loop for each coordinate
 HeuristicTable::HeuristicTable(const HeuristicTableOptions& options)
     : options_(options), positions_(checked_positions(options)) {
   std::vector<float> entries(entry_count(positions(), headings()));

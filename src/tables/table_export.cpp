@@ -73,6 +73,7 @@ std::string table_to_header(const HeuristicTable& table, std::string_view name) 
   return text.append("\n};\n\n}  // namespace ").append(name).append("\n");
 }
 
+// NOLINTNEXTLINE(readability-function-size): a loop for each coordinate
 std::string table_to_csv(const HeuristicTable& table) {
   check_size(table);
   std::vector<std::string> positions, headings;

@@ -168,6 +168,7 @@ View view_of(const Polar& box, const Word& word) {
   return view;
 }
 
+// NOLINTNEXTLINE(readability-function-size): the cases stand side by side
 std::optional<Pieces> pieces_of(const Polar& box, LeftWord left_word, const View& view) {
   const CirclePair& c = *view.circles;
   const Shape& shape = shapes[left_word];
