@@ -13,6 +13,7 @@ namespace {
 
 constexpr double length_tolerance = 1e-6;  // [m]; of costs for every metre, too
 constexpr double near_tolerance = 1e-3;    // of a cost with something in it for being near things
+constexpr double finely_seen = 1e5;        // up to this length of a way [m]
 constexpr double gap_tolerance = 1e-6;
 constexpr double pose_distance = 0.1;  // between stated poses, at most [m]
 // Of stated poses [m, rad], curvature [1/m] and distance: files far from the origin, where doubles
@@ -48,7 +49,10 @@ double cost_of(const Track& track, double near, const CostOptions& rule) {
 
 std::optional<std::string> false_cost(const Track& track, double near, const StatedCost& stated) {
   const double cost = cost_of(track, near, stated.rule);
-  const double tolerance = length_tolerance * (1 + cost) + (near > 0 ? near_tolerance * cost : 0.0);
+  // What is near is looked at less finely on a longer way.
+  const double rough = std::max(1.0, static_cast<double>(track.length) / finely_seen);
+  const double tolerance =
+      length_tolerance * (1 + cost) + (near > 0 ? near_tolerance * rough * cost : 0.0);
   if (!(std::abs(stated.cost - cost) <= tolerance)) {
     return text("the stated cost is %.10g m, the path costs %.10g m", stated.cost, cost);
   }

@@ -38,6 +38,7 @@ const CommonOption* common_option(std::string_view name) {
                          ", expected one of the planners that honour it: " + base::joined(others));
   }
   std::vector<std::string> names;
+  if (honours(planner, style_key)) names.emplace_back(style_key);
   for (const CommonOption& common : common_options()) {
     if (honours(planner, common.name)) names.emplace_back(common.name);
   }

@@ -13,8 +13,9 @@ namespace {
 // where the clearance gets to the distance or has a kink, and by less elsewhere.
 constexpr double looks_of_search = 4;
 constexpr double looks_of_answer = 50;
-constexpr double most_looks = 1e6;  // for a path
-constexpr double looks_ahead = 8;   // that one look may save, at the most
+constexpr double most_looks_of_search = 2e4;  // at a path of any length
+constexpr double most_looks_of_answer = 1e6;
+constexpr double looks_ahead = 4;  // that one look may save at first, and twice as many if it does
 
 /// The furthest point of the body from its rear axle [m].
 double reach_of(const Vehicle& vehicle) {
@@ -32,15 +33,18 @@ double nearness(const CollisionChecker& checker, double reach, double distance, 
       std::max(std::abs(segment.curvature), std::abs(curvature_at(segment, length)));
   const double moved = (1 + reach * tightest) * h;  // any point of the body, from look to look
   double sum = 0.0;
+  double ahead = looks_ahead;
   for (double i = 0; i < count && sum <= most;) {
     const Pose pose = advance(from, part_of(segment, 0.0, (i + 0.5) * h));
-    const double clearance = checker.clearance(pose, distance + looks_ahead * moved);
+    const double farthest = distance + ahead * moved;
+    const double clearance = checker.clearance(pose, farthest);
     if (clearance < distance) {
       sum += h * (1 - clearance / distance);
       i += 1;
     } else {
       i += 1 + std::floor((clearance - distance) / moved);
     }
+    ahead = clearance < farthest ? looks_ahead : 2 * ahead;
   }
   return sum;
 }
@@ -108,9 +112,10 @@ double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
                       std::span<const Segment> segments, Looks looks, double cutoff) {
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
+  const bool is_answer = looks == Looks::answer;
   const double step =
-      std::max(distance / (looks == Looks::search ? looks_of_search : looks_of_answer),
-               length(segments) / most_looks);
+      std::max(distance / (is_answer ? looks_of_answer : looks_of_search),
+               length(segments) / (is_answer ? most_looks_of_answer : most_looks_of_search));
   const double reach = reach_of(task.vehicle);
   double sum = 0.0;
   Pose pose = from;

@@ -137,6 +137,7 @@ Problem beside_a_kerb(double gap) {
 
 PlanOptions with_margin(double margin, double ramp = 0.0) {
   PlanOptions options = iterations(3000);
+  options.cost = shortest_style;
   options.clearance = {.margin = margin, .margin_ramp = ramp};
   return options;
 }

@@ -47,7 +47,9 @@ Problem walled_in() {
 }
 
 TEST_P(PlannerConformance, SolvesAnEasyProblem) {
-  const PlanResult result = run(around_the_wall(), iterations(600));
+  PlanOptions options = iterations(600);
+  options.cost = shortest_style;
+  const PlanResult result = run(around_the_wall(), options);
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_NEAR(result.cost, length(result.path->segments), 1e-9);
   EXPECT_GT(result.cost, 30.0);
