@@ -74,8 +74,7 @@ TEST(SpeedLaw, NoDriveIsFasterByAThousandth) {
     EXPECT_LE(duration, dense * (1 + 1e-3)) << as_code(path);
     EXPECT_GE(duration, dense * (1 - 1e-4)) << as_code(path);
   });
-  RecordProperty("worst", std::to_string(worst));
-  std::printf("at worst %.2g slower than the dense optimum\n", worst);
+  EXPECT_LE(worst, 2e-4);
 }
 
 TEST(SpeedLaw, KeepsTheLimitOfJerk) {
@@ -94,7 +93,8 @@ TEST(SpeedLaw, KeepsTheLimitOfJerk) {
     worst = std::max(worst, nearly);
     sum += nearly;
   });
-  std::printf("jerk 1000: at worst %.3g slower, mean %.3g\n", worst, sum / 1000);
+  EXPECT_LE(worst, 0.03);
+  if (!is_sanitized) EXPECT_LE(sum, 0.003 * 1000);
 }
 
 TEST(SpeedLaw, IsTheSameOnTheMirroredPath) {
