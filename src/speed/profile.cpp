@@ -43,7 +43,9 @@ class Drive {
     const bool changes_gear = gear_ != 0.0 && sign != gear_;
     const bool jumps = turn_to(segment.curvature) > ignored_steering_jump;
     if (changes_gear || jumps) stop(segment.curvature);
-    speed::add_caps(segment, s_, vehicle_, caps_);
+    // Counted from the last stop: what is short is not lost beside a long way there.
+    speed::add_caps(segment, since_stop_, vehicle_, caps_);
+    since_stop_ += length;
     s_ += length;
     gear_ = sign;
     curvature_ = curvature_at(segment, length);
@@ -80,18 +82,25 @@ class Drive {
     const DrivingLimits& limits = vehicle_.limits;
     const double duration = limits.max_jerk ? speed::drive_stretch_smoothly(caps_, limits, knots)
                                             : speed::drive_stretch(caps_, limits, knots);
-    for (std::size_t i = first; i < knots.size(); ++i) knots[i].t += t_;
+    for (std::size_t i = first; i < knots.size(); ++i) {
+      knots[i].t += t_;
+      knots[i].s += stop_;
+    }
     t_ += duration;
+    stop_ = s_;
+    since_stop_ = 0.0;
     caps_.clear();
   }
 
   const Vehicle& vehicle_;
   SpeedProfile profile_;
-  std::vector<Cap> caps_;  // of the stretch
+  std::vector<Cap> caps_;  // of the stretch, from its begin on
   double curvature_;       // that the wheels are turned to
   double gear_ = 0.0;      // 1, -1, or 0 before the first segment
   double s_ = 0.0;
   double t_ = 0.0;
+  double stop_ = 0.0;        // where the stretch began [m]
+  double since_stop_ = 0.0;  // its length so far [m]
 };
 
 }  // namespace

@@ -111,7 +111,7 @@ class Smoother {
 
  private:
   static constexpr double rounding = 1e-9;
-  static constexpr int halvings = 50;
+  static constexpr int most_halvings = 500;  // of a top speed, which may be tiny
 
   [[nodiscard]] Hump hump(const Anchor& from, const Anchor& to, double top) const {
     return {from, to, top, Ramp(from.v, top, gain_, jerk_), Ramp(to.v, top, loss_, jerk_)};
@@ -139,7 +139,7 @@ class Smoother {
       high = std::max(high, zone->v);
     }
     if (fits(hump(from, to, high))) return hump(from, to, high);
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < most_halvings && high - low > 1e-12 * high; ++i) {
       const double middle = (low + high) / 2;
       (fits(hump(from, to, middle)) ? low : high) = middle;
     }
@@ -241,7 +241,7 @@ std::vector<Zone> zones_below(std::span<const Cap> caps) {
 }  // namespace
 
 double drive_stretch_smoothly(std::span<const Cap> caps, const DrivingLimits& limits,
-                             std::vector<SpeedKnot>& knots) {
+                              std::vector<SpeedKnot>& knots) {
   Smoother smoother(zones_below(caps), limits, knots);
   smoother.drive({caps.front().begin, 0.0}, {caps.back().end, 0.0});
   return smoother.duration();

@@ -28,7 +28,7 @@ class RisePass {
     }
     const double meet = cap.begin + reach;
     if (cap.begin < meet && meet < cap.end) {
-      push(cap.begin, meet, cap.first + slope * reach, bound_);
+      push(cap.begin, meet, std::max(value_, cap.first + slope * reach), bound_);
       push(meet, cap.end, cap.last, cap.bound);
     } else if (meet < cap.end) {
       push(cap.begin, cap.end, cap.last, cap.bound);

@@ -149,7 +149,7 @@ TEST(Speed, WithMuchJerkItIsNearTheFastestDrive) {
   const std::vector<Segment> segments = {{0, 5}, {0, 3, 0.1}, {0.3, 4}, {0.3, 3, -0.1}, {0, 5}};
   const double fastest = duration_of(segments, vehicle);
   vehicle.limits.max_jerk = 1000;
-  EXPECT_LE(duration_of(segments, vehicle), 1.03 * fastest);
+  EXPECT_LE(duration_of(segments, vehicle), 1.005 * fastest);
 }
 
 TEST(Speed, NoPathTakesNoTime) {
@@ -219,6 +219,23 @@ TEST(Motion, TheWheelsTurnEvenlyWhileItStands) {
   EXPECT_DOUBLE_EQ(start.a, -1.0);
 }
 
+TEST(Motion, UntilAStopItIsOnTheWayThere) {
+  const double full = 1 / car().min_turning_radius;
+  const Path path = path_of({{0, 1}, {full, -1}});
+  const SpeedProfile profile = speed_profile(path, car());
+  const Motion before = motion_at(path, car(), profile, std::nextafter(profile.stops[0].t, 0.0));
+  EXPECT_EQ(before.direction, 1);
+  EXPECT_EQ(before.steering_angle, 0.0);
+  EXPECT_EQ(motion_at(path, car(), profile, profile.stops[0].t).direction, -1);
+}
+
+TEST(Motion, FarFromTheOriginNothingIsLost) {
+  Path path{{1e9, 0, 0}, {}};
+  for (int i = 0; i < 1000; ++i) path.segments.push_back({i % 2 * 1e-9, 0.0123});
+  const SpeedProfile profile = speed_profile(path, car());
+  EXPECT_NEAR(motion_at(path, car(), profile, profile.duration).pose.x, 1e9 + 12.3, 2e-7);
+}
+
 TEST(Motion, TimesAreClampedToTheDrive) {
   const Path path = path_of({{0, 1}});
   const SpeedProfile profile = speed_profile(path, car());
@@ -231,7 +248,8 @@ TEST(Motion, TimesAreClampedToTheDrive) {
 
 TEST(Motion, SamplesHaveAGridAndEveryStop) {
   const double full = 1 / car().min_turning_radius;
-  const Path path = path_of({{0, 1}, {full, 0.77}});
+  // It comes to stand a microsecond behind a multiple of the step, and goes on 1.5 s later.
+  const Path path = path_of({{0, 1.000001}, {full, 0.77}});
   const SpeedProfile profile = speed_profile(path, car());
   const std::vector<Motion> motions = sampled(path, car(), profile, 0.05);
   const auto has = [&](double t) {
