@@ -79,7 +79,7 @@ class ContinuousSteering {
   double radius_;
   double curvature_rate_;
   Continuity continuity_;
-  std::array<double, 6> turns_{};  ///< constants of steering::SharpTurns
+  std::array<double, 8> turns_{};  ///< constants of steering::SharpTurns
 };
 
 }  // namespace vandplan

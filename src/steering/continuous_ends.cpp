@@ -16,17 +16,6 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double two_pi = 2 * std::numbers::pi;
 
-MeanFrame folded(const MeanFrame& f) {
-  return {std::abs(f.x), std::abs(f.y), std::abs(f.half_turn)};
-}
-
-/// What undoes `folded`. For the frame from the other end it differs in all three, zeros included.
-Symmetry unfolding(const MeanFrame& f) {
-  const bool backwards = f.x != 0 ? f.x < 0 : f.y != 0 ? f.y < 0 : f.half_turn < 0;
-  const auto is_negative = [&](double v) { return v != 0 ? v < 0 : backwards; };
-  return {backwards, is_negative(f.y), is_negative(f.half_turn)};
-}
-
 Segment from_its_end(const Segment& s) {
   return {curvature_at(s, std::abs(s.length)), s.length, -s.curvature_rate};
 }
@@ -86,107 +75,162 @@ UnitSegments detour(const SharpTurns& turns, const MeanFrame& f) {
   return s;
 }
 
-/// One of the ways to start or to end: what is driven while the wheels are turned.
-struct Winding {
-  Pose pose;        ///< where they are straight
-  Segment segment;  ///< from the start on, or up to the goal
+/// One of the ways to begin or to end.
+struct End {
+  Pose pose;        ///< where the wheels are straight
+  Segment segment;  ///< from the start on, or from the goal back
 };
 
-std::array<Winding, 2> unwindings(const Pose& pose, double curvature, double sharpness) {
-  std::array<Winding, 2> both;
+std::array<End, 2> ends_of(const Pose& pose, double curvature, double sharpness) {
+  std::array<End, 2> ends;
   for (std::size_t i = 0; i < 2; ++i) {
     const double length = (i == 0 ? 1 : -1) * std::abs(curvature) / sharpness;
     const Segment segment{curvature, length, curvature > 0 ? -sharpness : sharpness};
-    both[i] = {length == 0 ? pose : advance(pose, segment), segment};
+    ends[i] = {length == 0 ? pose : advance(pose, segment), segment};
   }
-  return both;
+  return ends;
 }
 
-/// Whether the second segment begins by driving back the first, which ends with straight wheels.
-bool drives_back(const Segment& wound, const Segment& next) {
-  return wound.length != 0 && next.curvature == 0 && next.curvature_rate == -wound.curvature_rate &&
-         wound.length * next.length < 0 && std::abs(next.length) >= std::abs(wound.length);
-}
+/// One way to begin with one way to end.
+struct Combination {
+  WordTask task;
+  Segment first, last;  ///< before and after the word; of length zero if the wheels are straight
+  double wound = 0;     ///< length of both
+};
 
-UnitSegments joined(const Segment& first, UnitSegments inner, const Segment& last) {
-  const bool skips_first = inner.count > 0 && drives_back(first, inner.list[0]);
-  if (skips_first) {
-    Segment& s = inner.list[0];
-    s.curvature = first.curvature;
-    s.length += first.length;
-  }
-  bool skips_last = false;
-  if (inner.count > 0) {
-    Segment& s = inner.list[inner.count - 1];
-    Segment back = from_its_end(last);
-    if (std::abs(curvature_at(s, std::abs(s.length))) < 1e-9) {
-      Segment end = from_its_end(s);
-      end.curvature = 0;
-      skips_last = drives_back(back, end) && (inner.count > 1 || !skips_first);
+struct Combinations {
+  std::array<Combination, 4> list;
+  std::size_t count = 0;
+};
+
+Combinations combinations_of(const WordSolver& solver, const EndsTask& task, bool jumps) {
+  const double sharpness = solver.turns().sharpness();
+  const double k0 = jumps ? 0 : task.start_curvature;
+  const double k1 = jumps ? 0 : task.goal_curvature;
+  const auto starts = ends_of(task.from, k0, sharpness);
+  const auto goals = ends_of(task.to, k1, sharpness);
+  const auto sign = [](double v) { return v < 0 ? -1.0 : 1.0; };
+  Combinations all;
+  for (std::size_t i = 0; i < (k0 == 0 ? 1U : 2U); ++i) {
+    for (std::size_t j = 0; j < (k1 == 0 ? 1U : 2U); ++j) {
+      const Segment& first = starts[i].segment;
+      const Segment& back = goals[j].segment;
+      Combination& c = all.list[all.count++];
+      c.task.frame = mean_frame(starts[i].pose, goals[j].pose, 1);
+      c.task.jumps = jumps;
+      c.task.windings.start = {-sign(first.length), sign(k0), std::abs(first.length)};
+      c.task.windings.goal = {sign(back.length), sign(k1), std::abs(back.length)};
+      c.first = first;
+      c.last = {0, -back.length, -back.curvature_rate};
+      c.wound = std::abs(first.length) + std::abs(back.length);
     }
-    if (skips_last) s.length += last.length;
   }
-  UnitSegments all;
-  if (!skips_first) all.add(first);
-  for (std::size_t i = 0; i < inner.count; ++i) all.add(inner.list[i]);
-  if (!skips_last) all.add(last);
   return all;
 }
 
-/// Calls `take` with every path.
-template <typename Take>
-void for_each_path(const WordSolver& solver, const EndsTask& task, bool jumps, Take take) {
-  const double k0 = jumps ? 0 : task.start_curvature;
-  const double k1 = jumps ? 0 : task.goal_curvature;
-  const auto starts = unwindings(task.from, k0, solver.turns().sharpness());
-  const auto goals = unwindings(task.to, k1, solver.turns().sharpness());
-  for (std::size_t i = 0; i < (k0 == 0 ? 1U : 2U); ++i) {
-    for (std::size_t j = 0; j < (k1 == 0 ? 1U : 2U); ++j) {
-      const MeanFrame frame = mean_frame(starts[i].pose, goals[j].pose, 1);
-      const Symmetry undo = unfolding(frame);
-      const Segment& back = goals[j].segment;
-      const Segment last{0, -back.length, -back.curvature_rate};
-      const auto give = [&](const UnitSegments& segments) {
-        const UnitSegments all = joined(starts[i].segment, as_made_by(undo, segments), last);
-        const double length = length_of(all);
-        if (length <= task.cutoff) take(UnitPath{all, length});
-      };
-      if (frame.x == 0 && frame.y == 0 && frame.half_turn == 0) {
-        give({});
-        continue;
-      }
-      bool any = false;
-      const auto all_of = [&](bool with_jumps) {
-        for (const FoundWord& found : all_words(solver, folded(frame), with_jumps)) {
-          give(as_made_by(found.symmetry, solver.segments_of(found.word)));
-          any = true;
-        }
-      };
-      if (jumps) all_of(true);
-      all_of(false);
-      if (!any) give(detour(solver.turns(), folded(frame)));
+bool is_nothing(const MeanFrame& f) { return f.x == 0 && f.y == 0 && f.half_turn == 0; }
+
+/// A word with what is driven before and after it, unless the word drives that back.
+UnitPath driven(const WordSolver& solver, const Combination& c, const FoundWord& found) {
+  UnitSegments inner = as_made_by(found.symmetry, solver.segments_of(found.word));
+  const Windings only_start{c.task.windings.start, {}}, only_goal{{}, c.task.windings.goal};
+  const bool skips_first = saved(solver, found, only_start) > 0;
+  const bool skips_last = saved(solver, found, only_goal) > 0;
+  if (skips_first) {
+    Segment& s = inner.list[0];
+    s.curvature = c.first.curvature;
+    s.length += c.first.length;
+  }
+  if (skips_last) inner.list[inner.count - 1].length += c.last.length;
+  UnitPath path;
+  if (!skips_first) path.segments.add(c.first);
+  for (std::size_t i = 0; i < inner.count; ++i) path.segments.add(inner.list[i]);
+  if (!skips_last) path.segments.add(c.last);
+  path.length = c.wound + found.word.length - saved(solver, found, c.task.windings);
+  return path;
+}
+
+/// The two windings alone, or with the detour between them.
+UnitPath without_word(const WordSolver& solver, const Combination& c) {
+  UnitSegments inner;
+  if (!is_nothing(c.task.frame)) inner = detour(solver.turns(), c.task.frame);
+  UnitPath path;
+  path.segments.add(c.first);
+  for (std::size_t i = 0; i < inner.count; ++i) path.segments.add(inner.list[i]);
+  path.segments.add(c.last);
+  path.length = c.wound + length_of(inner);
+  return path;
+}
+
+/// The least path, as a word of a combination, or without one.
+struct Answer {
+  double length = infinite;
+  const Combination* combination = nullptr;
+  std::optional<FoundWord> word;
+};
+
+/// The best that the combinations have below what is known already.
+void improve(Answer& answer, const WordSolver& solver, const Combinations& all) {
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const Combination& c = all.list[i];
+    if (is_nothing(c.task.frame)) {
+      if (c.wound < answer.length) answer = {c.wound, &c, std::nullopt};
+      continue;
+    }
+    const auto found = least_word(solver, c.task, answer.length - c.wound);
+    if (!found) continue;
+    answer.length = c.wound + found->word.length - saved(solver, *found, c.task.windings);
+    answer.combination = &c;
+    answer.word = found;
+  }
+}
+
+Answer answer_of(const WordSolver& solver, const Combinations& all) {
+  Answer answer;
+  improve(answer, solver, all);
+  if (answer.combination != nullptr) return answer;
+  for (std::size_t i = 0; i < all.count; ++i) {  // every word that there is
+    for (const FoundWord& found : all_words(solver, all.list[i].task)) {
+      const double length =
+          all.list[i].wound + found.word.length - saved(solver, found, all.list[i].task.windings);
+      if (length < answer.length) answer = {length, &all.list[i], found};
     }
   }
+  if (answer.combination != nullptr) return answer;
+  answer.combination = &all.list[0];
+  answer.length = without_word(solver, all.list[0]).length;
+  return answer;
 }
 
 }  // namespace
 
 std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task, bool jumps) {
-  std::optional<UnitPath> least;
-  for_each_path(solver, task, jumps, [&](const UnitPath& path) {
-    if (!least || path.length < least->length) least = path;
-  });
-  return least;
+  const Combinations all = combinations_of(solver, task, jumps);
+  const Answer answer = answer_of(solver, all);
+  if (answer.length > task.cutoff) return std::nullopt;
+  return answer.word ? driven(solver, *answer.combination, *answer.word)
+                     : without_word(solver, *answer.combination);
 }
 
 double least_length(const WordSolver& solver, const EndsTask& task, bool jumps) {
-  const auto path = least_path(solver, task, jumps);
-  return path ? path->length : infinite;
+  const Combinations all = combinations_of(solver, task, jumps);
+  const double length = answer_of(solver, all).length;
+  return length > task.cutoff ? infinite : length;
 }
 
 std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task, bool jumps) {
   std::vector<UnitPath> paths;
-  for_each_path(solver, task, jumps, [&](const UnitPath& path) { paths.push_back(path); });
+  const Combinations all = combinations_of(solver, task, jumps);
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const Combination& c = all.list[i];
+    UnitPath plain = without_word(solver, c);
+    if (plain.length <= task.cutoff) paths.push_back(plain);
+    if (is_nothing(c.task.frame)) continue;
+    for (const FoundWord& found : all_words(solver, c.task)) {
+      const UnitPath path = driven(solver, c, found);
+      if (path.length <= task.cutoff) paths.push_back(path);
+    }
+  }
   return paths;
 }
 

@@ -17,13 +17,34 @@ struct FoundWord {
   Symmetry symmetry{};
 };
 
-/// Every word of the families between the poses of a frame, at most one of each formula and
-/// symmetry.
-[[nodiscard]] std::vector<FoundWord> all_words(const WordSolver& solver, const MeanFrame& frame,
-                                               bool jumps);
+/// A clothoid on which the wheels were straightened before a word, or are turned after it. A word
+/// that begins (ends) by driving the same way back saves both.
+struct Winding {
+  double gear = 1.0;    ///< in which the word drives it back
+  double side = 0.0;    ///< to which its curvature is
+  double length = 0.0;  ///< 0: there is none
+};
 
-/// The shortest of them, if it is shorter than `cutoff`.
-[[nodiscard]] std::optional<FoundWord> least_word(const WordSolver& solver, const MeanFrame& frame,
-                                                  bool jumps, double cutoff) noexcept;
+struct Windings {
+  Winding start, goal;
+};
+
+/// Two poses and what is driven before and after.
+struct WordTask {
+  MeanFrame frame;
+  Windings windings;
+  bool jumps = false;  ///< the curvature may jump where the vehicle stands
+};
+
+/// How much shorter a word in the frame of its task is for what it drives back.
+[[nodiscard]] double saved(const WordSolver& solver, const FoundWord& found,
+                           const Windings& windings) noexcept;
+
+/// Every word of the families, at most one of each formula and symmetry.
+[[nodiscard]] std::vector<FoundWord> all_words(const WordSolver& solver, const WordTask& task);
+
+/// The shortest of them, less what it saves, if that is below `cutoff`.
+[[nodiscard]] std::optional<FoundWord> least_word(const WordSolver& solver, const WordTask& task,
+                                                  double cutoff);
 
 }  // namespace vandplan::steering

@@ -35,6 +35,21 @@ constexpr Series fresnel_series() {
 
 constexpr Series series = fresnel_series();
 
+/// Sine and cosine, fast where the angle is small, as it is on clothoids.
+inline base::SinCos sin_cos_of_ramp(double angle) {
+  if (!(std::abs(angle) <= 0.3)) return base::sin_cos(angle);
+  const double z = angle * angle;
+  const double sin =
+      angle - angle * z *
+                  (1.0 / 6 -
+                   z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880 - z * (1.0 / 39916800)))));
+  const double cos =
+      1 - z * (1.0 / 2 -
+               z * (1.0 / 24 -
+                    z * (1.0 / 720 - z * (1.0 / 40320 - z * (1.0 / 3628800 - z / 479001600)))));
+  return {sin, cos};
+}
+
 /// How many terms of the series reach the last bit for angles up to `angle`.
 constexpr std::size_t terms_for(double angle) {
   return angle < 0.1 ? 5 : angle < 0.5 ? 7 : angle < 1.3 ? 9 : series_terms;
@@ -47,13 +62,21 @@ SharpTurns::SharpTurns(double sharpness) noexcept
   const auto [sin, cos] = base::sin_cos(ramp_ / 2);
   centre_x_ = full_.x - sin;
   centre_y_ = full_.y + cos;
+  reach_ = std::sqrt(centre_x_ * centre_x_ + centre_y_ * centre_y_);
+  skew_ = base::atan_2(centre_x_, centre_y_);
 }
 
-SharpTurns::SharpTurns(const std::array<double, 6>& c) noexcept
-    : sharpness_(c[0]), ramp_(c[1]), full_{c[2], c[3]}, centre_x_(c[4]), centre_y_(c[5]) {}
+SharpTurns::SharpTurns(const std::array<double, 8>& c) noexcept
+    : sharpness_(c[0]),
+      ramp_(c[1]),
+      full_{c[2], c[3]},
+      centre_x_(c[4]),
+      centre_y_(c[5]),
+      reach_(c[6]),
+      skew_(c[7]) {}
 
-std::array<double, 6> SharpTurns::constants() const noexcept {
-  return {sharpness_, ramp_, full_.x, full_.y, centre_x_, centre_y_};
+std::array<double, 8> SharpTurns::constants() const noexcept {
+  return {sharpness_, ramp_, full_.x, full_.y, centre_x_, centre_y_, reach_, skew_};
 }
 
 SharpTurns::Point SharpTurns::clothoid(double length) const noexcept {
@@ -79,12 +102,12 @@ Turned SharpTurns::rolling(double length) const noexcept {
     const auto [sin, cos] = base::sin_cos(angle);
     const double dx = -cos * centre_x_ - sin * centre_y_;
     const double dy = -sin * centre_x_ + cos * centre_y_;
-    return {centre_x_ - dx, centre_y_ - dy, dy, -dx, angle, 1};
+    return {centre_x_ - dx, centre_y_ - dy, dy, -dx, angle, 1, sin, cos};
   }
   const double half = length / 2;
   const Point end = clothoid(half);
   const double angle = sharpness_ * half * half / 2;  // of either half
-  const auto [sin, cos] = base::sin_cos(angle);
+  const auto [sin, cos] = sin_cos_of_ramp(angle);
   const double along = end.x * cos + end.y * sin;
   const double across = end.y * cos - end.x * sin;
   const double slope = 1 + sharpness_ * half * across;  // of 2 * along by the length
@@ -94,20 +117,22 @@ Turned SharpTurns::rolling(double length) const noexcept {
           slope * cos - 2 * along * sin * bend,
           slope * sin + 2 * along * cos * bend,
           2 * angle,
-          2 * bend};
+          2 * bend,
+          2 * sin * cos,
+          1 - 2 * sin * sin};
 }
 
 Turned SharpTurns::to_stop(double length) const noexcept {
   if (length >= ramp_) {
     const double angle = length - ramp_ / 2;
     const auto [sin, cos] = base::sin_cos(angle);
-    return {centre_x_ + sin, centre_y_ - cos, cos, sin, angle, 1};
+    return {centre_x_ + sin, centre_y_ - cos, cos, sin, angle, 1, sin, cos};
   }
   Point end = clothoid(std::abs(length));
   if (length < 0) end = {-end.x, -end.y};
   const double angle = sharpness_ * length * length / 2;
-  const auto [sin, cos] = base::sin_cos(angle);
-  return {end.x, end.y, cos, sin, angle, sharpness_ * length};
+  const auto [sin, cos] = sin_cos_of_ramp(angle);
+  return {end.x, end.y, cos, sin, angle, sharpness_ * length, sin, cos};
 }
 
 Turned SharpTurns::from_stop(double length) const noexcept {
@@ -131,13 +156,14 @@ Turned SharpTurns::turn(double length, Ends ends) const noexcept {
   if (ends == Ends::rolling) {
     t = rolling(size);
   } else {
-    const auto [sin, cos] = base::sin_cos(size);
-    const double half = base::sin_cos(size / 2).sin;
-    t = {sin, 2 * half * half, cos, sin, size, 1};
+    const auto [sin, cos] = base::sin_cos(size / 2);
+    const double whole = 2 * sin * cos, rest = 2 * sin * sin;
+    t = {whole, rest, 1 - rest, whole, size, 1, whole, 1 - rest};
   }
   if (length < 0) {  // left in reverse: x and angle change sign, y does not
     t.x = -t.x;
     t.angle = -t.angle;
+    t.sin = -t.sin;
     t.slope_y = -t.slope_y;
   }
   return t;

@@ -19,6 +19,7 @@ struct Turned {
   double x = 0.0, y = 0.0;              ///< the way in the frame at its start
   double slope_x = 0.0, slope_y = 0.0;  ///< its derivative by the length
   double angle = 0.0, angle_slope = 0.0;
+  double sin = 0.0, cos = 1.0;  ///< of the angle
 };
 
 /// The sharpest turns of all lengths: the curvature rises as fast as it may, stays at full lock if
@@ -29,10 +30,10 @@ class SharpTurns {
   explicit SharpTurns(double sharpness) noexcept;
 
   /// What `constants()` of another gave.
-  explicit SharpTurns(const std::array<double, 6>& constants) noexcept;
+  explicit SharpTurns(const std::array<double, 8>& constants) noexcept;
 
   /// All that there is to know; costs one clothoid to work out, nothing to copy.
-  [[nodiscard]] std::array<double, 6> constants() const noexcept;
+  [[nodiscard]] std::array<double, 8> constants() const noexcept;
 
   [[nodiscard]] double sharpness() const noexcept { return sharpness_; }
   /// Length of a clothoid from straight to full lock.
@@ -43,8 +44,17 @@ class SharpTurns {
   };
   /// Centre of the circle that a clothoid to full lock leads into, to the left.
   [[nodiscard]] Point centre() const noexcept { return {centre_x_, centre_y_}; }
+  /// How far that centre is.
+  [[nodiscard]] double reach() const noexcept { return reach_; }
+  /// How far ahead of the perpendicular it is seen [rad].
+  [[nodiscard]] double skew() const noexcept { return skew_; }
 
   [[nodiscard]] Turned turn(double length, Ends ends) const noexcept;
+
+  /// Length of the clothoids of a turn that reaches full lock.
+  [[nodiscard]] double ramps_of(Ends ends) const noexcept {
+    return ends == Ends::rolling ? 2 * ramp_ : ends == Ends::stands_at_both ? 0 : ramp_;
+  }
 
   /// The length of the turn by `angle` >= 0.
   [[nodiscard]] double length_of(double angle, Ends ends) const noexcept;
@@ -64,6 +74,7 @@ class SharpTurns {
   double ramp_;
   Point full_;                  ///< where the clothoid to full lock leads
   double centre_x_, centre_y_;  ///< of the circle that it leads into
+  double reach_, skew_;         ///< how far that centre is, and how far off the perpendicular
 };
 
 }  // namespace vandplan::steering

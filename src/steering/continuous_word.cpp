@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/trigonometry.h"
@@ -17,15 +18,23 @@ using reeds_shepp_formulas::Formula;
 constexpr std::size_t formulas = 11;
 constexpr double two_pi = 2 * std::numbers::pi;
 
+bool has_line(const Steps& steps) { return steps.list[1].part == 2 || steps.list[2].part == 2; }
+
 Shape made_shape(const Steps& steps, bool jumps) {
   Shape shape;
   shape.steps = steps;
+  shape.has_line = has_line(steps);
   for (std::size_t i = 0; i < steps.count; ++i) {
     const double gear = steps.list[i].gear;
     const bool before = jumps && (i == 0 || steps.list[i - 1].gear != gear);
     const bool after = jumps && (i + 1 == steps.count || steps.list[i + 1].gear != gear);
     shape.ends[i] = before ? (after ? Ends::stands_at_both : Ends::stands_before)
                            : (after ? Ends::stands_after : Ends::rolling);
+    const std::size_t part = steps.list[i].part;
+    if (part == 1) shape.inner = i;
+    const std::size_t turn = part == 0 ? 0 : part == 3 ? 2 : 1;
+    shape.senses[turn] += steps.list[i].gear * steps.list[i].turn;
+    shape.length_of[i] = part == 0 ? 0 : part == 3 ? 2 : part == 1 && has_line(steps) ? 3 : 1;
     if (steps.list[i].turn == 0) {
       shape.may_dip = steps.list[i - 1].turn == steps.list[i + 1].turn;
     }
@@ -39,15 +48,13 @@ Shape made_shape(const Steps& steps, bool jumps) {
   return shape;
 }
 
-bool has_line(const Steps& steps) { return steps.list[1].part == 2 || steps.list[2].part == 2; }
-
 /// Where a word of certain lengths leads, and how that changes with the three lengths.
 struct Led {
   std::array<double, 3> end{};                   ///< x, y, heading
   std::array<std::array<double, 3>, 3> slope{};  ///< [length][x, y, heading]
 };
 
-Led led(const SharpTurns& turns, const Shape& shape, double heading,
+Led led(const SharpTurns& turns, const Shape& shape, double sin, double cos,
         const std::array<double, 3>& lengths, double quarter) {
   struct Done {
     double x, y;              // after the step
@@ -56,33 +63,33 @@ Led led(const SharpTurns& turns, const Shape& shape, double heading,
   };
   std::array<Done, 5> done;
   const Steps& steps = shape.steps;
-  const bool lined = has_line(steps);
   double x = 0, y = 0, turned = 0;
   for (std::size_t i = 0; i < steps.count; ++i) {
     const Step& step = steps.list[i];
-    const auto [sin, cos] = base::sin_cos(heading + turned);
-    if (step.part == 2 && (lengths[1] >= 0 || !shape.may_dip)) {
-      const double ex = step.gear * cos, ey = step.gear * sin;
-      x += lengths[1] * ex;
-      y += lengths[1] * ey;
-      done[i] = {x, y, ex, ey, 0, 1};
+    const std::size_t of = shape.length_of[i];
+    const double length = of == 3 ? quarter : lengths[of];
+    const double g = step.gear;
+    if (step.part == 2 && (length >= 0 || !shape.may_dip)) {
+      x += length * g * cos;
+      y += length * g * sin;
+      done[i] = {x, y, g * cos, g * sin, 0, of};
       continue;
     }
-    const std::size_t of = step.part == 0            ? 0
-                           : step.part == 3          ? 2
-                           : step.part == 1 && lined ? 3
-                                                     : 1;
-    const Turned t = turns.turn(of == 3 ? quarter : lengths[of], shape.ends[i]);
-    const double g = step.gear, s = step.part == 2 ? steps.list[i - 1].turn : step.turn;
+    const Turned t = turns.turn(length, shape.ends[i]);
+    const double s = step.part == 2 ? steps.list[i - 1].turn : step.turn;
+    const double sense = g * s;
     x += g * cos * t.x - s * sin * t.y;
     y += g * sin * t.x + s * cos * t.y;
-    turned += g * s * t.angle;
+    turned += sense * t.angle;
     done[i] = {x,
                y,
                g * cos * t.slope_x - s * sin * t.slope_y,
                g * sin * t.slope_x + s * cos * t.slope_y,
-               g * s * t.angle_slope,
+               sense * t.angle_slope,
                of};
+    const double next = cos * t.cos - sin * sense * t.sin;
+    sin = sin * t.cos + cos * sense * t.sin;
+    cos = next;
   }
   Led result;
   result.end = {x, y, turned};
@@ -157,64 +164,92 @@ double WordSolver::radius_of(double angle) const noexcept {
   return std::sqrt(t.x * t.x + t.y * t.y) / (2 * base::sin_cos(bounded / 2).sin);
 }
 
-std::optional<SolvedWord> WordSolver::solve(Formula formula, bool jumps, const MeanFrame& frame,
-                                            const Arcs& arcs, double radius) const noexcept {
+std::optional<SolvedWord> WordSolver::at_full_lock(Formula formula, bool jumps,
+                                                   const Arcs& arcs) const noexcept {
+  constexpr double noise = 1e-13;
   const Shape& shape = shape_of(formula, jumps);
-  const Steps& steps = shape.steps;
   SolvedWord word{formula, jumps, {}, 0, 0};
-  std::size_t inner = 0;  // index of an inner turn, if any
-  const bool lined = has_line(steps);
-  double sum = 0;  // of the turns of the guess
-  const double angles[] = {arcs.first, arcs.inner, 0, arcs.last};
-  for (std::size_t i = 0; i < steps.count; ++i) {
-    if (steps.list[i].part == 1) inner = i;
-    sum += steps.list[i].gear * steps.list[i].turn * angles[steps.list[i].part];
+  const auto turn_of = [&](double angle, std::size_t step, double& length) {
+    const double ramps = turns_.ramps_of(shape.ends[step]);
+    if (angle < ramps / 2 - noise) return false;
+    length = std::max(angle, ramps / 2) + ramps / 2;
+    return true;
+  };
+  if (shape.has_line) {
+    if (arcs.line < -noise) return std::nullopt;
+    word.lengths[1] = std::max(arcs.line, 0.0);
   }
-  const double turn =
-      2 * frame.half_turn + two_pi * std::round((sum - 2 * frame.half_turn) / two_pi);
+  double& inner = shape.has_line ? word.quarter : word.lengths[1];
+  if (!turn_of(arcs.first, 0, word.lengths[0]) ||
+      !turn_of(arcs.last, shape.steps.count - 1, word.lengths[2]) ||
+      (shape.inner != 0 && !turn_of(arcs.inner, shape.inner, inner))) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < shape.steps.count; ++i) word.length += length_of(word, i);
+  return word;
+}
+
+std::optional<SolvedWord> WordSolver::solve(Formula formula, bool jumps, const WordFrame& frame,
+                                            const Arcs& arcs, int most_steps) const noexcept {
+  const Shape& shape = shape_of(formula, jumps);
+  const std::size_t last = shape.steps.count - 1;
+  SolvedWord word{formula, jumps, {}, 0, 0};
   constexpr double least_guess = 1e-6;
   const auto guessed = [&](double angle, std::size_t step) {
     return turns_.length_of(std::max(angle, least_guess), shape.ends[step]);
   };
   word.lengths[0] = guessed(arcs.first, 0);
-  word.lengths[2] = guessed(arcs.last, steps.count - 1);
-  if (inner > 0) (lined ? word.quarter : word.lengths[1]) = guessed(arcs.inner, inner);
-  if (lined) word.lengths[1] = arcs.line * radius - turns_.ramp();
-  if (lined && !shape.may_dip) word.lengths[1] = std::max(word.lengths[1], 0.0);
+  word.lengths[2] = guessed(arcs.last, last);
+  const double inner = arcs.inner > 0 ? guessed(arcs.inner, shape.inner) : 0;
+  (shape.has_line ? word.quarter : word.lengths[1]) = inner;
+  if (shape.has_line) {
+    word.lengths[1] =
+        shape.may_dip ? std::max(arcs.line, -turns_.ramp()) : std::max(arcs.line, 0.0);
+  }
+  const double guess =
+      shape.senses[0] * arcs.first + shape.senses[1] * arcs.inner + shape.senses[2] * arcs.last;
+  const double turn = 2 * frame.a + two_pi * std::round((guess - 2 * frame.a) / two_pi);
+  if (!close(word, frame, turn, most_steps) || !is_drivable(word)) return std::nullopt;
+  return word;
+}
 
+bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
+                       int most_steps) const noexcept {
+  const Shape& shape = shape_of(word.formula, word.jumps);
   const double size = 1 + std::abs(frame.x) + std::abs(frame.y);
-  double best = 1e300;
+  // A step so small misses by no more than its square, times how fast the curvature changes.
+  const double small_step = 1e-8 / std::sqrt(1 + turns_.sharpness());
+  double best = std::numeric_limits<double>::infinity();
   std::array<double, 3> best_lengths{};
-  constexpr int most_steps = 25;
   for (int step = 0; step < most_steps; ++step) {
-    const Led there = led(turns_, shape, -frame.half_turn, word.lengths, word.quarter);
+    const Led there = led(turns_, shape, -frame.s, frame.c, word.lengths, word.quarter);
     const Vector miss{frame.x - there.end[0], frame.y - there.end[1], turn - there.end[2]};
     const double error = std::max({std::abs(miss[0]), std::abs(miss[1]), std::abs(miss[2])});
-    if (!(error < 1e100)) return std::nullopt;
+    if (!(error < 1e100)) return false;
     if (error < best) {
       best = error;
       best_lengths = word.lengths;
     } else if (best <= 1e-13 * size) {
       break;
     }
-    if (error <= 1e-16 * size) break;
     const auto& [a, b, c] = there.slope;
     const Vector bc = cross(b, c);
     const double det = dot(a, bc);
-    if (det == 0) return std::nullopt;
-    Vector change{dot(miss, bc) / det, dot(miss, cross(c, a)) / det, dot(miss, cross(a, b)) / det};
-    double largest = 0;
+    if (det == 0) break;
+    const Vector change{dot(miss, bc) / det, dot(miss, cross(c, a)) / det,
+                        dot(miss, cross(a, b)) / det};
+    double largest = 0, part = 1;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (i == 1 && lined) continue;
-      largest = std::max(largest,
-                         std::abs(change[i]) / (0.5 * turns_.ramp() + std::abs(word.lengths[i])));
+      largest = std::max(largest, std::abs(change[i]));
+      if (i == 1 && shape.has_line) continue;
+      const double limit = 0.5 * turns_.ramp() + std::abs(word.lengths[i]);
+      if (std::abs(change[i]) * part > limit) part = limit / std::abs(change[i]);
     }
-    const double part = largest > 1 ? 1 / largest : 1;
     for (std::size_t i = 0; i < 3; ++i) word.lengths[i] += part * change[i];
+    if (largest <= small_step) return true;
   }
-  if (!(best <= 1e-13 * size)) return std::nullopt;
   word.lengths = best_lengths;
-  return is_drivable(word) ? std::optional(word) : std::nullopt;
+  return best <= 1e-13 * size;
 }
 
 bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
@@ -225,6 +260,8 @@ bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
   for (std::size_t i = 0; i < steps.count; ++i) {
     double& length = length_of(word, i);
     if (std::abs(length) < noise) length = 0;
+    // Two strokes in one gear with nothing between them: the vehicle would not stand there.
+    if (length == 0 && i > 0 && word.formula == Formula::r_lr_l && i < 3) return false;
     word.length += length;
     if (length >= 0) continue;
     if (steps.list[i].part == 2) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 
+#include "steering/continuous_circles.h"
 #include "steering/continuous_turn.h"
 #include "steering/mean_frame.h"
 #include "steering/reeds_shepp_formulas.h"
@@ -21,6 +22,11 @@ namespace vandplan::steering {
 struct Shape {
   Steps steps;
   std::array<Ends, 5> ends{};
+  std::array<std::size_t, 5>
+      length_of{};                 ///< which of the three lengths each step has, 3: a quarter turn
+  std::array<double, 3> senses{};  ///< how the heading turns: with the first, inner, last turns
+  std::size_t inner = 0;           ///< the first inner turn, if there is one
+  bool has_line = false;
   bool may_dip = false;        ///< the turns beside the line are to the same side
   bool may_cut_first = false;  ///< the first turn stands before and rolls into another turn
   bool may_cut_last = false;   ///< the last turn stands after and rolls out of another turn
@@ -55,11 +61,17 @@ class WordSolver {
 
   [[nodiscard]] const SharpTurns& turns() const noexcept { return turns_; }
 
-  /// Solves a word from the arcs of the word at a `radius` (in turning radii) of which they are.
+  /// The word of a formula whose turns have the angles of its circles, if these are enough for the
+  /// clothoids.
+  [[nodiscard]] std::optional<SolvedWord> at_full_lock(
+      reeds_shepp_formulas::Formula formula, bool jumps,
+      const reeds_shepp_formulas::Arcs& arcs) const noexcept;
+
+  /// The word of a formula that is near the guess, if there is one and Newton's method finds it.
   [[nodiscard]] std::optional<SolvedWord> solve(reeds_shepp_formulas::Formula formula, bool jumps,
-                                                const MeanFrame& frame,
-                                                const reeds_shepp_formulas::Arcs& arcs,
-                                                double radius) const noexcept;
+                                                const WordFrame& frame,
+                                                const reeds_shepp_formulas::Arcs& guess,
+                                                int most_steps) const noexcept;
 
   /// The radius of the circle on which a turn by `angle` with straight wheels at both ends begins
   /// and ends, in the directions of a circle.
@@ -71,6 +83,11 @@ class WordSolver {
   [[nodiscard]] double ramp_of(const SolvedWord& word, std::size_t step) const noexcept;
 
  private:
+  /// Changes the lengths until the word ends at the goal with the heading changed by `turn`.
+  [[nodiscard]] bool close(SolvedWord& word, const WordFrame& frame, double turn,
+                           int most_steps) const noexcept;
+
+  /// Whether no part is driven backwards; works out the length.
   [[nodiscard]] bool is_drivable(SolvedWord& word) const noexcept;
 
   SharpTurns turns_;
