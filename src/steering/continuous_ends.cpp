@@ -130,6 +130,13 @@ Combinations combinations_of(const WordSolver& solver, const EndsTask& task, boo
 
 bool is_nothing(const MeanFrame& f) { return f.x == 0 && f.y == 0 && f.half_turn == 0; }
 
+/// Takes off a segment what is saved; rounding may leave nothing of it.
+void shorten(Segment& segment, double saved) {
+  const double rest = segment.length + saved;
+  const bool is_gone = rest * segment.length <= 0 || std::abs(rest) < 1e-14;
+  segment.length = is_gone ? 0 : rest;
+}
+
 /// A word with what is driven before and after it, unless the word drives that back.
 UnitPath driven(const WordSolver& solver, const Combination& c, const FoundWord& found) {
   UnitSegments inner = as_made_by(found.symmetry, solver.segments_of(found.word));
@@ -139,9 +146,9 @@ UnitPath driven(const WordSolver& solver, const Combination& c, const FoundWord&
   if (skips_first) {
     Segment& s = inner.list[0];
     s.curvature = c.first.curvature;
-    s.length += c.first.length;
+    shorten(s, c.first.length);
   }
-  if (skips_last) inner.list[inner.count - 1].length += c.last.length;
+  if (skips_last) shorten(inner.list[inner.count - 1], c.last.length);
   UnitPath path;
   if (!skips_first) path.segments.add(c.first);
   for (std::size_t i = 0; i < inner.count; ++i) path.segments.add(inner.list[i]);
@@ -169,32 +176,44 @@ struct Answer {
   std::optional<FoundWord> word;
 };
 
-/// The best that the combinations have below what is known already.
-void improve(Answer& answer, const WordSolver& solver, const Combinations& all) {
+/// Takes a word of a combination if it is shorter.
+void consider(Answer& answer, const WordSolver& solver, const Combination& c,
+              const std::optional<FoundWord>& found) {
+  if (!found) return;
+  const double length = c.wound + found->word.length - saved(solver, *found, c.task.windings);
+  if (length < answer.length) answer = {length, &c, found};
+}
+
+double least_possible(const MeanFrame& f) {
+  return reeds_shepp_formulas::shortest(
+             Circles({std::abs(f.x), std::abs(f.y), std::abs(f.half_turn)}))
+      .arcs.length;
+}
+
+/// The least that the quick search finds.
+Answer quick_answer(const WordSolver& solver, const Combinations& all) {
+  Answer answer;
   for (std::size_t i = 0; i < all.count; ++i) {
     const Combination& c = all.list[i];
     if (is_nothing(c.task.frame)) {
       if (c.wound < answer.length) answer = {c.wound, &c, std::nullopt};
       continue;
     }
-    const auto found = least_word(solver, c.task, answer.length - c.wound);
-    if (!found) continue;
-    answer.length = c.wound + found->word.length - saved(solver, *found, c.task.windings);
-    answer.combination = &c;
-    answer.word = found;
+    // What a word drives back is part of what was wound.
+    if (i > 0 && least_possible(c.task.frame) - c.wound >= answer.length) continue;
+    consider(answer, solver, c, least_word(solver, c.task, answer.length - c.wound));
   }
+  return answer;
 }
 
-Answer answer_of(const WordSolver& solver, const Combinations& all) {
-  Answer answer;
-  improve(answer, solver, all);
-  if (answer.combination != nullptr) return answer;
+Answer answer_of(const WordSolver& solver, const Combinations& all, double least) {
+  Answer answer = quick_answer(solver, all);
+  // No path has to be a whole turn longer than the shortest.
+  const double plausible = least + 2 + 6 * solver.turns().ramp();
+  if (answer.length <= plausible) return answer;
   for (std::size_t i = 0; i < all.count; ++i) {  // every word that there is
-    for (const FoundWord& found : all_words(solver, all.list[i].task)) {
-      const double length =
-          all.list[i].wound + found.word.length - saved(solver, found, all.list[i].task.windings);
-      if (length < answer.length) answer = {length, &all.list[i], found};
-    }
+    const Combination& c = all.list[i];
+    for (const FoundWord& found : all_words(solver, c.task)) consider(answer, solver, c, found);
   }
   if (answer.combination != nullptr) return answer;
   answer.combination = &all.list[0];
@@ -202,34 +221,59 @@ Answer answer_of(const WordSolver& solver, const Combinations& all) {
   return answer;
 }
 
+/// The ways to begin and end, with the least path of all.
+struct Solution {
+  Combinations combinations, rolling;
+  Answer answer;
+
+  Solution(const WordSolver& solver, const EndsTask& task, bool jumps)
+      : combinations(combinations_of(solver, task, jumps)) {
+    const double least = least_possible(mean_frame(task.from, task.to, 1));
+    answer = answer_of(solver, combinations, least);
+    // Jumps nearly always help. Where the path is much longer than any has to be, look without.
+    constexpr double suspicious = 1.05;
+    if (!jumps || answer.length <= suspicious * least) return;
+    rolling = combinations_of(solver, task, jumps);
+    rolling.list[0].task.jumps = false;
+    const Answer other = answer_of(solver, rolling, least);
+    if (other.length < answer.length) answer = other;
+  }
+  Solution(const Solution&) = delete;  // the answer points into the combinations
+};
+
 }  // namespace
 
 std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task, bool jumps) {
-  const Combinations all = combinations_of(solver, task, jumps);
-  const Answer answer = answer_of(solver, all);
+  const Solution solution(solver, task, jumps);
+  const Answer& answer = solution.answer;
   if (answer.length > task.cutoff) return std::nullopt;
   return answer.word ? driven(solver, *answer.combination, *answer.word)
                      : without_word(solver, *answer.combination);
 }
 
 double least_length(const WordSolver& solver, const EndsTask& task, bool jumps) {
-  const Combinations all = combinations_of(solver, task, jumps);
-  const double length = answer_of(solver, all).length;
+  // No path is shorter than that of Reeds and Shepp, but for rounding.
+  if (least_possible(mean_frame(task.from, task.to, 1)) > task.cutoff * (1 + 1e-9) + 1e-12) {
+    return infinite;
+  }
+  const double length = Solution(solver, task, jumps).answer.length;
   return length > task.cutoff ? infinite : length;
 }
 
 std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task, bool jumps) {
   std::vector<UnitPath> paths;
+  const auto take = [&](const UnitPath& path) {
+    if (path.length <= task.cutoff) paths.push_back(path);
+  };
   const Combinations all = combinations_of(solver, task, jumps);
   for (std::size_t i = 0; i < all.count; ++i) {
-    const Combination& c = all.list[i];
-    UnitPath plain = without_word(solver, c);
-    if (plain.length <= task.cutoff) paths.push_back(plain);
+    Combination c = all.list[i];
+    take(without_word(solver, c));
     if (is_nothing(c.task.frame)) continue;
-    for (const FoundWord& found : all_words(solver, c.task)) {
-      const UnitPath path = driven(solver, c, found);
-      if (path.length <= task.cutoff) paths.push_back(path);
-    }
+    for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
+    if (!jumps) continue;
+    c.task.jumps = false;
+    for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
   }
   return paths;
 }

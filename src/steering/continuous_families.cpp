@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vandplan::steering {
@@ -141,7 +142,7 @@ struct Likely {
   double first_between_stops, last_between_stops;
 };
 
-constexpr std::array<Likely, 12> likely = {{
+constexpr std::array<Likely, 10> likely = {{
     {0, none, 0.3, 0.02, 0.02},
     {1, none, 0.4, 0.02, 0.02},
     {6, none, 0.5, 0.02, 0.02},
@@ -152,8 +153,6 @@ constexpr std::array<Likely, 12> likely = {{
     {4, none, 0.8, 0.6, 0.6},
     {5, none, 0.2, 0.02, 0.02},
     {8, none, 0.2, 0.02, 0.02},
-    {6, {false, true, true}, 0.1, 0.0, 0.0},
-    {7, {false, true, true}, 0.1, 0.0, 0.0},
 }};
 
 /// Whether the angle of an arrow is from -low to a quarter turn and a little or, of a word of three
@@ -165,70 +164,127 @@ bool is_likely(const Arrow& arrow, double low, double high, bool is_three_arcs) 
   return arrow.re >= 0 || is_three_arcs || arrow.re * arrow.re <= high * high * squared;
 }
 
+/// Whether a word, if its turn is long enough, begins (or ends) by driving a winding back.
+bool may_drive_back(const Step& step, const Symmetry& symmetry, const Winding& winding) {
+  return winding.length > 0 && (symmetry.swaps_sides() ? -step.turn : step.turn) == winding.side &&
+         (symmetry.swaps_gears() ? -step.gear : step.gear) == winding.gear;
+}
+
+bool may_drive_back(Formula formula, const Symmetry& symmetry, bool at_start,
+                    const Winding& winding) {
+  const Steps& steps = steps_of(formula);
+  return may_drive_back(steps.list[at_start == symmetry.swaps_ends() ? steps.count - 1 : 0],
+                        symmetry, winding);
+}
+
 /// A word that Newton's method has to find.
 struct Open {
-  const Likely* trial;
+  Formula formula;
+  Symmetry symmetry;
   WordFrame frame;
   Arcs guess;
   double bound;  ///< no path of the word is much shorter
-  double rank;   ///< the bound, so coarse that rounding decides nothing
 };
+
+/// Whether the goal is straight ahead but for rounding, by so much that turns would be no shorter.
+bool is_line(const MeanFrame& f) {
+  constexpr double noise = 1e-13;
+  const bool is_exact = f.y == 0 && f.half_turn == 0;
+  return is_exact || (f.x > 1e-3 && f.y <= noise * (1 + f.x) && f.half_turn <= noise);
+}
 
 /// The quick search for the least word.
 class Search {
  public:
   Search(const WordSolver& solver, const WordTask& task, double cutoff)
-      : solver_(solver), task_(task), best_(cutoff) {
-    if (task.windings.start.length > 0 || task.windings.goal.length > 0) {
-      most_saved_ = 2 * (task.windings.start.length + task.windings.goal.length);
-    }
-  }
+      : solver_(solver),
+        task_(task),
+        undo_(unfolding(task.frame)),
+        joints_(solver.turns(), task.jumps),
+        high_(std::min(1.0, 0.4 + 1.6 * solver.turns().ramp())),
+        most_saved_(2 * (task.windings.start.length + task.windings.goal.length)),
+        best_(cutoff) {}
 
   std::optional<FoundWord> run() {
-    look_at_circles();
-    std::sort(open_.begin(), open_.begin() + static_cast<std::ptrdiff_t>(count_),
-              [](const Open& a, const Open& b) {
-                return a.rank != b.rank ? a.rank < b.rank : a.trial < b.trial;
-              });
-    constexpr int quick = 12;
-    for (std::size_t i = 0; i < count_ && open_[i].bound - most_saved_ < best_; ++i) {
-      const Open& open = open_[i];
-      const Formula formula = kinds[open.trial->kind].formula;
-      consider(solver_.solve(formula, task_.jumps, open.frame, open.guess, quick), *open.trial);
+    constexpr Symmetry all{true, true, true};
+    const MeanFrame near = folded(task_.frame);
+    if (is_line(near)) {
+      consider(SolvedWord{Formula::lsl, task_.jumps, {0, near.x, 0}, 0, near.x}, none);
     }
+    look_at_likely(WordFrame(near), none);
+    if (near.x * near.x + near.y * near.y < 9 * solver_.turns().ramp() * solver_.turns().ramp()) {
+      look_at_short(WordFrame(near));
+    }
+    // Where the headings are opposite the other way round is as good.
+    const double half = std::numbers::pi / 2;
+    if (near.half_turn > half - 0.05 - 0.6 * solver_.turns().ramp()) {
+      look_at_likely(WordFrame({near.x, near.y, 2 * half - near.half_turn}), all);
+    }
+    if (most_saved_ > 0) look_at_saving(WordFrame(near));
+    solve_open();
     return least_;
   }
 
  private:
-  void look_at_circles() {
-    const WordFrame frame(folded(task_.frame));
-    const SharpTurns& turns = solver_.turns();
-    const Joints joints(turns, task_.jumps);
-    const double ramp = turns.ramp();
-    const double high = std::min(1.0, 0.4 + 1.6 * ramp);
+  void look_at_likely(const WordFrame& frame, const Symmetry& turned) {
+    const double ramp = solver_.turns().ramp();
     for (const Likely& trial : likely) {
-      const Kind& kind = kinds[trial.kind];
-      const WordFrame image = image_of(frame, trial.symmetry);
-      const CircleWord circles = circles::word_of(kind.formula, image, joints);
-      const double low_first = ramp * (task_.jumps ? trial.first_between_stops : trial.rolling);
-      const double low_last = ramp * (task_.jumps ? trial.last_between_stops : trial.rolling);
-      const bool is_three_arcs = kind.formula == Formula::l_r_l;
-      if (!circles.exact || circles.line < -2 * ramp ||
-          !is_likely(circles.first, low_first, high, is_three_arcs) ||
-          !is_likely(circles.last, low_last, high, is_three_arcs)) {
-        continue;
-      }
-      const auto word =
-          solver_.at_full_lock(kind.formula, task_.jumps, in_one_turn(circles.arcs()));
-      if (word) {
-        consider(word, trial);
-        continue;
-      }
-      Arcs sharp = in_one_turn(kind.arcs(Circles({image.x, image.y, image.a})));
-      const double bound = least_length(shape_of(kind.formula, task_.jumps).steps, sharp);
-      sharp.line -= 2 * turns.centre().x;
-      open_[count_++] = {&trial, image, sharp, bound, std::floor(bound * 1e9)};
+      const double first = ramp * (task_.jumps ? trial.first_between_stops : trial.rolling);
+      const double last = ramp * (task_.jumps ? trial.last_between_stops : trial.rolling);
+      look_at(kinds[trial.kind], image_of(frame, trial.symmetry), both(turned, trial.symmetry),
+              first, last);
     }
+  }
+
+  /// A line between small turns, where it is too short for the circles of turns to full lock.
+  void look_at_short(const WordFrame& frame) {
+    for (const Kind& kind : {kinds[0], kinds[1]}) add_open(kind, frame, none);
+  }
+
+  /// The other words that drive a winding back.
+  void look_at_saving(const WordFrame& frame) {
+    const double low = solver_.turns().ramp() / 2;
+    for (std::size_t k = 0; k < 9; ++k) {
+      for (unsigned i = 1; i < 8; ++i) {
+        const Symmetry symmetry{(i & 1) != 0, (i & 2) != 0, (i & 4) != 0};
+        const Symmetry& own = kinds[k].own;
+        if ((symmetry.x && own.x) || (symmetry.y && own.y) ||
+            (symmetry.half_turn && own.half_turn)) {
+          continue;
+        }
+        const Symmetry made = both(undo_, symmetry);
+        if (!may_drive_back(kinds[k].formula, made, true, task_.windings.start) &&
+            !may_drive_back(kinds[k].formula, made, false, task_.windings.goal)) {
+          continue;
+        }
+        look_at(kinds[k], image_of(frame, symmetry), symmetry, low, low);
+      }
+    }
+  }
+
+  void look_at(const Kind& kind, const WordFrame& image, const Symmetry& symmetry, double low_first,
+               double low_last) {
+    const CircleWord circles = circles::word_of(kind.formula, image, joints_);
+    const bool is_three_arcs = kind.formula == Formula::l_r_l;
+    if (!circles.exact || circles.line < -2 * solver_.turns().ramp() ||
+        !is_likely(circles.first, low_first, high_, is_three_arcs) ||
+        !is_likely(circles.last, low_last, high_, is_three_arcs)) {
+      return;
+    }
+    const auto word = solver_.at_full_lock(kind.formula, task_.jumps, in_one_turn(circles.arcs()));
+    if (word) {
+      consider(word, symmetry);
+      return;
+    }
+    add_open(kind, image, symmetry);
+  }
+
+  void add_open(const Kind& kind, const WordFrame& image, const Symmetry& symmetry) {
+    Arcs sharp = in_one_turn(kind.arcs(Circles({image.x, image.y, image.a})));
+    const double bound = least_length(shape_of(kind.formula, task_.jumps).steps, sharp);
+    if (bound - most_saved_ >= best_ || count_ == open_.size()) return;
+    sharp.line -= 2 * solver_.turns().centre().x;
+    open_[count_++] = {kind.formula, symmetry, image, sharp, bound};
   }
 
   static double least_length(const Steps& steps, const Arcs& arcs) {
@@ -238,12 +294,29 @@ class Search {
     return sum;
   }
 
-  void consider(const std::optional<SolvedWord>& word, const Likely& trial) {
+  /// The open words in the order of their bounds, as long as one may be shorter.
+  void solve_open() {
+    constexpr int quick = 12;
+    constexpr double same = 1e-9;  // bounds so near are equal: the word that was asked first
+    for (std::size_t n = count_; n > 0; --n) {
+      std::size_t next = 0;
+      for (std::size_t i = 1; i < count_; ++i) {
+        if (open_[i].bound < open_[next].bound - same) next = i;
+      }
+      Open& open = open_[next];
+      if (open.bound - most_saved_ >= best_) return;
+      consider(solver_.solve(open.formula, task_.jumps, open.frame, open.guess, quick),
+               open.symmetry);
+      open.bound = std::numeric_limits<double>::infinity();
+    }
+  }
+
+  void consider(const std::optional<SolvedWord>& word, const Symmetry& symmetry) {
+    constexpr double tie = 1e-13;  // then the word that was asked first
     if (!word || word->length - most_saved_ >= best_) return;
-    const FoundWord found{*word, both(unfolding(task_.frame), trial.symmetry)};
+    const FoundWord found{*word, both(undo_, symmetry)};
     const double length =
         most_saved_ > 0 ? word->length - saved(solver_, found, task_.windings) : word->length;
-    constexpr double tie = 1e-13;  // the word that was asked first, with fewer strokes
     if (length >= best_ * (1 - tie)) return;
     best_ = length;
     least_ = found;
@@ -251,33 +324,35 @@ class Search {
 
   const WordSolver& solver_;
   const WordTask& task_;
+  Symmetry undo_;
+  Joints joints_;
+  double high_;
+  double most_saved_;
   double best_;
-  double most_saved_ = 0;
   std::optional<FoundWord> least_;
-  std::array<Open, likely.size()> open_;
+  std::array<Open, 24> open_;
   std::size_t count_ = 0;
 };
-
-/// Whether a step of a found word begins (or ends) at straight wheels by driving a winding back.
-bool drives_back(const WordSolver& solver, const FoundWord& found, bool at_start,
-                 const Winding& winding) {
-  if (winding.length <= 0 || found.word.jumps) return false;
-  const Steps& steps = steps_of(found.word.formula);
-  const std::size_t i = at_start == found.symmetry.swaps_ends() ? steps.count - 1 : 0;
-  const Step& step = steps.list[i];
-  const double side = found.symmetry.swaps_sides() ? -step.turn : step.turn;
-  const double gear = found.symmetry.swaps_gears() ? -step.gear : step.gear;
-  return side == winding.side && gear == winding.gear &&
-         solver.ramp_of(found.word, i) >= winding.length;
-}
 
 }  // namespace
 
 double saved(const WordSolver& solver, const FoundWord& found, const Windings& windings) noexcept {
-  double sum = 0;
-  if (drives_back(solver, found, true, windings.start)) sum += 2 * windings.start.length;
-  if (drives_back(solver, found, false, windings.goal)) sum += 2 * windings.goal.length;
-  return sum;
+  constexpr double rounding = 1e-12;
+  const auto saves = [&](bool at_start, const Winding& winding) {
+    if (winding.length <= 0) return 0.0;
+    const Steps& steps = steps_of(found.word.formula);
+    const bool from_end = at_start == found.symmetry.swaps_ends();
+    for (std::size_t i = 0; i < steps.count; ++i) {
+      const std::size_t step = from_end ? steps.count - 1 - i : i;
+      if (solver.step_length(found.word, step) == 0) continue;
+      return may_drive_back(steps.list[step], found.symmetry, winding) &&
+                     solver.ramp_of(found.word, step) * (1 + rounding) >= winding.length
+                 ? 2 * winding.length
+                 : 0.0;
+    }
+    return 0.0;
+  };
+  return saves(true, windings.start) + saves(false, windings.goal);
 }
 
 std::vector<FoundWord> all_words(const WordSolver& solver, const WordTask& task) {
@@ -287,8 +362,7 @@ std::vector<FoundWord> all_words(const WordSolver& solver, const WordTask& task)
 }
 
 std::optional<FoundWord> least_word(const WordSolver& solver, const WordTask& task, double cutoff) {
-  if (auto found = Search(solver, task, cutoff).run()) return found;
-  return std::nullopt;
+  return Search(solver, task, cutoff).run();
 }
 
 }  // namespace vandplan::steering

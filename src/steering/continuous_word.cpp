@@ -106,6 +106,14 @@ Led led(const SharpTurns& turns, const Shape& shape, double sin, double cos,
 
 using Vector = std::array<double, 3>;
 
+/// A step of a turn that never reaches full lock: its angle, as the square of its length, is what
+/// changes nearly evenly beside a line.
+double by_angle(double length, double change) {
+  const double square = length * (length + 2 * change);
+  if (length < 0) return square > 0 ? -std::sqrt(square) : std::sqrt(-square);
+  return square > 0 ? std::sqrt(square) : -std::sqrt(-square);
+}
+
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -194,7 +202,8 @@ std::optional<SolvedWord> WordSolver::solve(Formula formula, bool jumps, const W
   const Shape& shape = shape_of(formula, jumps);
   const std::size_t last = shape.steps.count - 1;
   SolvedWord word{formula, jumps, {}, 0, 0};
-  constexpr double least_guess = 1e-6;
+  // Beside a line the angles are nearly right, however small; else turns need some length to move.
+  const double least_guess = shape.has_line ? 1e-14 : 1e-6;
   const auto guessed = [&](double angle, std::size_t step) {
     return turns_.length_of(std::max(angle, least_guess), shape.ends[step]);
   };
@@ -245,7 +254,13 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
       const double limit = 0.5 * turns_.ramp() + std::abs(word.lengths[i]);
       if (std::abs(change[i]) * part > limit) part = limit / std::abs(change[i]);
     }
-    for (std::size_t i = 0; i < 3; ++i) word.lengths[i] += part * change[i];
+    for (std::size_t i = 0; i < 3; ++i) {
+      double& length = word.lengths[i];
+      const double next = length + part * change[i];
+      const bool is_small = shape.has_line && i != 1 && std::abs(length) < turns_.ramp() / 2 &&
+                            std::abs(change[i]) > 0.1 * std::abs(length);
+      length = is_small ? by_angle(length, part * change[i]) : next;
+    }
     if (largest <= small_step) return true;
   }
   word.lengths = best_lengths;
@@ -257,6 +272,17 @@ bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
   const Shape& shape = shape_of(word.formula, word.jumps);
   const Steps& steps = shape.steps;
   word.length = 0;
+  if (shape.has_line) {  // what turns by nothing is a part of the line
+    constexpr double nothing = 1e-14;
+    const auto give = [&](double& length, std::size_t step, std::size_t beside) {
+      if (steps.list[beside].part != 2 || shape.ends[step] == Ends::stands_at_both) return;
+      if (length >= 0 || turns_.sharpness() * length * length > nothing) return;
+      word.lengths[1] += length;
+      length = 0;
+    };
+    give(word.lengths[0], 0, 1);
+    give(word.lengths[2], steps.count - 1, steps.count - 2);
+  }
   for (std::size_t i = 0; i < steps.count; ++i) {
     double& length = length_of(word, i);
     if (std::abs(length) < noise) length = 0;
@@ -317,6 +343,10 @@ UnitSegments WordSolver::segments_of(const SolvedWord& word) const noexcept {
     }
   }
   return segments;
+}
+
+double WordSolver::step_length(const SolvedWord& word, std::size_t step) const noexcept {
+  return length_of(word, step);
 }
 
 double WordSolver::ramp_of(const SolvedWord& word, std::size_t step) const noexcept {

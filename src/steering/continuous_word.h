@@ -79,6 +79,9 @@ class WordSolver {
 
   [[nodiscard]] UnitSegments segments_of(const SolvedWord& word) const noexcept;
 
+  /// Length of a step; negative if it is taken from its neighbours.
+  [[nodiscard]] double step_length(const SolvedWord& word, std::size_t step) const noexcept;
+
   /// Length of the clothoid on either side of a turn of a word.
   [[nodiscard]] double ramp_of(const SolvedWord& word, std::size_t step) const noexcept;
 
