@@ -183,7 +183,7 @@ struct Open {
   Symmetry symmetry;
   WordFrame frame;
   Arcs guess;
-  double bound;  ///< no path of the word is much shorter
+  double bound;  ///< no path of the word is much shorter, less what it may save
 };
 
 /// Whether the goal is straight ahead but for rounding, by so much that turns would be no shorter.
@@ -282,9 +282,22 @@ class Search {
   void add_open(const Kind& kind, const WordFrame& image, const Symmetry& symmetry) {
     Arcs sharp = in_one_turn(kind.arcs(Circles({image.x, image.y, image.a})));
     const double bound = least_length(shape_of(kind.formula, task_.jumps).steps, sharp);
-    if (bound - most_saved_ >= best_ || count_ == open_.size()) return;
+    // Where an end vanishes, the step beside it may save as much as any.
+    constexpr double vanishes = 1e-6;
+    const bool is_known = std::min(sharp.first, sharp.last) > vanishes;
+    const double least = bound - (is_known ? may_save(kind.formula, symmetry) : most_saved_);
+    if (least >= best_ || count_ == open_.size()) return;
     sharp.line -= 2 * solver_.turns().centre().x;
-    open_[count_++] = {kind.formula, symmetry, image, sharp, bound};
+    open_[count_++] = {kind.formula, symmetry, image, sharp, least};
+  }
+
+  /// No word saves more.
+  [[nodiscard]] double may_save(Formula formula, const Symmetry& symmetry) const {
+    if (most_saved_ <= 0) return 0;
+    const Symmetry made = both(undo_, symmetry);
+    const Windings& w = task_.windings;
+    return (may_drive_back(formula, made, true, w.start) ? 2 * w.start.length : 0) +
+           (may_drive_back(formula, made, false, w.goal) ? 2 * w.goal.length : 0);
   }
 
   static double least_length(const Steps& steps, const Arcs& arcs) {
@@ -304,7 +317,7 @@ class Search {
         if (open_[i].bound < open_[next].bound - same) next = i;
       }
       Open& open = open_[next];
-      if (open.bound - most_saved_ >= best_) return;
+      if (open.bound >= best_) return;
       consider(solver_.solve(open.formula, task_.jumps, open.frame, open.guess, quick),
                open.symmetry);
       open.bound = std::numeric_limits<double>::infinity();

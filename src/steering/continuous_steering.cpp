@@ -18,8 +18,6 @@ namespace {
 
 using namespace steering;
 
-constexpr double none = std::numeric_limits<double>::infinity();
-
 /// Sharpness [1/radius^2] beyond which nothing is gained or nothing is driven.
 constexpr double least_sharpness = 1e-4;
 constexpr double most_sharpness = 1e9;

@@ -257,7 +257,8 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
     for (std::size_t i = 0; i < 3; ++i) {
       double& length = word.lengths[i];
       const double next = length + part * change[i];
-      const bool is_small = shape.has_line && i != 1 && std::abs(length) < turns_.ramp() / 2 &&
+      const bool is_small = largest > small_step && shape.has_line && i != 1 &&
+                            std::abs(length) < turns_.ramp() / 2 &&
                             std::abs(change[i]) > 0.1 * std::abs(length);
       length = is_small ? by_angle(length, part * change[i]) : next;
     }
