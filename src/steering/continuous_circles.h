@@ -118,7 +118,8 @@ struct Triangle {
   bool exact;
 };
 
-inline CircleWord word_of(Formula formula, const WordFrame& f, const Joints& j) noexcept {
+/// A word with a line.
+inline CircleWord lined_word(Formula formula, const WordFrame& f, const Joints& j) noexcept {
   constexpr double quarter = std::numbers::pi / 2;
   constexpr Arrow left{0, 1};
   const Between b(f, j, steps_of(formula));
@@ -141,6 +142,40 @@ inline CircleWord word_of(Formula formula, const WordFrame& f, const Joints& j) 
       word.exact = gap >= 0;
       break;
     }
+    case Formula::r_lsr:
+    case Formula::r_lsr_l: {
+      const double gap = b.squared - across * across;
+      const Arrow h = v * Arrow{across, -root(gap)};
+      const bool ends_left = formula == Formula::r_lsr_l;
+      word.first = h * a;
+      word.last = ends_left ? h * a.opposite() : left * h * a.opposite();
+      word.quarter = quarter;
+      word.line = root(gap) - (ends_left ? 4 : 2) * j.stop - 2 * j.ahead;
+      word.exact = gap >= 0;
+      break;
+    }
+    case Formula::r_lsl: {
+      const Arrow h = left.opposite() * v;
+      word.first = h * a;
+      word.last = (left * h).opposite() * a;
+      word.quarter = quarter;
+      word.line = std::sqrt(b.squared) - 2 * j.stop - 2 * j.ahead;
+      break;
+    }
+    default:
+      break;
+  }
+  return word;
+}
+
+/// A word of arcs alone.
+inline CircleWord arcs_word(Formula formula, const WordFrame& f, const Joints& j) noexcept {
+  constexpr Arrow left{0, 1};
+  const Between b(f, j, steps_of(formula));
+  const Arrow v = b.v;
+  const Arrow a{f.c, f.s};
+  CircleWord word;
+  switch (formula) {
     case Formula::l_r_l: {
       const double rest = 16 * j.stop * j.stop - b.squared;
       const Arrow half{root(rest), std::sqrt(b.squared)};
@@ -183,26 +218,6 @@ inline CircleWord word_of(Formula formula, const WordFrame& f, const Joints& j) 
       word.exact = t.exact;
       break;
     }
-    case Formula::r_lsr:
-    case Formula::r_lsr_l: {
-      const double gap = b.squared - across * across;
-      const Arrow h = v * Arrow{across, -root(gap)};
-      const bool ends_left = formula == Formula::r_lsr_l;
-      word.first = h * a;
-      word.last = ends_left ? h * a.opposite() : left * h * a.opposite();
-      word.quarter = quarter;
-      word.line = root(gap) - (ends_left ? 4 : 2) * j.stop - 2 * j.ahead;
-      word.exact = gap >= 0;
-      break;
-    }
-    case Formula::r_lsl: {
-      const Arrow h = left.opposite() * v;
-      word.first = h * a;
-      word.last = (left * h).opposite() * a;
-      word.quarter = quarter;
-      word.line = std::sqrt(b.squared) - 2 * j.stop - 2 * j.ahead;
-      break;
-    }
     case Formula::lrl: {  // a first guess: as if the circles were to meet
       const double d = std::min(1.0, std::sqrt(b.squared) / (4 * j.reach));
       const Arrow half{-root(1 - d * d), d};  // a quarter to a half turn
@@ -213,8 +228,17 @@ inline CircleWord word_of(Formula formula, const WordFrame& f, const Joints& j) 
       word.exact = false;
       break;
     }
+    default:
+      break;
   }
   return word;
+}
+
+inline CircleWord word_of(Formula formula, const WordFrame& f, const Joints& j) noexcept {
+  const bool has_line = formula == Formula::lsl || formula == Formula::lsr ||
+                        formula == Formula::r_lsr || formula == Formula::r_lsl ||
+                        formula == Formula::r_lsr_l;
+  return has_line ? lined_word(formula, f, j) : arcs_word(formula, f, j);
 }
 
 }  // namespace circles

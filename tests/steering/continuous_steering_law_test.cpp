@@ -34,7 +34,7 @@ double tolerance(const ContinuousCase& c, double length, double shift) {
 }
 
 TEST(ContinuousLaw, EveryPathIsDrivable) {
-  for_each_continuous_case(1, million / 4, [](const ContinuousCase& c, Rng&) {
+  for_each_continuous_case(1, million, [](const ContinuousCase& c, Rng&) {
     const auto piece = c.steering.steer(c.pair.from, c.pair.to, c.query);
     ASSERT_TRUE(piece) << as_code(c);
     EXPECT_TRUE(is_drivable(*piece, c)) << as_code(c);
@@ -43,7 +43,7 @@ TEST(ContinuousLaw, EveryPathIsDrivable) {
 }
 
 TEST(ContinuousLaw, IsNoShorterThanReedsShepp) {
-  for_each_continuous_case(2, million / 4, [](const ContinuousCase& c, Rng&) {
+  for_each_continuous_case(2, million, [](const ContinuousCase& c, Rng&) {
     const double least = reeds_shepp_length(c.pair.from, c.pair.to, radius);
     EXPECT_GE(length_of(c), least - tolerance(c, least, 1e-13) - 1e-12 * least) << as_code(c);
   });
