@@ -231,7 +231,7 @@ struct Solution {
     const double least = least_possible(mean_frame(task.from, task.to, 1));
     answer = answer_of(solver, combinations, least);
     // Jumps nearly always help. Where the path is much longer than any has to be, look without.
-    constexpr double suspicious = 1.05;
+    constexpr double suspicious = 1.2;
     if (!jumps || answer.length <= suspicious * least) return;
     rolling = combinations_of(solver, task, jumps);
     rolling.list[0].task.jumps = false;
