@@ -50,7 +50,7 @@ std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle,
       typeid(VehicleChecker),
       [&](const void* made) {
         const auto& known = *static_cast<const VehicleChecker*>(made);
-        return known.vehicle == vehicle && known.margin == margin.wanted;
+        return same_lengths(known.vehicle, vehicle) && known.margin == margin.wanted;
       },
       [&] {
         return std::shared_ptr<const VehicleChecker>(

@@ -48,7 +48,7 @@ class Run {
  public:
   Run(const Task& task, const PlanOptions& options);
 
-  void try_open_ground();
+  void try_open_ground(const CostRule& rule);
   void round();
   void look_for_walls();
   void tidy(std::uint64_t seed);
@@ -92,13 +92,16 @@ Run::Run(const Task& task, const PlanOptions& options)
   }
 }
 
-// The best word on open ground, if it is free.
-void Run::try_open_ground() {
-  Connector connector(task_, rule_);
-  const Piece piece = connector.steer(task_.start, task_.goal, {rule_.initial_gear, 0});
+// The best word on open ground, if it is free: by length it is found sooner, by price it may be the
+// optimum.
+void Run::try_open_ground(const CostRule& rule) {
+  Connector connector(task_, rule);
+  const Piece piece = connector.steer(task_.start, task_.goal, {rule.initial_gear, 0});
   if (!connector.is_free(task_.start, piece)) return;
-  best_ = Route{task_.start, {{piece, task_.goal}}, 0.0};
-  price(connector, *best_);
+  Route route{task_.start, {{piece, task_.goal}}, 0.0};
+  price(Connector(task_, rule_), route);
+  if (best_ && route.cost >= best_->cost) return;
+  best_ = std::move(route);
   trace_.push_back({budget_.elapsed(), 0, best_->cost});
 }
 
@@ -215,7 +218,8 @@ PlannerAnswer Run::result() const {
 // The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
 PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
   Run run(task, options);
-  run.try_open_ground();  // [1]
+  run.try_open_ground({});  // [1]
+  if (!is_length(options.cost)) run.try_open_ground(cost_rule(options.cost));
   std::optional<PlanStatus> end;
   while (!run.is_optimal() && !run.is_good_enough() && !run.is_walled_in() && !end) {
     end = run.budget().exhausted();

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// What does one call of continuous steering cost? Pairs of poses within the first argument [m] of
+// each other, R = 7 m; the second argument is the way from straight to full lock [cm].
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "support/pose_pairs.h"
+#include "vandplan/continuous_steering.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double radius = 7;
+
+enum class Call { steer, length, length_of_bent_ends };
+
+template <Continuity continuity, Call call>
+void BM_continuous(benchmark::State& state) {
+  Rng rng(1);
+  std::vector<DrawnPair> pairs(4096);
+  for (DrawnPair& pair : pairs) pair = near_pair(static_cast<double>(state.range(0)), rng);
+  const double ramp = static_cast<double>(state.range(1)) / 100;
+  const ContinuousSteering steering(radius, 1 / (radius * ramp), continuity);
+  const ContinuousQuery bent{0.5 / radius, -0.3 / radius};
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const DrawnPair& pair = pairs[i++ % pairs.size()];
+    if constexpr (call == Call::steer) {
+      benchmark::DoNotOptimize(steering.steer(pair.from, pair.to));
+    } else if constexpr (call == Call::length) {
+      benchmark::DoNotOptimize(steering.length(pair.from, pair.to));
+    } else {
+      benchmark::DoNotOptimize(steering.length(pair.from, pair.to, bent));
+    }
+  }
+}
+
+void sizes(benchmark::internal::Benchmark* bench) {
+  for (const int ramp : {130, 360}) {
+    for (const int reach : {10, 200}) bench->Args({reach, ramp});
+  }
+}
+BENCHMARK(BM_continuous<Continuity::between_stops, Call::steer>)
+    ->Name("between_stops")
+    ->Apply(sizes);
+BENCHMARK(BM_continuous<Continuity::between_stops, Call::length>)
+    ->Name("between_stops_length")
+    ->Apply(sizes);
+BENCHMARK(BM_continuous<Continuity::throughout, Call::steer>)->Name("throughout")->Apply(sizes);
+BENCHMARK(BM_continuous<Continuity::throughout, Call::length>)
+    ->Name("throughout_length")
+    ->Apply(sizes);
+BENCHMARK(BM_continuous<Continuity::throughout, Call::length_of_bent_ends>)
+    ->Name("throughout_length_bent")
+    ->Apply(sizes);
+
+}  // namespace
+}  // namespace vandplan

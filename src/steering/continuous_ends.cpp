@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "steering/continuous_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/trigonometry.h"
+#include "steering/mean_frame.h"
+
+namespace vandplan::steering {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double two_pi = 2 * std::numbers::pi;
+
+Segment from_its_end(const Segment& s) {
+  return {curvature_at(s, std::abs(s.length)), s.length, -s.curvature_rate};
+}
+
+UnitSegments as_made_by(const Symmetry& symmetry, const UnitSegments& segments) {
+  UnitSegments result = segments;
+  const double side = symmetry.swaps_sides() ? -1 : 1;
+  const double gear = symmetry.swaps_gears() ? -1 : 1;
+  for (std::size_t i = 0; i < segments.count; ++i) {
+    Segment s = symmetry.swaps_ends() ? from_its_end(segments.list[segments.count - 1 - i])
+                                      : segments.list[i];
+    s.curvature *= side;
+    s.curvature_rate *= side;
+    s.length *= gear;
+    result.list[i] = s;
+  }
+  return result;
+}
+
+double length_of(const UnitSegments& segments) {
+  double sum = 0;
+  for (std::size_t i = 0; i < segments.count; ++i) sum += std::abs(segments.list[i].length);
+  return sum;
+}
+
+/// A path that there always is: straight on, a turn to the left, a line, a turn to the left, all of
+/// them to full lock.
+UnitSegments detour(const SharpTurns& turns, const MeanFrame& f) {
+  const auto [cx, cy] = turns.centre();
+  const auto [sin, cos] = base::sin_cos(f.half_turn);
+  // Between the centres of the turns; a line before the first moves its centre.
+  const double gap = std::max(2 * cx, 0.0);
+  double dx = f.x - 2 * cos * cx;
+  double dy = f.y;
+  dx += -sin * cy - (sin * cy);
+  double ahead = 0;
+  if (dx * dx + dy * dy < gap * gap) {
+    ahead = 2 * gap;
+    dx -= ahead * cos;
+    dy += ahead * sin;
+  }
+  const double heading = base::atan_2(dy, dx);
+  const double least = turns.ramp();  // the angle of both clothoids
+  const auto enough = [&](double angle) {
+    return angle - two_pi * std::floor((angle - least) / two_pi);
+  };
+  UnitSegments s;
+  s.add({0, ahead, 0});
+  const auto turn = [&](double angle) {
+    s.add({0, turns.ramp(), turns.sharpness()});
+    s.add({1, angle - least, 0});
+    s.add({1, turns.ramp(), -turns.sharpness()});
+  };
+  turn(enough(heading + f.half_turn));
+  s.add({0, std::sqrt(dx * dx + dy * dy) - 2 * cx, 0});
+  turn(enough(f.half_turn - heading));
+  return s;
+}
+
+/// One of the ways to begin or to end.
+struct End {
+  Pose pose;        ///< where the wheels are straight
+  Segment segment;  ///< from the start on, or from the goal back
+};
+
+std::array<End, 2> ends_of(const Pose& pose, double curvature, double sharpness) {
+  std::array<End, 2> ends;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double length = (i == 0 ? 1 : -1) * std::abs(curvature) / sharpness;
+    const Segment segment{curvature, length, curvature > 0 ? -sharpness : sharpness};
+    ends[i] = {length == 0 ? pose : advance(pose, segment), segment};
+  }
+  return ends;
+}
+
+/// One way to begin with one way to end.
+struct Combination {
+  WordTask task;
+  Segment first, last;  ///< before and after the word; of length zero if the wheels are straight
+  double wound = 0;     ///< length of both
+};
+
+struct Combinations {
+  std::array<Combination, 4> list;
+  std::size_t count = 0;
+};
+
+Combinations combinations_of(const WordSolver& solver, const EndsTask& task, bool jumps) {
+  const double sharpness = solver.turns().sharpness();
+  const double k0 = jumps ? 0 : task.start_curvature;
+  const double k1 = jumps ? 0 : task.goal_curvature;
+  const auto starts = ends_of(task.from, k0, sharpness);
+  const auto goals = ends_of(task.to, k1, sharpness);
+  const auto sign = [](double v) { return v < 0 ? -1.0 : 1.0; };
+  Combinations all;
+  for (std::size_t i = 0; i < (k0 == 0 ? 1U : 2U); ++i) {
+    for (std::size_t j = 0; j < (k1 == 0 ? 1U : 2U); ++j) {
+      const Segment& first = starts[i].segment;
+      const Segment& back = goals[j].segment;
+      Combination& c = all.list[all.count++];
+      c.task.frame = mean_frame(starts[i].pose, goals[j].pose, 1);
+      c.task.jumps = jumps;
+      c.task.windings.start = {-sign(first.length), sign(k0), std::abs(first.length)};
+      c.task.windings.goal = {sign(back.length), sign(k1), std::abs(back.length)};
+      c.first = first;
+      c.last = {0, -back.length, -back.curvature_rate};
+      c.wound = std::abs(first.length) + std::abs(back.length);
+    }
+  }
+  return all;
+}
+
+bool is_nothing(const MeanFrame& f) { return f.x == 0 && f.y == 0 && f.half_turn == 0; }
+
+/// Takes off a segment what is saved; rounding may leave nothing of it.
+void shorten(Segment& segment, double saved) {
+  const double rest = segment.length + saved;
+  const bool is_gone = rest * segment.length <= 0 || std::abs(rest) < 1e-14;
+  segment.length = is_gone ? 0 : rest;
+}
+
+/// A word with what is driven before and after it, unless the word drives that back.
+UnitPath driven(const WordSolver& solver, const Combination& c, const FoundWord& found) {
+  UnitSegments inner = as_made_by(found.symmetry, solver.segments_of(found.word));
+  const Windings only_start{c.task.windings.start, {}}, only_goal{{}, c.task.windings.goal};
+  const bool skips_first = saved(solver, found, only_start) > 0;
+  const bool skips_last = saved(solver, found, only_goal) > 0;
+  if (skips_first) {
+    Segment& s = inner.list[0];
+    s.curvature = c.first.curvature;
+    shorten(s, c.first.length);
+  }
+  if (skips_last) shorten(inner.list[inner.count - 1], c.last.length);
+  UnitPath path;
+  if (!skips_first) path.segments.add(c.first);
+  for (std::size_t i = 0; i < inner.count; ++i) path.segments.add(inner.list[i]);
+  if (!skips_last) path.segments.add(c.last);
+  path.length = c.wound + found.word.length - saved(solver, found, c.task.windings);
+  return path;
+}
+
+/// The two windings alone, or with the detour between them.
+UnitPath without_word(const WordSolver& solver, const Combination& c) {
+  UnitSegments inner;
+  if (!is_nothing(c.task.frame)) inner = detour(solver.turns(), c.task.frame);
+  UnitPath path;
+  path.segments.add(c.first);
+  for (std::size_t i = 0; i < inner.count; ++i) path.segments.add(inner.list[i]);
+  path.segments.add(c.last);
+  path.length = c.wound + length_of(inner);
+  return path;
+}
+
+/// The least path, as a word of a combination, or without one.
+struct Answer {
+  double length = infinite;
+  const Combination* combination = nullptr;
+  std::optional<FoundWord> word;
+};
+
+/// Takes a word of a combination if it is shorter.
+void consider(Answer& answer, const WordSolver& solver, const Combination& c,
+              const std::optional<FoundWord>& found) {
+  if (!found) return;
+  const double length = c.wound + found->word.length - saved(solver, *found, c.task.windings);
+  if (length < answer.length) answer = {length, &c, found};
+}
+
+double least_possible(const MeanFrame& f) {
+  return reeds_shepp_formulas::shortest(
+             Circles({std::abs(f.x), std::abs(f.y), std::abs(f.half_turn)}))
+      .arcs.length;
+}
+
+/// The least that the quick search finds.
+Answer quick_answer(const WordSolver& solver, const Combinations& all) {
+  Answer answer;
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const Combination& c = all.list[i];
+    if (is_nothing(c.task.frame)) {
+      if (c.wound < answer.length) answer = {c.wound, &c, std::nullopt};
+      continue;
+    }
+    // What a word drives back is part of what was wound.
+    if (i > 0 && least_possible(c.task.frame) - c.wound >= answer.length) continue;
+    consider(answer, solver, c, least_word(solver, c.task, answer.length - c.wound));
+  }
+  return answer;
+}
+
+Answer answer_of(const WordSolver& solver, const Combinations& all, double least) {
+  Answer answer = quick_answer(solver, all);
+  // No path has to be a whole turn longer than the shortest.
+  const double plausible = least + 2 + 6 * solver.turns().ramp();
+  if (answer.length <= plausible) return answer;
+  for (std::size_t i = 0; i < all.count; ++i) {  // every word that there is
+    const Combination& c = all.list[i];
+    for (const FoundWord& found : all_words(solver, c.task)) consider(answer, solver, c, found);
+  }
+  if (answer.combination != nullptr) return answer;
+  answer.combination = &all.list[0];
+  answer.length = without_word(solver, all.list[0]).length;
+  return answer;
+}
+
+/// The ways to begin and end, with the least path of all.
+struct Solution {
+  Combinations combinations, rolling;
+  Answer answer;
+
+  Solution(const WordSolver& solver, const EndsTask& task, bool jumps)
+      : combinations(combinations_of(solver, task, jumps)) {
+    const double least = least_possible(mean_frame(task.from, task.to, 1));
+    answer = answer_of(solver, combinations, least);
+    // Jumps nearly always help. Where the path is much longer than any has to be, look without.
+    constexpr double suspicious = 1.2;
+    if (!jumps || answer.length <= suspicious * least) return;
+    rolling = combinations_of(solver, task, jumps);
+    rolling.list[0].task.jumps = false;
+    const Answer other = answer_of(solver, rolling, least);
+    if (other.length < answer.length) answer = other;
+  }
+  Solution(const Solution&) = delete;  // the answer points into the combinations
+};
+
+}  // namespace
+
+std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task, bool jumps) {
+  const Solution solution(solver, task, jumps);
+  const Answer& answer = solution.answer;
+  if (answer.length > task.cutoff) return std::nullopt;
+  return answer.word ? driven(solver, *answer.combination, *answer.word)
+                     : without_word(solver, *answer.combination);
+}
+
+double least_length(const WordSolver& solver, const EndsTask& task, bool jumps) {
+  // No path is shorter than that of Reeds and Shepp, but for rounding.
+  if (least_possible(mean_frame(task.from, task.to, 1)) > task.cutoff * (1 + 1e-9) + 1e-12) {
+    return infinite;
+  }
+  const double length = Solution(solver, task, jumps).answer.length;
+  return length > task.cutoff ? infinite : length;
+}
+
+std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task, bool jumps) {
+  std::vector<UnitPath> paths;
+  const auto take = [&](const UnitPath& path) {
+    if (path.length <= task.cutoff) paths.push_back(path);
+  };
+  const Combinations all = combinations_of(solver, task, jumps);
+  for (std::size_t i = 0; i < all.count; ++i) {
+    Combination c = all.list[i];
+    take(without_word(solver, c));
+    if (is_nothing(c.task.frame)) continue;
+    for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
+    if (!jumps) continue;
+    c.task.jumps = false;
+    for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
+  }
+  return paths;
+}
+
+}  // namespace vandplan::steering

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which words of continuous steering lead from one pose to another?
+
+#include <optional>
+#include <vector>
+
+#include "steering/continuous_word.h"
+#include "steering/mean_frame.h"
+
+namespace vandplan::steering {
+
+/// A word as a symmetry of the mean frame makes it.
+struct FoundWord {
+  SolvedWord word;
+  Symmetry symmetry{};
+};
+
+/// A clothoid on which the wheels were straightened before a word, or are turned after it. A word
+/// that begins (ends) by driving the same way back saves both.
+struct Winding {
+  double gear = 1.0;    ///< in which the word drives it back
+  double side = 0.0;    ///< to which its curvature is
+  double length = 0.0;  ///< 0: there is none
+};
+
+struct Windings {
+  Winding start, goal;
+};
+
+/// Two poses and what is driven before and after.
+struct WordTask {
+  MeanFrame frame;
+  Windings windings;
+  bool jumps = false;  ///< the curvature may jump where the vehicle stands
+};
+
+/// How much shorter a word in the frame of its task is for what it drives back.
+[[nodiscard]] double saved(const WordSolver& solver, const FoundWord& found,
+                           const Windings& windings) noexcept;
+
+/// Every word of the families, at most one of each formula and symmetry.
+[[nodiscard]] std::vector<FoundWord> all_words(const WordSolver& solver, const WordTask& task);
+
+/// The shortest of them, less what it saves, if that is below `cutoff`.
+[[nodiscard]] std::optional<FoundWord> least_word(const WordSolver& solver, const WordTask& task,
+                                                  double cutoff);
+
+}  // namespace vandplan::steering

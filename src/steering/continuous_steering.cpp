@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/continuous_steering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "steering/continuous_ends.h"
+#include "steering/continuous_families.h"
+#include "steering/continuous_word.h"
+#include "steering/mean_frame.h"
+#include "vandplan/input_error.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+using namespace steering;
+
+/// Sharpness [1/radius^2] beyond which nothing is gained or nothing is driven.
+constexpr double least_sharpness = 1e-4;
+constexpr double most_sharpness = 1e9;
+
+double checked(const char* where, double value) {
+  if (!(value > 0) || !std::isfinite(value)) {
+    throw InputError(where, "must be finite and more than 0");
+  }
+  return value;
+}
+
+void check(const char* where, const Pose& pose) {
+  if (std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading)) return;
+  throw InputError(where, "must be finite");
+}
+
+void check_curvature(const char* where, double curvature, double radius) {
+  if (std::abs(curvature) * radius <= 1 + 1e-12) return;
+  throw InputError(where, std::to_string(curvature) + " must be at most 1/radius, " +
+                              std::to_string(1 / radius));
+}
+
+ContinuousPiece scaled(const UnitPath& path, double radius) {
+  ContinuousPiece piece;
+  for (std::size_t i = 0; i < path.segments.count; ++i) {
+    const Segment& s = path.segments.list[i];
+    piece.segments[piece.count++] = {s.curvature / radius, s.length * radius,
+                                     s.curvature_rate / radius / radius};
+  }
+  piece.length = path.length * radius;
+  return piece;
+}
+
+}  // namespace
+
+ContinuousSteering::ContinuousSteering(double radius, double curvature_rate, Continuity continuity)
+    : radius_(checked("radius", radius)),
+      curvature_rate_(checked("curvature_rate", curvature_rate)),
+      continuity_(continuity) {
+  const double sharpness = curvature_rate * radius * radius;
+  if (!(sharpness >= least_sharpness && sharpness <= most_sharpness)) {
+    throw InputError("curvature_rate", "times radius^2 is " + std::to_string(sharpness) +
+                                           ", must be from 0.0001 to 1e9");
+  }
+  turns_ = SharpTurns(sharpness).constants();
+}
+
+ContinuousPiece ContinuousSteering::steer(const Pose& from, const Pose& to) const {
+  return *steer(from, to, {});
+}
+
+double ContinuousSteering::length(const Pose& from, const Pose& to) const {
+  return length(from, to, {});
+}
+
+namespace {
+
+/// What `query` means at unit radius in the frame whose origin is the first pose.
+EndsTask task_of(const Pose& from, const Pose& to, const ContinuousQuery& query, double radius) {
+  check("from", from);
+  check("to", to);
+  check_curvature("start_curvature", query.start_curvature, radius);
+  check_curvature("goal_curvature", query.goal_curvature, radius);
+  if (std::isnan(query.cutoff)) throw InputError("cutoff", "must be a number");
+  const auto bounded = [&](double curvature) { return std::clamp(curvature * radius, -1.0, 1.0); };
+  return {{0, 0, from.heading},
+          {(to.x - from.x) / radius, (to.y - from.y) / radius, to.heading},
+          bounded(query.start_curvature),
+          bounded(query.goal_curvature),
+          query.cutoff / radius};
+}
+
+}  // namespace
+
+std::optional<ContinuousPiece> ContinuousSteering::steer(const Pose& from, const Pose& to,
+                                                         const ContinuousQuery& query) const {
+  const EndsTask task = task_of(from, to, query, radius_);
+  const bool jumps = continuity_ == Continuity::between_stops;
+  const std::optional<UnitPath> path = least_path(WordSolver(SharpTurns(turns_)), task, jumps);
+  if (!path) return std::nullopt;
+  return scaled(*path, radius_);
+}
+
+double ContinuousSteering::length(const Pose& from, const Pose& to,
+                                  const ContinuousQuery& query) const {
+  const EndsTask task = task_of(from, to, query, radius_);
+  const bool jumps = continuity_ == Continuity::between_stops;
+  return least_length(WordSolver(SharpTurns(turns_)), task, jumps) * radius_;
+}
+
+std::vector<ContinuousPiece> ContinuousSteering::candidates(const Pose& from, const Pose& to,
+                                                            const ContinuousQuery& query) const {
+  const EndsTask task = task_of(from, to, query, radius_);
+  const bool jumps = continuity_ == Continuity::between_stops;
+  std::vector<ContinuousPiece> pieces;
+  for (const UnitPath& path : all_paths(WordSolver(SharpTurns(turns_)), task, jumps)) {
+    pieces.push_back(scaled(path, radius_));
+  }
+  return pieces;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Where does a turn of a given length lead if the wheels take their time?
+//
+// Lengths are in turning radii, so that full lock is curvature 1; `sharpness` is the most that the
+// curvature may change per radius driven. Formulas: docs/algorithms/continuous_steering.md.
+
+#include <array>
+
+namespace vandplan::steering {
+
+/// How the curvature is at either end of a turn: 0, or free because the vehicle stands there.
+enum class Ends { rolling, stands_before, stands_after, stands_at_both };
+
+/// What a turn to the left driven forward does, and how that changes with its length. Of a negative
+/// length it is the turn to the left in reverse: way and angle are odd functions in its own frame.
+struct Turned {
+  double x = 0.0, y = 0.0;              ///< the way in the frame at its start
+  double slope_x = 0.0, slope_y = 0.0;  ///< its derivative by the length
+  double angle = 0.0, angle_slope = 0.0;
+  double sin = 0.0, cos = 1.0;  ///< of the angle
+};
+
+/// The sharpest turns of all lengths: the curvature rises as fast as it may, stays at full lock if
+/// it gets there, and falls as fast as it may; where the vehicle stands, it jumps.
+class SharpTurns {
+ public:
+  /// `sharpness` > 0.
+  explicit SharpTurns(double sharpness) noexcept;
+
+  /// What `constants()` of another gave.
+  explicit SharpTurns(const std::array<double, 8>& constants) noexcept;
+
+  /// All that there is to know; costs one clothoid to work out, nothing to copy.
+  [[nodiscard]] std::array<double, 8> constants() const noexcept;
+
+  [[nodiscard]] double sharpness() const noexcept { return sharpness_; }
+  /// Length of a clothoid from straight to full lock.
+  [[nodiscard]] double ramp() const noexcept { return ramp_; }
+
+  struct Point {
+    double x, y;
+  };
+  /// Centre of the circle that a clothoid to full lock leads into, to the left.
+  [[nodiscard]] Point centre() const noexcept { return {centre_x_, centre_y_}; }
+  /// How far that centre is.
+  [[nodiscard]] double reach() const noexcept { return reach_; }
+  /// How far ahead of the perpendicular it is seen [rad].
+  [[nodiscard]] double skew() const noexcept { return skew_; }
+
+  [[nodiscard]] Turned turn(double length, Ends ends) const noexcept;
+
+  /// Length of the clothoids of a turn that reaches full lock.
+  [[nodiscard]] double ramps_of(Ends ends) const noexcept {
+    return ends == Ends::rolling ? 2 * ramp_ : ends == Ends::stands_at_both ? 0 : ramp_;
+  }
+
+  /// The length of the turn by `angle` >= 0.
+  [[nodiscard]] double length_of(double angle, Ends ends) const noexcept;
+
+  /// The largest curvature on a turn of some length.
+  [[nodiscard]] double peak(double length, Ends ends) const noexcept;
+
+  /// Where a clothoid leads that begins straight and turns left, after `length` >= 0.
+  [[nodiscard]] Point clothoid(double length) const noexcept;
+
+ private:
+  [[nodiscard]] Turned rolling(double length) const noexcept;
+  [[nodiscard]] Turned from_stop(double length) const noexcept;
+  [[nodiscard]] Turned to_stop(double length) const noexcept;
+
+  double sharpness_;
+  double ramp_;
+  Point full_;                  ///< where the clothoid to full lock leads
+  double centre_x_, centre_y_;  ///< of the circle that it leads into
+  double reach_, skew_;         ///< how far that centre is, and how far off the perpendicular
+};
+
+}  // namespace vandplan::steering

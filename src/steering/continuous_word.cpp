@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "steering/continuous_word.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/trigonometry.h"
+
+namespace vandplan::steering {
+namespace {
+
+using reeds_shepp_formulas::Arcs;
+using reeds_shepp_formulas::Formula;
+
+constexpr std::size_t formulas = 11;
+constexpr double two_pi = 2 * std::numbers::pi;
+
+bool has_line(const Steps& steps) { return steps.list[1].part == 2 || steps.list[2].part == 2; }
+
+Shape made_shape(const Steps& steps, bool jumps) {
+  Shape shape;
+  shape.steps = steps;
+  shape.has_line = has_line(steps);
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const double gear = steps.list[i].gear;
+    const bool before = jumps && (i == 0 || steps.list[i - 1].gear != gear);
+    const bool after = jumps && (i + 1 == steps.count || steps.list[i + 1].gear != gear);
+    shape.ends[i] = before ? (after ? Ends::stands_at_both : Ends::stands_before)
+                           : (after ? Ends::stands_after : Ends::rolling);
+    const std::size_t part = steps.list[i].part;
+    if (part == 1) shape.inner = i;
+    const std::size_t turn = part == 0 ? 0 : part == 3 ? 2 : 1;
+    shape.senses[turn] += steps.list[i].gear * steps.list[i].turn;
+    shape.length_of[i] = part == 0 ? 0 : part == 3 ? 2 : part == 1 && has_line(steps) ? 3 : 1;
+    if (steps.list[i].turn == 0) {
+      shape.may_dip = steps.list[i - 1].turn == steps.list[i + 1].turn;
+    }
+  }
+  const auto rolls_on = [&](std::size_t i) {
+    return steps.list[i].gear == steps.list[i + 1].gear &&
+           steps.list[i].turn * steps.list[i + 1].turn != 0;
+  };
+  shape.may_cut_first = jumps && rolls_on(0);
+  shape.may_cut_last = jumps && rolls_on(steps.count - 2);
+  return shape;
+}
+
+/// Where a word of certain lengths leads, and how that changes with the three lengths.
+struct Led {
+  std::array<double, 3> end{};                   ///< x, y, heading
+  std::array<std::array<double, 3>, 3> slope{};  ///< [length][x, y, heading]
+};
+
+Led led(const SharpTurns& turns, const Shape& shape, double sin, double cos,
+        const std::array<double, 3>& lengths, double quarter) {
+  struct Done {
+    double x, y;              // after the step
+    double dx, dy, dheading;  // by its length
+    std::size_t of;           // which of the lengths, 3: none
+  };
+  std::array<Done, 5> done;
+  const Steps& steps = shape.steps;
+  double x = 0, y = 0, turned = 0;
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const Step& step = steps.list[i];
+    const std::size_t of = shape.length_of[i];
+    const double length = of == 3 ? quarter : lengths[of];
+    const double g = step.gear;
+    if (step.part == 2 && (length >= 0 || !shape.may_dip)) {
+      x += length * g * cos;
+      y += length * g * sin;
+      done[i] = {x, y, g * cos, g * sin, 0, of};
+      continue;
+    }
+    const Turned t = turns.turn(length, shape.ends[i]);
+    const double s = step.part == 2 ? steps.list[i - 1].turn : step.turn;
+    const double sense = g * s;
+    x += g * cos * t.x - s * sin * t.y;
+    y += g * sin * t.x + s * cos * t.y;
+    turned += sense * t.angle;
+    done[i] = {x,
+               y,
+               g * cos * t.slope_x - s * sin * t.slope_y,
+               g * sin * t.slope_x + s * cos * t.slope_y,
+               sense * t.angle_slope,
+               of};
+    const double next = cos * t.cos - sin * sense * t.sin;
+    sin = sin * t.cos + cos * sense * t.sin;
+    cos = next;
+  }
+  Led result;
+  result.end = {x, y, turned};
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const Done& d = done[i];
+    if (d.of == 3) continue;
+    auto& slope = result.slope[d.of];
+    slope[0] += d.dx - d.dheading * (y - d.y);
+    slope[1] += d.dy + d.dheading * (x - d.x);
+    slope[2] += d.dheading;
+  }
+  return result;
+}
+
+using Vector = std::array<double, 3>;
+
+/// A step of a turn that never reaches full lock: its angle, as the square of its length, is what
+/// changes nearly evenly beside a line.
+double by_angle(double length, double change) {
+  const double square = length * (length + 2 * change);
+  if (length < 0) return square > 0 ? -std::sqrt(square) : std::sqrt(-square);
+  return square > 0 ? std::sqrt(square) : -std::sqrt(-square);
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+template <typename Word>
+auto& length_of(Word& word, std::size_t step) {
+  const Steps& steps = steps_of(word.formula);
+  switch (steps.list[step].part) {
+    case 0:
+      return word.lengths[0];
+    case 3:
+      return word.lengths[2];
+    case 2:
+      return word.lengths[1];
+    default:
+      return has_line(steps) ? word.quarter : word.lengths[1];
+  }
+}
+
+}  // namespace
+
+void UnitSegments::add(const Segment& segment) noexcept {
+  if (segment.length == 0) return;
+  if (count > 0) {
+    Segment& last = list[count - 1];
+    const double end = curvature_at(last, std::abs(last.length));
+    // From one side to the other the curvature passes 0, and from full lock nothing goes on.
+    const bool goes_on = last.curvature_rate == segment.curvature_rate &&
+                         last.length * segment.length > 0 &&
+                         std::abs(end - segment.curvature) < 1e-9;
+    if (goes_on) {
+      last.length += segment.length;
+      return;
+    }
+  }
+  list[count++] = segment;
+}
+
+const Shape& shape_of(Formula formula, bool jumps) noexcept {
+  static const auto shapes = [] {
+    std::array<std::array<Shape, 2>, formulas> all;
+    for (std::size_t i = 0; i < formulas; ++i) {
+      for (const bool j : {false, true}) {
+        all[i][j ? 1 : 0] = made_shape(steps_of(static_cast<Formula>(i)), j);
+      }
+    }
+    return all;
+  }();
+  return shapes[static_cast<std::size_t>(formula)][jumps ? 1 : 0];
+}
+
+double WordSolver::radius_of(double angle) const noexcept {
+  const double bounded = std::clamp(angle, 1e-12, std::numbers::pi);
+  const Turned t = turns_.turn(turns_.length_of(bounded, Ends::rolling), Ends::rolling);
+  return std::sqrt(t.x * t.x + t.y * t.y) / (2 * base::sin_cos(bounded / 2).sin);
+}
+
+std::optional<SolvedWord> WordSolver::at_full_lock(Formula formula, bool jumps,
+                                                   const Arcs& arcs) const noexcept {
+  constexpr double noise = 1e-13;
+  const Shape& shape = shape_of(formula, jumps);
+  SolvedWord word{formula, jumps, {}, 0, 0};
+  const auto turn_of = [&](double angle, std::size_t step, double& length) {
+    const double ramps = turns_.ramps_of(shape.ends[step]);
+    if (angle < ramps / 2 - noise) return false;
+    length = std::max(angle, ramps / 2) + ramps / 2;
+    return true;
+  };
+  if (shape.has_line) {
+    if (arcs.line < -noise) return std::nullopt;
+    word.lengths[1] = std::max(arcs.line, 0.0);
+  }
+  double& inner = shape.has_line ? word.quarter : word.lengths[1];
+  if (!turn_of(arcs.first, 0, word.lengths[0]) ||
+      !turn_of(arcs.last, shape.steps.count - 1, word.lengths[2]) ||
+      (shape.inner != 0 && !turn_of(arcs.inner, shape.inner, inner))) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < shape.steps.count; ++i) word.length += length_of(word, i);
+  return word;
+}
+
+std::optional<SolvedWord> WordSolver::solve(Formula formula, bool jumps, const WordFrame& frame,
+                                            const Arcs& arcs, int most_steps) const noexcept {
+  const Shape& shape = shape_of(formula, jumps);
+  const std::size_t last = shape.steps.count - 1;
+  SolvedWord word{formula, jumps, {}, 0, 0};
+  // Beside a line the angles are nearly right, however small; else turns need some length to move.
+  const double least_guess = shape.has_line ? 1e-14 : 1e-6;
+  const auto guessed = [&](double angle, std::size_t step) {
+    return turns_.length_of(std::max(angle, least_guess), shape.ends[step]);
+  };
+  word.lengths[0] = guessed(arcs.first, 0);
+  word.lengths[2] = guessed(arcs.last, last);
+  const double inner = arcs.inner > 0 ? guessed(arcs.inner, shape.inner) : 0;
+  (shape.has_line ? word.quarter : word.lengths[1]) = inner;
+  if (shape.has_line) {
+    word.lengths[1] =
+        shape.may_dip ? std::max(arcs.line, -turns_.ramp()) : std::max(arcs.line, 0.0);
+  }
+  const double guess =
+      shape.senses[0] * arcs.first + shape.senses[1] * arcs.inner + shape.senses[2] * arcs.last;
+  const double turn = 2 * frame.a + two_pi * std::round((guess - 2 * frame.a) / two_pi);
+  if (!close(word, frame, turn, most_steps) || !is_drivable(word)) return std::nullopt;
+  return word;
+}
+
+bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
+                       int most_steps) const noexcept {
+  const Shape& shape = shape_of(word.formula, word.jumps);
+  const double size = 1 + std::abs(frame.x) + std::abs(frame.y);
+  // A step so small misses by no more than its square, times how fast the curvature changes.
+  const double small_step = 1e-8 / std::sqrt(1 + turns_.sharpness());
+  double best = std::numeric_limits<double>::infinity();
+  std::array<double, 3> best_lengths{};
+  for (int step = 0; step < most_steps; ++step) {
+    const Led there = led(turns_, shape, -frame.s, frame.c, word.lengths, word.quarter);
+    const Vector miss{frame.x - there.end[0], frame.y - there.end[1], turn - there.end[2]};
+    const double error = std::max({std::abs(miss[0]), std::abs(miss[1]), std::abs(miss[2])});
+    if (!(error < 1e100)) return false;
+    if (error < best) {
+      best = error;
+      best_lengths = word.lengths;
+    } else if (best <= 1e-13 * size) {
+      break;
+    }
+    const auto& [a, b, c] = there.slope;
+    const Vector bc = cross(b, c);
+    const double det = dot(a, bc);
+    if (det == 0) break;
+    const Vector change{dot(miss, bc) / det, dot(miss, cross(c, a)) / det,
+                        dot(miss, cross(a, b)) / det};
+    double largest = 0, part = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      largest = std::max(largest, std::abs(change[i]));
+      if (i == 1 && shape.has_line) continue;
+      const double limit = 0.5 * turns_.ramp() + std::abs(word.lengths[i]);
+      if (std::abs(change[i]) * part > limit) part = limit / std::abs(change[i]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      double& length = word.lengths[i];
+      const double next = length + part * change[i];
+      const bool is_small = largest > small_step && shape.has_line && i != 1 &&
+                            std::abs(length) < turns_.ramp() / 2 &&
+                            std::abs(change[i]) > 0.1 * std::abs(length);
+      length = is_small ? by_angle(length, part * change[i]) : next;
+    }
+    if (largest <= small_step) return true;
+  }
+  word.lengths = best_lengths;
+  return best <= 1e-13 * size;
+}
+
+bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
+  constexpr double noise = 1e-13;
+  const Shape& shape = shape_of(word.formula, word.jumps);
+  const Steps& steps = shape.steps;
+  word.length = 0;
+  if (shape.has_line) {  // what turns by nothing is a part of the line
+    constexpr double nothing = 1e-14;
+    const auto give = [&](double& length, std::size_t step, std::size_t beside) {
+      if (steps.list[beside].part != 2 || shape.ends[step] == Ends::stands_at_both) return;
+      if (length >= 0 || turns_.sharpness() * length * length > nothing) return;
+      word.lengths[1] += length;
+      length = 0;
+    };
+    give(word.lengths[0], 0, 1);
+    give(word.lengths[2], steps.count - 1, steps.count - 2);
+  }
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    double& length = length_of(word, i);
+    if (std::abs(length) < noise) length = 0;
+    // Two strokes in one gear with nothing between them: the vehicle would not stand there.
+    if (length == 0 && i > 0 && word.formula == Formula::r_lr_l && i < 3) return false;
+    word.length += length;
+    if (length >= 0) continue;
+    if (steps.list[i].part == 2) {
+      if (!shape.may_dip) return false;
+      const double cut = -length / 2;
+      if (cut > ramp_of(word, i - 1) || cut > ramp_of(word, i + 1)) return false;
+    } else if (steps.list[i].part == 0) {
+      if (!shape.may_cut_first || -length > ramp_of(word, 1)) return false;
+    } else if (steps.list[i].part == 3) {
+      if (!shape.may_cut_last || -length > ramp_of(word, i - 1)) return false;
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+UnitSegments WordSolver::segments_of(const SolvedWord& word) const noexcept {
+  const Shape& shape = shape_of(word.formula, word.jumps);
+  const Steps& steps = shape.steps;
+  // What neighbours of negative length take from the end and from the begin of each turn.
+  std::array<double, 7> taken{};  // before step i: [i], after it: [i + 1]
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const double length = length_of(word, i);
+    if (length >= 0) continue;
+    const double cut = steps.list[i].part == 2 ? -length / 2 : -length;
+    taken[i] = taken[i + 1] = cut;
+  }
+  UnitSegments segments;
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const Step& step = steps.list[i];
+    const double length = length_of(word, i);
+    if (length <= 0) continue;
+    if (step.part == 2) {
+      segments.add({0, step.gear * length, 0});
+      continue;
+    }
+    const double rate = step.turn * turns_.sharpness();
+    const Ends ends = shape.ends[i];
+    const bool rises = ends == Ends::rolling || ends == Ends::stands_after;
+    const bool falls = ends == Ends::rolling || ends == Ends::stands_before;
+    const double ramps = (rises ? 1 : 0) + (falls ? 1 : 0);
+    const double ramp = ramps == 0 ? 0 : std::min(turns_.ramp(), length / ramps);
+    const bool is_full = ramp == turns_.ramp() || ramps == 0;
+    const double peak = step.turn * (is_full ? 1 : std::min(1.0, turns_.sharpness() * ramp));
+    if (rises) {
+      const double cut = std::min(taken[i], ramp);
+      segments.add({rate * cut, step.gear * (ramp - cut), rate});
+    }
+    if (is_full) segments.add({peak, step.gear * (length - ramps * ramp), 0});
+    if (falls) {
+      segments.add({peak, step.gear * (ramp - std::min(taken[i + 1], ramp)), -rate});
+    }
+  }
+  return segments;
+}
+
+double WordSolver::step_length(const SolvedWord& word, std::size_t step) const noexcept {
+  return length_of(word, step);
+}
+
+double WordSolver::ramp_of(const SolvedWord& word, std::size_t step) const noexcept {
+  const Shape& shape = shape_of(word.formula, word.jumps);
+  return turns_.peak(length_of(word, step), shape.ends[step]) * turns_.ramp();
+}
+
+}  // namespace vandplan::steering

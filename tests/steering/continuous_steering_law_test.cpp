@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "steering/continuous_law.h"
+#include "vandplan/continuous_steering.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+constexpr int million = 1'000'000;
+constexpr double radius = law_radius;
+
+double length_of(const ContinuousCase& c) {
+  return c.steering.length(c.pair.from, c.pair.to, c.query);
+}
+
+ContinuousSteering with(const ContinuousSteering& s, Continuity continuity) {
+  return {s.radius(), s.curvature_rate(), continuity};
+}
+
+/// How much a length may change when rounding moves a pose by `shift`: where poses nearly agree it
+/// is as the cube root of the shift.
+double tolerance(const ContinuousCase& c, double length, double shift) {
+  const double rate = c.steering.curvature_rate();
+  return shift * (10 + 8 * radius / std::max(length, std::sqrt(shift))) +
+         8 * shift / rate / std::max(length * length, std::pow(shift / rate, 2.0 / 3));
+}
+
+TEST(ContinuousLaw, EveryPathIsDrivable) {
+  for_each_continuous_case(1, million, [](const ContinuousCase& c, Rng&) {
+    const auto piece = c.steering.steer(c.pair.from, c.pair.to, c.query);
+    ASSERT_TRUE(piece) << as_code(c);
+    EXPECT_TRUE(is_drivable(*piece, c)) << as_code(c);
+    EXPECT_EQ(piece->length, length_of(c)) << as_code(c);
+  });
+}
+
+TEST(ContinuousLaw, IsNoShorterThanReedsShepp) {
+  for_each_continuous_case(2, million, [](const ContinuousCase& c, Rng&) {
+    const double least = reeds_shepp_length(c.pair.from, c.pair.to, radius);
+    EXPECT_GE(length_of(c), least - tolerance(c, least, 1e-13) - 1e-12 * least) << as_code(c);
+  });
+}
+
+TEST(ContinuousLaw, JumpsAtStopsMakeNothingLonger) {
+  for_each_continuous_case(3, million / 2, [](const ContinuousCase& c, Rng&) {
+    const double between =
+        with(c.steering, Continuity::between_stops).length(c.pair.from, c.pair.to);
+    const double throughout =
+        with(c.steering, Continuity::throughout).length(c.pair.from, c.pair.to);
+    // Where jumps save nearly all that there is to save, nothing else is looked at.
+    const double near = 1.2 * reeds_shepp_length(c.pair.from, c.pair.to, radius);
+    EXPECT_LE(between, std::max(near, throughout) * (1 + 1e-12)) << as_code(c);
+  });
+}
+
+/// Counts cases in which rounding led to another word: nearly equal words and Newton's method may
+/// decide otherwise where poses are turned or scaled.
+class Share {
+ public:
+  void count(double length, double expected, const std::string& what) {
+    ++all_;
+    if (std::abs(length - expected) <= 1e-6 * (radius + expected)) return;
+    ++other_;
+    last_ = what + ": " + as_code(length) + " instead of " + as_code(expected);
+  }
+  ~Share() { EXPECT_LE(other_, 2 + all_ / 2000) << "of " << all_ << ", last " << last_; }
+
+ private:
+  int all_ = 0, other_ = 0;
+  std::string last_;
+};
+
+TEST(ContinuousLaw, TheWayBackIsAsLong) {
+  Share share;
+  for_each_continuous_case(4, million / 4, [&](const ContinuousCase& c, Rng&) {
+    const ContinuousQuery back{c.query.goal_curvature, c.query.start_curvature, c.query.cutoff};
+    const double there = length_of(c);
+    const double again = c.steering.length(c.pair.to, c.pair.from, back);
+    if (back.start_curvature == 0 && back.goal_curvature == 0) {
+      EXPECT_EQ(there, again) << as_code(c);
+    } else {
+      share.count(again, there, as_code(c));
+    }
+  });
+}
+
+TEST(ContinuousLaw, MirroringChangesNothing) {
+  Share share;
+  for_each_continuous_case(5, million / 4, [&](const ContinuousCase& c, Rng&) {
+    const auto mirrored = [](const Pose& p) { return Pose{p.x, -p.y, -p.heading}; };
+    const ContinuousQuery query{-c.query.start_curvature, -c.query.goal_curvature, c.query.cutoff};
+    share.count(c.steering.length(mirrored(c.pair.from), mirrored(c.pair.to), query), length_of(c),
+                as_code(c));
+  });
+}
+
+TEST(ContinuousLaw, LengthsScale) {
+  Share share;
+  for_each_continuous_case(6, million / 4, [&](const ContinuousCase& c, Rng& rng) {
+    const double k = std::exp(uniform(-3, 3, rng));
+    const ContinuousSteering steering(radius * k, c.steering.curvature_rate() / k / k,
+                                      c.steering.continuity());
+    const auto scaled = [&](const Pose& p) { return Pose{k * p.x, k * p.y, p.heading}; };
+    const ContinuousQuery query{c.query.start_curvature / k, c.query.goal_curvature / k};
+    share.count(steering.length(scaled(c.pair.from), scaled(c.pair.to), query) / k, length_of(c),
+                as_code(c));
+  });
+}
+
+TEST(ContinuousLaw, PlacesFarFromTheOriginAreAsGood) {
+  for_each_continuous_case(7, million / 20, [&](const ContinuousCase& c, Rng&) {
+    const auto far = [&](const Pose& p) {  // whole metres, so that nothing is rounded
+      return Pose{std::round(p.x - c.pair.from.x) + 1e6, std::round(p.y - c.pair.from.y) - 1e6,
+                  p.heading};
+    };
+    const auto near = [&](const Pose& p) {
+      return Pose{std::round(p.x - c.pair.from.x), std::round(p.y - c.pair.from.y), p.heading};
+    };
+    EXPECT_EQ(c.steering.length(far(c.pair.from), far(c.pair.to), c.query),
+              c.steering.length(near(c.pair.from), near(c.pair.to), c.query))
+        << as_code(c);
+  });
+}
+
+TEST(ContinuousLaw, TendsToReedsSheppAsTheRateGrows) {
+  for_each_pair(8, million / 20, near_or_far_pair, [](const DrawnPair& pair, Rng& rng) {
+    const double ramp = any_size(1e-6, 1e-3, rng);
+    const double rate = 1 / (ramp * radius * radius);
+    const double least = reeds_shepp_length(pair.from, pair.to, radius);
+    for (const Continuity kind : {Continuity::between_stops, Continuity::throughout}) {
+      const double length = ContinuousSteering(radius, rate, kind).length(pair.from, pair.to);
+      EXPECT_LE(length, least + 10 * ramp * radius) << as_code(pair) << " ramp " << as_code(ramp);
+    }
+  });
+}
+
+/// Nearly straight on there is no loop, however small the turns.
+TEST(ContinuousLaw, NearlyStraightOnIsNearlyALine) {
+  for_each_case(10, 20000, [](Rng& rng) {
+    const double ramp = any_size(1e-3, 0.5, rng);
+    const Continuity kind = chance(0.5, rng) ? Continuity::throughout : Continuity::between_stops;
+    const ContinuousSteering steering(1, 1 / ramp, kind);
+    const double x = ramp * any_size(4, 1000, rng);
+    const auto small = [&] {
+      return chance(0.2, rng) ? 0 : any_sign(any_size(1e-15, 1e-3, rng), rng);
+    };
+    const Pose goal{x, ramp * small(), ramp * small()};
+    const double length = steering.length({0, 0, 0}, goal);
+    EXPECT_LE(length, x + 0.3 * ramp) << as_code(goal) << " ramp " << as_code(ramp);
+  });
+}
+
+/// The quick search looks at some of the words only. How much does that lose?
+TEST(ContinuousLaw, IsTheLeastOfAllWords) {
+  int shorter = 0, all = 0;
+  double lost = 0, sum = 0;
+  for_each_case(9, 1500, [&](Rng& rng) {
+    const double ramp = any_size(1e-2, 0.5, rng);
+    const Continuity kind = chance(0.5, rng) ? Continuity::throughout : Continuity::between_stops;
+    const ContinuousSteering steering(radius, 1 / (ramp * radius * radius), kind);
+    const DrawnPair pair = near_or_far_pair(rng);
+    const double length = steering.length(pair.from, pair.to);
+    double least = length;
+    for (const ContinuousPiece& piece : steering.candidates(pair.from, pair.to, {})) {
+      const ContinuousCase c{steering, pair, {}};
+      EXPECT_TRUE(is_drivable(piece, c)) << as_code(c);
+      least = std::min(least, piece.length);
+    }
+    ++all;
+    shorter += least < length * (1 - 1e-6) ? 1 : 0;
+    lost += length - least;
+    sum += least;
+  });
+  EXPECT_LE(shorter, 2 + all / 100);
+  EXPECT_LE(lost, 1e-4 * sum);
+}
+
+}  // namespace
+}  // namespace vandplan
