@@ -94,7 +94,9 @@ TEST(SpeedLaw, KeepsTheLimitOfJerk) {
     sum += nearly;
   });
   EXPECT_LE(worst, 0.03);
-  if (!is_sanitized) EXPECT_LE(sum, 0.003 * 1000);
+  if (!is_sanitized) {
+    EXPECT_LE(sum, 0.003 * 1000);
+  }
 }
 
 // Tiny segments far from the start, models and trucks, limits of any size.
