@@ -6,6 +6,7 @@
 // Exact along an edge, without a step size: docs/algorithms/collision.md says how and why no hit
 // is ever missed.
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,8 +82,11 @@ class CollisionChecker {
   [[nodiscard]] bool is_free(const Pose& from, std::span<const Segment> segments) const noexcept;
 
   /// Distance of the body from the nearest obstacle or blocked cell, or of the wheels from the
-  /// nearest kerb, whichever is less, and no more than `most` [m]; 0 if they touch.
-  [[nodiscard]] double clearance(const Pose& pose, double most) const noexcept;
+  /// nearest kerb, whichever is less, and no more than `most` [m]; 0 if they touch. Where it is at
+  /// least `enough` any number from `enough` to it will do, which is found sooner.
+  [[nodiscard]] double clearance(
+      const Pose& pose, double most,
+      double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
   /// Whether an obstacle of the map is at most this far from the point [m]. False without a map.
   [[nodiscard]] bool map_is_within(const Point& point, double distance) const noexcept;

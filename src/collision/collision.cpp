@@ -211,13 +211,13 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
   return true;
 }
 
-double CollisionChecker::clearance(const Pose& pose, double most) const noexcept {
+double CollisionChecker::clearance(const Pose& pose, double most, double enough) const noexcept {
   if (!data_->is_outside({pose.x, pose.y})) return 0.0;
   const Placement placement = placement_of(pose);
   const auto& [body, wheels, margin, discs, ground] = *data_;
   double least = distance_from(ground->walls, body, placement, most);
   least = distance_from(ground->kerbs, wheels, placement, least);
-  return ground->map ? ground->map->clearance(body, placement, least) : least;
+  return ground->map ? ground->map->clearance(body, placement, least, enough) : least;
 }
 
 bool CollisionChecker::map_is_within(const Point& point, double distance) const noexcept {

@@ -248,21 +248,22 @@ bool GridObstacles::is_clear(const Footprint& body, double margin, const DiscRow
   return true;
 }
 
-double GridObstacles::clearance(const Footprint& body, const Placement& placement,
-                                double most) const noexcept {
+double GridObstacles::clearance(const Footprint& body, const Placement& placement, double most,
+                                double enough) const noexcept {
   const PlacedSegment placed = in_frame(PlacedSegment(placement, Segment{}));
   const auto& [position, heading] = placed.from;
   const DiscRow row = DiscRows(body).slim;
   double nearest = most;
-  bool is_far = true;
+  double proven = most;  // as far as the discs tell
   for (int i = 0; i < row.count; ++i) {
     const double ahead = row.first + i * row.step;
     const auto [least, highest] = field_.around(
         {(position.x + ahead * heading.x) / side_, (position.y + ahead * heading.y) / side_});
-    is_far = is_far && least * side_ - row.outer >= most;
+    proven = std::min(proven, least * side_ - row.outer);
     nearest = std::min(nearest, highest * side_);
   }
-  return is_far ? most : Search(*this, body, nearest, placed).distance(nearest);
+  if (proven >= std::min(most, enough)) return proven;
+  return Search(*this, body, nearest, placed).distance(nearest);
 }
 
 DistanceField::Range GridObstacles::distance(const Point& point) const noexcept {

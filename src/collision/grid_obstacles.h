@@ -31,9 +31,10 @@ class GridObstacles {
   [[nodiscard]] bool is_clear(const Footprint& body, double margin, const DiscRows& discs,
                               const PlacedSegment& placed) const noexcept;
 
-  /// Distance of the body from the nearest edge cell, no more than `most` [m].
-  [[nodiscard]] double clearance(const Footprint& body, const Placement& placement,
-                                 double most) const noexcept;
+  /// Distance of the body from the nearest edge cell, no more than `most` [m]; if it is at least
+  /// `enough`, any number from `enough` to it.
+  [[nodiscard]] double clearance(const Footprint& body, const Placement& placement, double most,
+                                 double enough) const noexcept;
 
   /// Between which two numbers the distance of the point from the nearest blocked cell lies [m].
   [[nodiscard]] DistanceField::Range distance(const Point& point) const noexcept;

@@ -37,7 +37,7 @@ double nearness(const CollisionChecker& checker, double reach, double distance, 
   for (double i = 0; i < count && sum <= most;) {
     const Pose pose = advance(from, part_of(segment, 0.0, (i + 0.5) * h));
     const double farthest = distance + ahead * moved;
-    const double clearance = checker.clearance(pose, farthest);
+    const double clearance = checker.clearance(pose, farthest, distance);
     if (clearance < distance) {
       sum += h * (1 - clearance / distance);
       i += 1;

@@ -15,10 +15,10 @@ namespace vandplan::speed {
 /// knots, with times since the start of the stretch; returns how long it takes [s]. `caps` may be
 /// changed.
 double drive_stretch(std::vector<Cap>& caps, const DrivingLimits& limits,
-                    std::vector<SpeedKnot>& knots);
+                     std::vector<SpeedKnot>& knots);
 
 /// The drive that also keeps `limits.max_jerk`, which must be there; near the fastest.
 double drive_stretch_smoothly(std::span<const Cap> caps, const DrivingLimits& limits,
-                             std::vector<SpeedKnot>& knots);
+                              std::vector<SpeedKnot>& knots);
 
 }  // namespace vandplan::speed

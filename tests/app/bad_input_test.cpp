@@ -292,7 +292,7 @@ TEST_F(BadInput, NumberOutOfRange) {
 
 TEST_F(BadInput, UnknownKeyOfSet) {
   EXPECT_EQ(complaint_of_plan({"--set", "planner=best"}).substr(0, 50),
-            "planner: unknown option, expected one of seed, tim");
+            "planner: unknown option, expected one of style, se");
   EXPECT_EQ(complaint_of_plan({"--set", "seed"}), "--set: \"seed\" is not KEY=VALUE");
 }
 

@@ -97,6 +97,10 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracle) {
     const double gap = gap_at(footprint(vehicle), squares_of(grid), pose).distance;
     EXPECT_NEAR(checker.clearance(pose, most), std::min(gap, most), 1e-9)
         << most << " at " << as_code(pose) << " on cells of " << as_code(grid.resolution);
+    const double enough = uniform(0, 1.5, rng) * most;
+    const double roughly = checker.clearance(pose, most, enough);
+    EXPECT_LE(roughly, std::min(gap, most) + 1e-9);
+    EXPECT_GE(roughly, std::min({gap, most, enough}) - 1e-9);
     apart += gap > 0 && gap < most;
   });
   EXPECT_GT(apart, cases(count) / 8);
