@@ -28,7 +28,7 @@ using namespace evaluation;
 constexpr const char* default_time = "0.1";  // [s], the thesis'
 // The thesis' claims are judged under its printed methods first: the others get fewer runs, so that
 // all of it takes at most 6 min 20 s on two cores, even if every run takes all of its time.
-const RepeatCap default_cap{"thesis-goal", 10, 1};
+const RepeatCap default_cap{"thesis-goal", 5, 1};
 
 struct EvaluateArguments {
   std::vector<std::string> scenarios = {"scenarios/thesis"};
@@ -244,11 +244,9 @@ void add_options_of_campaign(CLI::App& command, EvaluateArguments& arguments) {
       ->type_name("N")
       ->take_last();
   command
-      .add_option(
-          "--goal-repeats", arguments.repeats_per_goal,
-          fmt::format("Runs of each planner, region and goal in a row of goals; {}, but {} "
-                      "for {}, or --repeats if that is less",
-                      Campaign{}.repeats_per_goal, default_cap.repeats_per_goal, default_cap.group))
+      .add_option("--goal-repeats", arguments.repeats_per_goal,
+                  fmt::format("Runs of each planner, region and goal in a row of goals; {}",
+                              Campaign{}.repeats_per_goal))
       ->type_name("N")
       ->take_last();
   add_options_of_runs(command, arguments);
