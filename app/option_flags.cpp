@@ -129,8 +129,8 @@ PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_
   PlanOptions options;
   set_honoured(options, planner, wanted_by_file);
   std::vector<TypedOption> in_order = typed;  // what is given beside a style wins
-  std::ranges::stable_partition(in_order,
-                                [](const TypedOption& given) { return given.option == "style"; });
+  std::stable_partition(in_order.begin(), in_order.end(),
+                        [](const TypedOption& given) { return given.option == "style"; });
   for (const TypedOption& given : in_order) {
     try {
       set_option(options, planner, given.option, given.value);

@@ -87,7 +87,8 @@ std::string draw(const ContactSheet& sheet, PictureFormat format, int width) {
       const Drawing& drawing = sheet.drawings[i];
       const Scene scene = scene_of(drawing);
       const double x = cell.width * static_cast<double>(i % columns) + plot.x;
-      const double y = top + cell.height * static_cast<double>(i / columns) + plot.y;
+      const auto row = i / columns;
+      const double y = top + cell.height * static_cast<double>(row) + plot.y;
       const auto [seen, is_cropped] = framed(scene);
       const View view = view_of(seen, {x, y, plot.width, plot.height});
       paint_caption(cairo, {drawing.caption, 11.5}, {x, y - 6.0}, plot.width);
