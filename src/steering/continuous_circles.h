@@ -168,6 +168,20 @@ inline CircleWord lined_word(Formula formula, const WordFrame& f, const Joints& 
   return word;
 }
 
+/// Three arcs with a change of gear at both joints.
+inline CircleWord l_r_l_word(const Between& b, const Arrow& a, const Joints& j) noexcept {
+  CircleWord word;
+  const double rest = 16 * j.stop * j.stop - b.squared;
+  const Arrow half{root(rest), std::sqrt(b.squared)};
+  const Arrow middle{-b.v.re, -b.v.im};
+  word.first = middle * half.opposite() * a;
+  word.last = (middle * half).opposite() * a;
+  word.inner = half * half;
+  word.wide = true;
+  word.exact = rest >= 0;
+  return word;
+}
+
 /// A word of arcs alone.
 inline CircleWord arcs_word(Formula formula, const WordFrame& f, const Joints& j) noexcept {
   constexpr Arrow left{0, 1};
@@ -176,17 +190,8 @@ inline CircleWord arcs_word(Formula formula, const WordFrame& f, const Joints& j
   const Arrow a{f.c, f.s};
   CircleWord word;
   switch (formula) {
-    case Formula::l_r_l: {
-      const double rest = 16 * j.stop * j.stop - b.squared;
-      const Arrow half{root(rest), std::sqrt(b.squared)};
-      const Arrow middle{-v.re, -v.im};
-      word.first = middle * half.opposite() * a;
-      word.last = (middle * half).opposite() * a;
-      word.inner = half * half;
-      word.wide = true;
-      word.exact = rest >= 0;
-      break;
-    }
+    case Formula::l_r_l:
+      return l_r_l_word(b, a, j);
     case Formula::r_lr:
     case Formula::r_lr_wide: {
       const Triangle t(b, j, 1, formula == Formula::r_lr_wide);

@@ -120,15 +120,12 @@ void for_each_word(const WordSolver& solver, const WordTask& task, Take take) {
   const WordFrame frame(folded(task.frame));
   const Symmetry undo = unfolding(task.frame);
   for (const Kind& kind : kinds) {
-    for (const bool x : {false, true}) {
-      for (const bool y : {false, true}) {
-        for (const bool half_turn : {false, true}) {
-          const Symmetry symmetry{x, y, half_turn};
-          if ((x && kind.own.x) || (y && kind.own.y) || (half_turn && kind.own.half_turn)) continue;
-          const auto word = solved(solver, kind, image_of(frame, symmetry), task.jumps);
-          if (word) take(FoundWord{*word, both(undo, symmetry)});
-        }
-      }
+    for (unsigned i = 0; i < 8; ++i) {
+      const Symmetry symmetry{(i & 4U) != 0, (i & 2U) != 0, (i & 1U) != 0};
+      const auto& [x, y, half_turn] = symmetry;
+      if ((x && kind.own.x) || (y && kind.own.y) || (half_turn && kind.own.half_turn)) continue;
+      const auto word = solved(solver, kind, image_of(frame, symmetry), task.jumps);
+      if (word) take(FoundWord{*word, both(undo, symmetry)});
     }
   }
 }
