@@ -95,31 +95,30 @@ class GridObstacles::Search {
       return {middle.x - x, middle.x + x, middle.y - y, middle.y + y};
     }
 
-    /// No point of the box is nearer, squared: along and across the rectangle it is so far away.
-    [[nodiscard]] double squared_gap(const Bounds& b) const {
+    /// How far the box lies beyond it, along and across it; below 0 where their shadows overlap.
+    [[nodiscard]] Point beyond(const Bounds& b) const {
       const double dx = (b.x_min + b.x_max) / 2 - middle.x;
       const double dy = (b.y_min + b.y_max) / 2 - middle.y;
       const double half_x = (b.x_max - b.x_min) / 2;
       const double half_y = (b.y_max - b.y_min) / 2;
       const double u = std::abs(forward.x);
       const double v = std::abs(forward.y);
-      const double along = std::abs(dx * forward.x + dy * forward.y) - half_length;
-      const double aside = std::abs(dy * forward.x - dx * forward.y) - half_width;
-      const double ahead = std::max(along - half_x * u - half_y * v, 0.0);
-      const double beside = std::max(aside - half_x * v - half_y * u, 0.0);
-      return ahead * ahead + beside * beside;
+      return {std::abs(dx * forward.x + dy * forward.y) - (half_length + half_x * u + half_y * v),
+              std::abs(dy * forward.x - dx * forward.y) - (half_width + half_x * v + half_y * u)};
+    }
+
+    /// No point of the box is nearer, squared.
+    [[nodiscard]] double squared_gap(const Bounds& b) const {
+      const Point gap = beyond(b);
+      const double along = std::max(gap.x, 0.0);
+      const double aside = std::max(gap.y, 0.0);
+      return along * along + aside * aside;
     }
 
     /// Whether they overlap, if the box overlaps the one around.
     [[nodiscard]] bool meets(const Bounds& b) const {
-      const double dx = (b.x_min + b.x_max) / 2 - middle.x;
-      const double dy = (b.y_min + b.y_max) / 2 - middle.y;
-      const double half_x = (b.x_max - b.x_min) / 2;
-      const double half_y = (b.y_max - b.y_min) / 2;
-      const double u = std::abs(forward.x);
-      const double v = std::abs(forward.y);
-      return (std::abs(dx * forward.x + dy * forward.y) <= half_length + half_x * u + half_y * v) &
-             (std::abs(dy * forward.x - dx * forward.y) <= half_width + half_x * v + half_y * u);
+      const Point gap = beyond(b);
+      return (gap.x <= 0) & (gap.y <= 0);
     }
   };
 
