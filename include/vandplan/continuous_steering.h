@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "vandplan/geometry.h"
@@ -22,16 +21,6 @@ namespace vandplan {
 enum class Continuity : std::uint8_t {
   between_stops,  ///< it may jump where the vehicle stands: at the start, the goal, gear changes
   throughout,     ///< it never jumps, through gear changes too
-};
-
-/// The result of one continuous steering call, held in place so that a planner's loop allocates
-/// nothing. Segments of length zero do not occur; equal poses give none.
-struct ContinuousPiece {
-  std::array<Segment, 16> segments{};
-  std::uint8_t count = 0;
-  double length = 0.0;  ///< sum of the absolute segment lengths [m]
-
-  [[nodiscard]] std::span<const Segment> view() const noexcept { return {segments.data(), count}; }
 };
 
 /// What a steering call asks for beside its two poses.
@@ -54,12 +43,12 @@ class ContinuousSteering {
 
   /// The least path that begins and ends with the wheels straight or, between stops, as it wants.
   /// Throws InputError if a pose is not finite.
-  [[nodiscard]] ContinuousPiece steer(const Pose& from, const Pose& to) const;
+  [[nodiscard]] Piece steer(const Pose& from, const Pose& to) const;
 
   /// The least path, or nothing if it is longer than the cutoff. Throws InputError if a pose is not
   /// finite, a curvature is beyond 1/radius or the cutoff is NaN.
-  [[nodiscard]] std::optional<ContinuousPiece> steer(const Pose& from, const Pose& to,
-                                                     const ContinuousQuery& query) const;
+  [[nodiscard]] std::optional<Piece> steer(const Pose& from, const Pose& to,
+                                           const ContinuousQuery& query) const;
 
   /// Length of `steer(from, to)`, bit for bit [m].
   [[nodiscard]] double length(const Pose& from, const Pose& to) const;
@@ -68,8 +57,8 @@ class ContinuousSteering {
   [[nodiscard]] double length(const Pose& from, const Pose& to, const ContinuousQuery& query) const;
 
   /// Every path of the families up to the cutoff, in no order.
-  [[nodiscard]] std::vector<ContinuousPiece> candidates(const Pose& from, const Pose& to,
-                                                        const ContinuousQuery& query) const;
+  [[nodiscard]] std::vector<Piece> candidates(const Pose& from, const Pose& to,
+                                              const ContinuousQuery& query) const;
 
   [[nodiscard]] double radius() const noexcept { return radius_; }
   [[nodiscard]] double curvature_rate() const noexcept { return curvature_rate_; }

@@ -30,10 +30,10 @@ struct Segment {
 /// What of a segment is driven from `begin` to `end` [m], 0 <= begin <= end <= its length.
 [[nodiscard]] Segment part_of(const Segment& segment, double begin, double end) noexcept;
 
-/// The result of one steering call: at most five segments, held in place so that a planner's
-/// loop allocates nothing. Segments of length zero do not occur; equal poses give none.
+/// The result of one steering call, held in place so that a planner's loop allocates nothing.
+/// Segments of length zero do not occur; equal poses give none.
 struct Piece {
-  std::array<Segment, 5> segments{};
+  std::array<Segment, 16> segments{};
   std::uint8_t count = 0;
   double length = 0.0;  ///< sum of the absolute segment lengths [m]
 

@@ -68,6 +68,13 @@ inline constexpr CostOptions shortest_style = {.reverse_weight = 1.0,
 /// "driver" or "shortest", without regard to `initial_gear`. Throws InputError for another name.
 [[nodiscard]] CostOptions style_named(std::string_view name);
 
+/// Where the curvature of a path may jump.
+enum class Steering : std::uint8_t {
+  reeds_shepp,               ///< anywhere: a path is made of arcs and lines
+  continuous_between_stops,  ///< where the vehicle stands: at the start, the goal, gear changes
+  continuous,                ///< nowhere: the wheels turn while the vehicle drives
+};
+
 /// How far the vehicle stays away from things.
 struct ClearanceOptions {
   /// The body keeps at least this far from every obstacle, the wheels from every kerb [m]; 0 to
@@ -110,6 +117,7 @@ struct PlanOptions {
   BudgetOptions budget = {};
   CostOptions cost = {};
   ClearanceOptions clearance = {};
+  Steering steering = Steering::reeds_shepp;
   PlannerSettings planner = {};  ///< of the chosen planner alone
   bool operator==(const PlanOptions&) const = default;
 };

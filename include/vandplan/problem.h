@@ -25,6 +25,14 @@ namespace base {
 class Derived;
 }
 
+/// How far the wheels are turned at the ends of a path; of account for `Steering::continuous`
+/// alone, as they may be turned at standstill otherwise.
+struct EndCurvatures {
+  double start = 0.0;  ///< [1/m]
+  double goal = 0.0;   ///< [1/m]
+  bool operator==(const EndCurvatures&) const = default;
+};
+
 /// A planning problem as somebody states it: unchecked, every number in one frame of his choice.
 struct Scenario {
   std::string name = {};
@@ -33,6 +41,7 @@ struct Scenario {
   Bounds bounds = {};  ///< where the midpoint of the rear axle may be [m]
   Pose start = {};
   Pose goal = {};
+  EndCurvatures curvatures = {};
   std::vector<Polygon> obstacles = {};
   std::vector<Polygon> kerbs = {};        ///< low ones, that overhangs may swing over
   std::string map_file = {};              ///< where the map is from; empty without map
@@ -88,6 +97,8 @@ struct Task {
   double least_margin = 0.0;  ///< that the vehicle keeps from things wherever it is [m]
   Pose start;
   Pose goal;
+  Steering steering = Steering::reeds_shepp;
+  EndCurvatures curvatures = {};
 };
 
 /// One vehicle, start and goal in a world: checked, immutable, cheap to copy.
@@ -99,12 +110,14 @@ class Problem {
   [[nodiscard]] const Pose& start() const noexcept { return start_; }
   [[nodiscard]] const Pose& goal() const noexcept { return goal_; }
 
+  [[nodiscard]] const EndCurvatures& curvatures() const noexcept { return task_.curvatures; }
+
   /// The problem as planners see it, without a margin.
   [[nodiscard]] const Task& task() const noexcept { return task_; }
 
  private:
   friend Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
-                              const Pose& start, const Pose& goal);
+                              const Pose& start, const Pose& goal, const EndCurvatures& curvatures);
 
   Pose start_;
   Pose goal_;
@@ -132,12 +145,15 @@ void check_map(const OccupancyGrid& map);
 
 /// One more problem in a world that is there: nothing of it is built again, so thousands of
 /// problems may share it, on as many threads as one likes. The poses are in the scenario's frame.
-/// Throws InputError naming "vehicle", "start" or "goal" when they are out of range.
+/// Throws InputError naming "vehicle", "start" or "goal" when they are out of range,
+/// "start.curvature" or "goal.curvature" when the vehicle cannot turn so sharply.
 [[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
-                                   const Pose& start, const Pose& goal);
+                                   const Pose& start, const Pose& goal,
+                                   const EndCurvatures& curvatures = {});
 
-/// The problem as planners see it when the vehicle keeps its distance.
-[[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options);
+/// The problem as planners see it when the vehicle keeps its distance and steers like this.
+[[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options,
+                           Steering steering = Steering::reeds_shepp);
 
 /// A pose of the scenario's frame in the world's frame, heading in [-pi, pi); and back. A scenario
 /// moved by whole metres has the same poses in its world, bit for bit, as long as its coordinates

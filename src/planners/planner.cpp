@@ -245,7 +245,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
 PlanResult plan(const Problem& problem, const Planner& planner, const PlanOptions& options) {
   const PlanOptions all = complete(planner, options);
   const search::Budget clock(all.budget);
-  const Task task = task_of(problem, all.clearance);
+  const Task task = task_of(problem, all.clearance, all.steering);
   std::optional<PlannerAnswer> answer = settled(task);
   if (!answer) answer = planner.function(task, all);
   PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());

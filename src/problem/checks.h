@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vandplan/occupancy_grid.h"
+#include "vandplan/problem.h"
 
 namespace vandplan::problem {
 
@@ -17,6 +18,9 @@ void require_within(double value, double limit, const std::string& where);
 
 /// A pose in the scenario's frame; errors name `where` and the coordinate.
 void check_pose(const Pose& pose, const std::string& where);
+
+/// Curvatures that the vehicle can drive; errors name "start.curvature" or "goal.curvature".
+void check_curvatures(const EndCurvatures& curvatures, const Vehicle& vehicle);
 
 /// A goal that is near enough to its start.
 void check_distance(const Pose& start, const Pose& goal, const std::string& where);

@@ -71,6 +71,7 @@ void check_scenario(const Scenario& scenario) {
   (void)checked(surroundings(scenario),
                 problem::local_origin({scenario.start.x, scenario.start.y}));
   check_poses(scenario.start, scenario.goal);
+  problem::check_curvatures(scenario.curvatures, scenario.vehicle);
 }
 
 Surroundings surroundings(const Scenario& scenario) {
@@ -85,12 +86,14 @@ Problem make_problem(const Scenario& scenario) {
   problem::check_pose(scenario.start, "start");
   auto world = std::make_shared<const World>(surroundings(scenario),
                                              Point{scenario.start.x, scenario.start.y});
-  return make_problem(std::move(world), scenario.vehicle, scenario.start, scenario.goal);
+  return make_problem(std::move(world), scenario.vehicle, scenario.start, scenario.goal,
+                      scenario.curvatures);
 }
 
 Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle, const Pose& start,
-                     const Pose& goal) {
+                     const Pose& goal, const EndCurvatures& curvatures) {
   check_poses(start, goal);
+  problem::check_curvatures(curvatures, vehicle);
   Problem made;
   made.start_ = start;
   made.goal_ = goal;
@@ -98,12 +101,14 @@ Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
   made.task_.vehicle = vehicle;
   made.task_.start = to_local(*world, start);
   made.task_.goal = to_local(*world, goal);
+  made.task_.curvatures = curvatures;
   made.task_.world = std::move(world);
   return made;
 }
 
-Task task_of(const Problem& problem, const ClearanceOptions& options) {
+Task task_of(const Problem& problem, const ClearanceOptions& options, Steering steering) {
   Task task = problem.task();
+  task.steering = steering;
   if (options.margin == 0.0) return task;
   Margin margin{.wanted = options.margin};
   if (options.margin_ramp > 0.0) {

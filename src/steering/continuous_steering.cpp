@@ -40,8 +40,8 @@ void check_curvature(const char* where, double curvature, double radius) {
                               std::to_string(1 / radius));
 }
 
-ContinuousPiece scaled(const UnitPath& path, double radius) {
-  ContinuousPiece piece;
+Piece scaled(const UnitPath& path, double radius) {
+  Piece piece;
   for (std::size_t i = 0; i < path.segments.count; ++i) {
     const Segment& s = path.segments.list[i];
     piece.segments[piece.count++] = {s.curvature / radius, s.length * radius,
@@ -65,7 +65,7 @@ ContinuousSteering::ContinuousSteering(double radius, double curvature_rate, Con
   turns_ = SharpTurns(sharpness).constants();
 }
 
-ContinuousPiece ContinuousSteering::steer(const Pose& from, const Pose& to) const {
+Piece ContinuousSteering::steer(const Pose& from, const Pose& to) const {
   return *steer(from, to, {});
 }
 
@@ -92,7 +92,7 @@ EndsTask task_of(const Pose& from, const Pose& to, const ContinuousQuery& query,
 
 }  // namespace
 
-std::optional<ContinuousPiece> ContinuousSteering::steer(const Pose& from, const Pose& to,
+std::optional<Piece> ContinuousSteering::steer(const Pose& from, const Pose& to,
                                                          const ContinuousQuery& query) const {
   const EndsTask task = task_of(from, to, query, radius_);
   const bool jumps = continuity_ == Continuity::between_stops;
@@ -108,11 +108,11 @@ double ContinuousSteering::length(const Pose& from, const Pose& to,
   return least_length(WordSolver(SharpTurns(turns_)), task, jumps) * radius_;
 }
 
-std::vector<ContinuousPiece> ContinuousSteering::candidates(const Pose& from, const Pose& to,
+std::vector<Piece> ContinuousSteering::candidates(const Pose& from, const Pose& to,
                                                             const ContinuousQuery& query) const {
   const EndsTask task = task_of(from, to, query, radius_);
   const bool jumps = continuity_ == Continuity::between_stops;
-  std::vector<ContinuousPiece> pieces;
+  std::vector<Piece> pieces;
   for (const UnitPath& path : all_paths(WordSolver(SharpTurns(turns_)), task, jumps)) {
     pieces.push_back(scaled(path, radius_));
   }

@@ -31,7 +31,7 @@ inline std::string as_code(const ContinuousCase& c) {
 }
 
 /// Whether the segments lead from pose to pose within the limits, without a jump where none may be.
-inline testing::AssertionResult is_drivable(const ContinuousPiece& piece, const ContinuousCase& c) {
+inline testing::AssertionResult is_drivable(const Piece& piece, const ContinuousCase& c) {
   const double most = (1 + 1e-11) / c.steering.radius();
   const double rate = (1 + 1e-11) * c.steering.curvature_rate();
   const double smooth = 1e-10 / c.steering.radius();

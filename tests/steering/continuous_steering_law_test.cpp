@@ -169,7 +169,7 @@ TEST(ContinuousLaw, IsTheLeastOfAllWords) {
     const DrawnPair pair = near_or_far_pair(rng);
     const double length = steering.length(pair.from, pair.to);
     double least = length;
-    for (const ContinuousPiece& piece : steering.candidates(pair.from, pair.to, {})) {
+    for (const Piece& piece : steering.candidates(pair.from, pair.to, {})) {
       const ContinuousCase c{steering, pair, {}};
       EXPECT_TRUE(is_drivable(piece, c)) << as_code(c);
       least = std::min(least, piece.length);

@@ -50,7 +50,7 @@ TEST(ContinuousSteering, ATurnIsTwoClothoidsAndAnArc) {
   Pose goal = advance({0, 0, 0}, {0, ramp, rate});
   goal = advance(goal, {1 / radius, 3});
   goal = advance(goal, {1 / radius, ramp, -rate});
-  const ContinuousPiece piece = throughout.steer({0, 0, 0}, goal);
+  const Piece piece = throughout.steer({0, 0, 0}, goal);
   ASSERT_EQ(piece.count, 3);
   EXPECT_NEAR(piece.length, 2 * ramp + 3, 1e-9);
   EXPECT_NEAR(piece.segments[0].curvature_rate, rate, 1e-12);
@@ -81,7 +81,7 @@ TEST(ContinuousSteering, ACutoffKeepsWhatIsNoLonger) {
     EXPECT_EQ(steering.length({0, 0, 0}, goal, query), std::numeric_limits<double>::infinity());
     EXPECT_FALSE(steering.steer({0, 0, 0}, goal, query));
     query.cutoff = 3 * length;
-    for (const ContinuousPiece& piece : steering.candidates({0, 0, 0}, goal, query)) {
+    for (const Piece& piece : steering.candidates({0, 0, 0}, goal, query)) {
       EXPECT_LE(piece.length, query.cutoff);
     }
     EXPECT_GT(steering.candidates({0, 0, 0}, goal, query).size(), 2U);
