@@ -30,6 +30,8 @@ struct ContinuousQuery {
   double start_curvature = 0.0;
   double goal_curvature = 0.0;
   double cutoff = std::numeric_limits<double>::infinity();  ///< longer paths are of no use [m]
+  bool start_stands = true;
+  bool goal_stands = true;
 };
 
 /// Short paths on open ground in either gear with |curvature| <= 1/radius and |change of curvature

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "vandplan/continuous_steering.h"
 #include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
@@ -177,17 +178,19 @@ class Connector {
   /// The word of least cost; the shortest one under a neutral rule. Under another rule arcs that
   /// vanish are left out: the piece then ends at a pose on the way but for rounding, at the goal of
   /// the task within what the judge allows. If no word costs less than `cutoff` [m], the joints to
-  /// both gears included, it is any word: most calls for a cheaper way end so, and sooner.
-  [[nodiscard]] Piece steer(const Pose& from, const Pose& to, const Gears& gears = {},
-                            double cutoff = std::numeric_limits<double>::infinity());
+  /// both gears included, it is any word or none: most calls for a cheaper way end so, and sooner.
+  ///
+  /// Where the task's curvature is continuous, the piece goes on from what is driven before it and
+  /// goes over into what is driven after it; where that is not known, and at poses on the way, its
+  /// wheels are straight. There may be no such piece among the words.
+  [[nodiscard]] std::optional<Piece> steer(const Pose& from, const Pose& to,
+                                           const Gears& gears = {},
+                                           double cutoff = std::numeric_limits<double>::infinity());
 
   /// What no path between the poses costs less than, with the joints to both gears [m]: on open
   /// ground it is driven forward, or in reverse, or changes gear. The length of the shortest path
   /// under a neutral rule.
   [[nodiscard]] double least_cost(const Pose& from, const Pose& to, const Gears& gears = {});
-
-  /// Length of the shortest path on open ground [m].
-  [[nodiscard]] double least_length(const Pose& from, const Pose& to) const;
 
   /// Cost of a piece between two others [m], apart from what being near things adds to it; the
   /// joint to the next one is its part, if there is one.
@@ -207,11 +210,18 @@ class Connector {
   [[nodiscard]] bool is_free(const Pose& from, const Segment& segment);
   [[nodiscard]] bool is_free(const Pose& pose) const { return checker_.is_free(pose); }
 
-  /// As much of the piece as is free, found by halving.
+  /// As much of the piece as is free, found by halving; where the curvature is continuous it ends
+  /// with straight wheels.
   [[nodiscard]] Piece free_prefix(const Pose& from, const Piece& piece);
 
   /// The vehicle's turning radius [m].
   [[nodiscard]] double radius() const { return radius_; }
+  /// The steering of the task; null if pieces are arcs and lines.
+  [[nodiscard]] const ContinuousSteering* continuous() const {
+    return continuous_ ? &*continuous_ : nullptr;
+  }
+  /// Whether the curvature may jump between what is driven before a pose and after it.
+  [[nodiscard]] bool may_jump(const Driven& before, const Driven& after) const;
   [[nodiscard]] const CostRule& rule() const { return rule_; }
 
   /// How many steering problems it has solved and how many edges it has checked.
@@ -222,14 +232,26 @@ class Connector {
   [[nodiscard]] double checking_time() const { return checking_.seconds(); }
 
  private:
+  /// How a piece of continuous curvature may begin or end at a pose.
+  struct End {
+    bool stands;       ///< the vehicle stands there: any curvature will do
+    double curvature;  ///< else [1/m]
+    GearSign gear;     ///< in which the piece has to be driven there; 0: in either
+  };
+
   [[nodiscard]] Piece cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
                                     const Piece& shortest, double cutoff);
+  [[nodiscard]] std::optional<Piece> continuous_piece(const Pose& from, const Pose& to,
+                                                      const Gears& gears, double cutoff);
+  void find_ends(const Pose& pose, const Driven& beside, std::vector<End>& ends) const;
 
   const Task& task_;
   const CollisionChecker& checker_;
   double radius_;
   CostRule rule_;
-  std::vector<Piece> words_;  // buffer
+  std::optional<ContinuousSteering> continuous_;
+  std::vector<End> starts_, goals_;  // buffers
+  std::vector<Piece> words_;         // buffer
   std::int64_t solves_ = 0;
   std::int64_t checks_ = 0;
   PhaseTimer steering_;
@@ -239,6 +261,13 @@ class Connector {
 /// The first `s` metres of a piece; and the piece without them.
 [[nodiscard]] Piece prefix(const Piece& piece, double s);
 [[nodiscard]] Piece suffix(const Piece& piece, double s);
+
+/// How far from straight rounding leaves the wheels, times the turning radius.
+inline constexpr double straight_wheels = 1e-9;
+
+/// The place [m] on a piece nearest to `s` where it may be cut, and another piece begin there: the
+/// wheels are straight or the gear changes. Both ends of the piece are such places.
+[[nodiscard]] double nearest_cut(const Piece& piece, double s, double radius);
 
 /// The pose at the end of a piece.
 [[nodiscard]] Pose end_of(const Pose& from, const Piece& piece);

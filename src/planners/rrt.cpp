@@ -103,13 +103,13 @@ class Run {
   [[nodiscard]] bool is_full() const { return tree_.size() >= max_nodes_; }
 
   // The segments through a node to the goal.
-  [[nodiscard]] std::vector<Segment> segments_through(NodeId node) const {
+  [[nodiscard]] std::vector<Segment> segments_through(NodeId node) {
     std::vector<Pose> poses = tree_.branch(node);
     poses.push_back(task_.goal);
     std::vector<Segment> segments;
     for (std::size_t i = 1; i < poses.size(); ++i) {
-      const Piece piece = reeds_shepp(poses[i - 1], poses[i], connector_.radius());
-      segments.insert(segments.end(), piece.view().begin(), piece.view().end());
+      const std::optional<Piece> piece = connector_.steer(poses[i - 1], poses[i]);
+      segments.insert(segments.end(), piece->view().begin(), piece->view().end());
     }
     return merged(segments);
   }

@@ -12,10 +12,46 @@ namespace vandplan::search {
 namespace {
 
 constexpr double least_worth = 1e-6;  // what a segment less may cost [m]
+constexpr double nothing = 1e-12;     // of a segment that is cut [m]
 
 void append(Piece& piece, const Segment& segment) {
   piece.segments[piece.count++] = segment;
   piece.length += std::abs(segment.length);
+}
+
+std::optional<ContinuousSteering> continuous_steering(const Task& task) {
+  if (task.steering == Steering::reeds_shepp) return std::nullopt;
+  return ContinuousSteering(
+      task.vehicle.min_turning_radius, max_curvature_rate(task.vehicle),
+      task.steering == Steering::continuous ? Continuity::throughout : Continuity::between_stops);
+}
+
+/// Calls `visit(s, is_straight)` with the places where the wheels are straight or the gear changes
+/// [m]: of a line with the one that is nearest to `wanted`.
+template <typename Visit>
+void for_cuts(const Piece& piece, double wanted, double radius, Visit visit) {
+  double s = 0.0;
+  GearSign gear = 0;
+  for (const Segment& segment : piece.view()) {
+    const double length = std::abs(segment.length);
+    const double end = curvature_at(segment, length);
+    const auto is_straight = [&](double curvature) {
+      return std::abs(curvature) * radius < straight_wheels;
+    };
+    if (is_straight(segment.curvature)) {
+      visit(s, true);
+    } else if (gear_of(segment) == -gear) {
+      visit(s, false);
+    }
+    if (is_straight(segment.curvature) && is_straight(end)) {
+      visit(std::clamp(wanted, s, s + length), true);
+    } else if (segment.curvature * end < 0.0) {
+      visit(s + length * segment.curvature / (segment.curvature - end), true);
+    }
+    if (is_straight(end)) visit(s + length, true);
+    gear = gear_of(segment);
+    s += length;
+  }
 }
 
 }  // namespace
@@ -25,24 +61,77 @@ Connector::Connector(const Task& task, const CostRule& rule, bool profile)
       checker_(*task.checker),
       radius_(task.vehicle.min_turning_radius),
       rule_(rule),
+      continuous_(continuous_steering(task)),
       steering_(profile),
       checking_(profile) {}
 
 std::optional<Connection> Connector::connect(const Pose& from, const Pose& to, const Terms& terms) {
-  const Piece piece = steer(from, to, terms.gears, terms.cutoff - terms.cost_so_far);
-  const double total = terms.cost_so_far + cost(piece, terms.gears);
-  if (total >= terms.cutoff || !is_free(from, piece)) return std::nullopt;
-  const double near = clearance_cost(from, piece.view(), terms.cutoff - total);
+  const std::optional<Piece> piece = steer(from, to, terms.gears, terms.cutoff - terms.cost_so_far);
+  if (!piece) return std::nullopt;
+  const double total = terms.cost_so_far + cost(*piece, terms.gears);
+  if (total >= terms.cutoff || !is_free(from, *piece)) return std::nullopt;
+  const double near = clearance_cost(from, piece->view(), terms.cutoff - total);
   if (total + near >= terms.cutoff) return std::nullopt;
-  return Connection{piece, total + near};
+  return Connection{*piece, total + near};
 }
 
-Piece Connector::steer(const Pose& from, const Pose& to, const Gears& gears, double cutoff) {
+std::optional<Piece> Connector::steer(const Pose& from, const Pose& to, const Gears& gears,
+                                      double cutoff) {
   ++solves_;
   steering_.start();
-  Piece best = reeds_shepp(from, to, radius_);
-  if (!rule_.is_length()) best = cheapest_word(from, to, gears, best, cutoff);
+  std::optional<Piece> best;
+  if (continuous_) {
+    best = continuous_piece(from, to, gears, cutoff);
+  } else {
+    best = reeds_shepp(from, to, radius_);
+    if (!rule_.is_length()) best = cheapest_word(from, to, gears, *best, cutoff);
+  }
   steering_.stop();
+  return best;
+}
+
+bool Connector::may_jump(const Driven& before, const Driven& after) const {
+  return !continuous_ ||
+         (continuous_->continuity() == Continuity::between_stops &&
+          (before.gear == 0 || std::isnan(before.curvature) || before.gear == -after.gear));
+}
+
+// Ends where a vehicle stands first: no piece is shorter than one that begins and ends so.
+void Connector::find_ends(const Pose& pose, const Driven& beside, std::vector<End>& ends) const {
+  ends.clear();
+  const bool between_stops = continuous_->continuity() == Continuity::between_stops;
+  const bool is_known = !std::isnan(beside.curvature);
+  if (!is_known && (pose == task_.start || pose == task_.goal)) {
+    const EndCurvatures& given = task_.curvatures;
+    ends.push_back({between_stops, pose == task_.start ? given.start : given.goal, 0});
+    return;
+  }
+  if (between_stops && beside.gear != 0) ends.push_back({true, 0.0, -beside.gear});
+  const bool is_straight = !is_known || std::abs(beside.curvature) * radius_ < straight_wheels;
+  if (is_straight) ends.push_back({false, 0.0, 0});
+}
+
+std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& to,
+                                                 const Gears& gears, double cutoff) {
+  if (from == to) return std::nullopt;
+  find_ends(from, gears.before, starts_);
+  find_ends(to, gears.after, goals_);
+  std::optional<Piece> best;
+  double least = cutoff;
+  const auto consider = [&](const Piece& piece, const End& start, const End& goal) {
+    if (first_driven(piece).gear == -start.gear || last_driven(piece).gear == -goal.gear) return;
+    const double total = cost(piece, gears);
+    if (total >= least) return;
+    best = piece;
+    least = total;
+  };
+  for (const End& start : starts_) {
+    for (const End& goal : goals_) {
+      const ContinuousQuery query{start.curvature, goal.curvature, least, start.stands,
+                                  goal.stands};
+      if (const auto piece = continuous_->steer(from, to, query)) consider(*piece, start, goal);
+    }
+  }
   return best;
 }
 
@@ -89,10 +178,6 @@ double Connector::least_cost(const Pose& from, const Pose& to, const Gears& gear
   return least;
 }
 
-double Connector::least_length(const Pose& from, const Pose& to) const {
-  return reeds_shepp_length(from, to, radius_);
-}
-
 double Connector::cost(const Piece& piece, const Gears& gears) const {
   if (rule_.is_length()) return piece.length;
   Driven driven = gears.before;
@@ -131,7 +216,20 @@ Piece Connector::free_prefix(const Pose& from, const Piece& piece) {
     }
     break;
   }
-  return result;
+  if (!continuous_) return result;
+  double straight = 0.0;
+  for_cuts(result, result.length, radius_, [&](double s, bool is_straight) {
+    if (is_straight) straight = std::max(straight, s);
+  });
+  return prefix(result, straight);
+}
+
+double nearest_cut(const Piece& piece, double s, double radius) {
+  double nearest = s < piece.length / 2 ? 0.0 : piece.length;
+  for_cuts(piece, s, radius, [&](double cut, bool) {
+    if (std::abs(cut - s) < std::abs(nearest - s)) nearest = cut;
+  });
+  return nearest;
 }
 
 Piece prefix(const Piece& piece, double s) {
@@ -139,7 +237,7 @@ Piece prefix(const Piece& piece, double s) {
   double left = s;
   for (const Segment& segment : piece.view()) {
     const double part = std::min(left, std::abs(segment.length));
-    if (left <= 0.0) break;
+    if (left <= nothing) break;
     if (part <= 0.0) continue;
     append(result, part_of(segment, 0.0, part));
     left -= part;
@@ -154,7 +252,7 @@ Piece suffix(const Piece& piece, double s) {
     const double length = std::abs(segment.length);
     const double begin = std::max(skip, 0.0);
     skip -= length;
-    if (length > begin) append(result, part_of(segment, begin, length));
+    if (length > begin + nothing) append(result, part_of(segment, begin, length));
   }
   return result;
 }

@@ -14,7 +14,6 @@ double Route::length() const {
 }
 
 Gears gears_around(const CostRule& rule, const Route& route, std::size_t first, std::size_t last) {
-  if (rule.is_length()) return {};
   Gears gears{rule.initial_gear, 0};
   for (std::size_t i = first; i > 0 && (i == first || gears.before.gear == 0); --i) {
     gears.before = last_driven(route.legs[i - 1].piece);
@@ -71,6 +70,19 @@ Route part_of(const Route& route, double begin, double end) {
     driven = next;
   }
   return result;
+}
+
+double nearest_cut(const Route& route, double s, double radius) {
+  double driven = 0.0;
+  for (const Leg& leg : route.legs) {
+    const double next = driven + leg.piece.length;
+    if (s < next || &leg == &route.legs.back()) {
+      const double within = nearest_cut(leg.piece, s - driven, radius);
+      return within == leg.piece.length ? next : driven + within;
+    }
+    driven = next;
+  }
+  return 0.0;
 }
 
 bool are_alike(const Route& a, const Route& b, double near) {

@@ -46,6 +46,9 @@ void price(const Connector& connector, Route& route);
 /// cost. Empty if they are equal.
 [[nodiscard]] Route part_of(const Route& route, double begin, double end);
 
+/// The place [m] on a route nearest to `s` where `nearest_cut` lets its pieces be cut.
+[[nodiscard]] double nearest_cut(const Route& route, double s, double radius);
+
 /// Whether two routes between the same poses change gear alike and stay within `near` [m] of each
 /// other, as far as a few places on them tell.
 [[nodiscard]] bool are_alike(const Route& a, const Route& b, double near);

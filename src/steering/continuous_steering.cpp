@@ -93,9 +93,10 @@ EndsTask task_of(const Pose& from, const Pose& to, const ContinuousQuery& query,
 }  // namespace
 
 std::optional<Piece> ContinuousSteering::steer(const Pose& from, const Pose& to,
-                                                         const ContinuousQuery& query) const {
+                                               const ContinuousQuery& query) const {
   const EndsTask task = task_of(from, to, query, radius_);
-  const bool jumps = continuity_ == Continuity::between_stops;
+  const bool jumps =
+      continuity_ == Continuity::between_stops && query.start_stands && query.goal_stands;
   const std::optional<UnitPath> path = least_path(WordSolver(SharpTurns(turns_)), task, jumps);
   if (!path) return std::nullopt;
   return scaled(*path, radius_);
@@ -104,14 +105,16 @@ std::optional<Piece> ContinuousSteering::steer(const Pose& from, const Pose& to,
 double ContinuousSteering::length(const Pose& from, const Pose& to,
                                   const ContinuousQuery& query) const {
   const EndsTask task = task_of(from, to, query, radius_);
-  const bool jumps = continuity_ == Continuity::between_stops;
+  const bool jumps =
+      continuity_ == Continuity::between_stops && query.start_stands && query.goal_stands;
   return least_length(WordSolver(SharpTurns(turns_)), task, jumps) * radius_;
 }
 
 std::vector<Piece> ContinuousSteering::candidates(const Pose& from, const Pose& to,
-                                                            const ContinuousQuery& query) const {
+                                                  const ContinuousQuery& query) const {
   const EndsTask task = task_of(from, to, query, radius_);
-  const bool jumps = continuity_ == Continuity::between_stops;
+  const bool jumps =
+      continuity_ == Continuity::between_stops && query.start_stands && query.goal_stands;
   std::vector<Piece> pieces;
   for (const UnitPath& path : all_paths(WordSolver(SharpTurns(turns_)), task, jumps)) {
     pieces.push_back(scaled(path, radius_));

@@ -81,7 +81,7 @@ TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
     GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.goal(), problem.start());
     while (guide.step()) {
     }
-    Lattice lattice(problem.start(), problem.goal(), {12, 0.5, 2.0}, guide, connector);
+    Lattice lattice(problem.start(), problem.goal(), {}, {12, 0.5, 2.0}, guide, connector);
     double cost = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 400 && !lattice.is_exhausted(); ++i) {
       if (!lattice.step()) continue;

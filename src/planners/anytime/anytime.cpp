@@ -96,9 +96,10 @@ Run::Run(const Task& task, const PlanOptions& options)
 // optimum.
 void Run::try_open_ground(const CostRule& rule) {
   Connector connector(task_, rule);
-  const Piece piece = connector.steer(task_.start, task_.goal, {rule.initial_gear, 0});
-  if (!connector.is_free(task_.start, piece)) return;
-  Route route{task_.start, {{piece, task_.goal}}, 0.0};
+  const std::optional<Piece> piece =
+      connector.steer(task_.start, task_.goal, {rule.initial_gear, 0});
+  if (!piece || !connector.is_free(task_.start, *piece)) return;
+  Route route{task_.start, {{*piece, task_.goal}}, 0.0};
   price(Connector(task_, rule_), route);
   if (best_ && route.cost >= best_->cost) return;
   best_ = std::move(route);
@@ -184,7 +185,8 @@ void Run::tidy(std::uint64_t seed) {
 void Run::make_drivable(double min_stroke) {
   if (!best_) return;
   segments_ = path_of(*best_).segments;
-  if (rule_.is_length() && min_stroke == 0.0) return;
+  const bool is_continuous = task_.steering != Steering::reeds_shepp;
+  if (is_continuous || (rule_.is_length() && min_stroke == 0.0)) return;
   Connector connector(task_, rule_);
   segments_ = tidied(connector, task_.start, std::move(segments_), min_stroke);
   Driven driven = rule_.initial_gear;

@@ -51,8 +51,13 @@ void Detours::choose() {
   const double least = std::min(whole, least_stretch * task_.vehicle.min_turning_radius);
   const double length = least * std::pow(whole / least, uniform01(rng_));
   const double middle = uniform(0.0, whole, rng_);
-  const double begin = std::max(middle - length / 2, 0.0);
-  const double end = middle + length / 2 < whole ? middle + length / 2 : whole;
+  double begin = std::max(middle - length / 2, 0.0);
+  double end = middle + length / 2 < whole ? middle + length / 2 : whole;
+  if (task_.steering != Steering::reeds_shepp) {
+    begin = nearest_cut(base_, begin, task_.vehicle.min_turning_radius);
+    end = nearest_cut(base_, end, task_.vehicle.min_turning_radius);
+    if (begin >= end) begin = 0.0, end = whole;
+  }
   before_ = part_of(base_, 0.0, begin);
   old_ = part_of(base_, begin, end);
   after_ = part_of(base_, end, whole);
@@ -64,14 +69,21 @@ void Detours::choose() {
 void Detours::begin() {
   choose();
   CostRule rule = rule_;
-  if (!before_.legs.empty()) rule.initial_gear = last_driven(before_.legs.back().piece).gear;
+  gears_ = {rule_.initial_gear, 0};
+  if (!before_.legs.empty()) gears_.before = last_driven(before_.legs.back().piece);
+  if (!after_.legs.empty()) gears_.after = first_driven(after_.legs.front().piece);
+  rule.initial_gear = gears_.before.gear;
   price(Connector(task_, rule), old_);
   const Pose& first = old_.start;
   const Pose& last = old_.legs.back().end;
   if (backwards_) {
-    const GearSign next = after_.legs.empty() ? 0 : first_driven(after_.legs.front().piece).gear;
-    rule = reversed(rule_, -next);
+    std::swap(gears_.before, gears_.after);
+    gears_.before.gear *= -1;
+    gears_.after.gear *= -1;
+    rule = reversed(rule_, gears_.before.gear);
   }
+  // Arcs and lines may begin with any curvature, and be followed by anything.
+  if (task_.steering == Steering::reeds_shepp) gears_ = {rule.initial_gear, 0};
   connector_.emplace(task_, rule);
   const Bounds box = ellipse_box(first, last, slack * old_.cost, scene_);
   guide_.emplace(task_, box, guide_side, backwards_ ? first : last, backwards_ ? last : first);
@@ -105,8 +117,8 @@ bool Detours::step() {
   if (!lattice_) {
     const Pose& first = old_.start;
     const Pose& last = old_.legs.back().end;
-    lattice_.emplace(backwards_ ? last : first, backwards_ ? first : last, options_, *guide_,
-                     *connector_);
+    lattice_.emplace(backwards_ ? last : first, backwards_ ? first : last, gears_, options_,
+                     *guide_, *connector_);
     lattice_->set_cutoff(slack * old_.cost);
   }
   if (left_-- == 0 || lattice_->is_exhausted()) {

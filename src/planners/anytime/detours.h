@@ -46,6 +46,7 @@ class Detours {
   Route before_, after_;    // what stays of it
   Route old_;               // what is to be replaced
   bool backwards_ = false;  // the search begins at the end of the stretch
+  Gears gears_;             // driven before and after it, in its direction
   std::optional<Connector> connector_;
   std::optional<GridDistance> guide_;
   bool guided_ = false;

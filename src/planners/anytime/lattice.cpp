@@ -14,6 +14,7 @@ constexpr double hopeless_shot = 1.2;   // ways around that are longer than the 
 constexpr double guide_trust = 0.9;     // of a way around on the grid, which is no bound
 constexpr double straight_cells = 1.5;  // length of a straight step: it leaves its cell
 constexpr int looks = 8;                // at open ground, for one entry
+constexpr int segments_of_leg = 5;      // of arcs and lines
 
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
@@ -21,18 +22,19 @@ std::size_t slot_of(std::uint64_t key, std::size_t size) {
 
 }  // namespace
 
-Lattice::Lattice(const Pose& root, const Pose& target, const LatticeOptions& options,
-                 const GridDistance& guide, Connector& connector)
+Lattice::Lattice(const Pose& root, const Pose& target, const Gears& gears,
+                 const LatticeOptions& options, const GridDistance& guide, Connector& connector)
     : connector_(connector),
       guide_(guide),
       options_(options),
       target_(target),
+      gears_(gears),
       cutoff_(std::numeric_limits<double>::infinity()),
       step_length_(2 * std::numbers::pi / options.headings * connector.radius()),
       cell_(options.cell * connector.radius()),
       closed_(1024, 0) {
   route_.start = root;
-  open({root, {}, 0.0, -1});
+  open({root, {std::isnan(gears.before.curvature) ? 0.0 : gears.before.curvature, 0.0}, 0.0, -1});
 }
 
 // Never 0, which marks a free slot.
@@ -48,9 +50,10 @@ std::uint64_t Lattice::key_of(const Node& node) const {
   key = (key << 12) | (static_cast<std::uint64_t>(heading) & 0xfffU);
   const bool reverse = !connector_.rule().is_length() && node.segment.length < 0.0;
   key = (key << 1) | (reverse ? 1U : 0U);
-  if (connector_.rule().curvature_change_cost == 0.0) return key;
-  const double curvature = node.segment.curvature;
-  return (key << 2) | (curvature > 0.0 ? 2U : curvature < 0.0 ? 1U : 0U);
+  const bool is_continuous = connector_.continuous() != nullptr;
+  if (connector_.rule().curvature_change_cost == 0.0 && !is_continuous) return key;
+  const double curvature = last_driven(node.segment).curvature;
+  return (key << 2) | (is_straight(curvature) ? 0U : curvature > 0.0 ? 2U : 1U);
 }
 
 bool Lattice::is_closed(std::uint64_t key) const {
@@ -60,7 +63,7 @@ bool Lattice::is_closed(std::uint64_t key) const {
 }
 
 Driven Lattice::driven_to(const Node& node) const {
-  if (node.parent < 0) return connector_.rule().initial_gear;
+  if (node.parent < 0) return gears_.before;
   return last_driven(node.segment);
 }
 
@@ -104,6 +107,27 @@ void Lattice::open(const Node& node) {
   nodes_.push_back(node);
 }
 
+// Appends a step to the last leg of the route; a leg of continuous curvature ends where another
+// piece may begin.
+void Lattice::append(const Segment& step, const Pose& end) {
+  Leg* leg = route_.legs.empty() ? nullptr : &route_.legs.back();
+  Segment* last = leg == nullptr ? nullptr : &leg->piece.segments[leg->piece.count - 1U];
+  if (last != nullptr && last->curvature == step.curvature && last->curvature_rate == 0.0 &&
+      step.curvature_rate == 0.0 && last->length * step.length > 0) {
+    last->length += step.length;
+  } else {
+    const bool is_whole =
+        connector_.continuous() == nullptr
+            ? leg == nullptr || leg->piece.count == segments_of_leg
+            : leg == nullptr || is_straight(step.curvature) ||
+                  connector_.may_jump(last_driven(*last), {gear_of(step), step.curvature});
+    if (is_whole) leg = &route_.legs.emplace_back();
+    leg->piece.segments[leg->piece.count++] = step;
+  }
+  leg->piece.length += std::abs(step.length);
+  leg->end = end;
+}
+
 // Packs the steps into pieces and appends the last one.
 void Lattice::build_route(std::int32_t node, const Piece& last) {
   std::vector<std::int32_t> branch;
@@ -112,26 +136,30 @@ void Lattice::build_route(std::int32_t node, const Piece& last) {
     branch.push_back(i);
   }
   route_.legs.clear();
+  Pose from = route_.start;
   for (auto i = branch.rbegin(); i != branch.rend(); ++i) {
     const Node& step = nodes_[static_cast<std::size_t>(*i)];
-    if (route_.legs.empty()) route_.legs.push_back({});
-    Piece* piece = &route_.legs.back().piece;
-    Segment* segment = piece->count > 0 ? &piece->segments[piece->count - 1U] : nullptr;
-    if (segment != nullptr && segment->curvature == step.segment.curvature &&
-        segment->length * step.segment.length > 0) {
-      segment->length += step.segment.length;
+    const double end = last_driven(step.segment).curvature;
+    if (step.segment.curvature * end < 0.0 && !is_straight(step.segment.curvature) &&
+        !is_straight(end)) {  // where the wheels are straight another leg begins
+      const double length = std::abs(step.segment.length);
+      const double half = length * step.segment.curvature / (step.segment.curvature - end);
+      const Segment first = part_of(step.segment, 0.0, half);
+      Segment second = part_of(step.segment, half, length);
+      second.curvature = 0.0;
+      append(first, advance(from, first));
+      append(second, step.pose);
     } else {
-      if (piece->count == 5) {
-        route_.legs.push_back({});
-        piece = &route_.legs.back().piece;
-      }
-      piece->segments[piece->count++] = step.segment;
+      append(step.segment, step.pose);
     }
-    piece->length += std::abs(step.segment.length);
-    route_.legs.back().end = step.pose;
+    from = step.pose;
   }
   route_.legs.push_back({last, target_});
   price(connector_, route_);
+}
+
+bool Lattice::is_straight(double curvature) const {
+  return std::abs(curvature) * connector_.radius() < straight_wheels;
 }
 
 // The entry whose turn it is, if that is found out with a few looks at open ground.
@@ -140,7 +168,7 @@ std::optional<Lattice::Entry> Lattice::next() {
     Entry entry = pop();
     if (entry.open_ground > 0.0) return entry;
     const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-    entry.open_ground = connector_.least_cost(node.pose, target_, {driven_to(node), 0});
+    entry.open_ground = connector_.least_cost(node.pose, target_, {driven_to(node), gears_.after});
     if (entry.open_ground <= entry.around) return entry;
     entry.rank = node.cost_to_come + options_.greediness * entry.open_ground;
     if (open_.empty() || open_.front() < entry) return entry;
@@ -154,12 +182,27 @@ std::optional<Lattice::Entry> Lattice::next() {
 bool Lattice::shoot(const Entry& entry) {
   if (entry.around > hopeless_shot * entry.open_ground + cell_) return false;
   const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-  const std::optional<Connection> shot =
-      connector_.connect(node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), 0}});
+  const std::optional<Connection> shot = connector_.connect(
+      node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), gears_.after}});
   if (!shot) return false;
   build_route(entry.node, shot->piece);
   cutoff_ = std::min(cutoff_, route_.cost);
   return true;
+}
+
+// Full lock to one side or straight on, or the clothoid that leads there.
+Segment Lattice::step_from(const Node& node, double side, GearSign direction) const {
+  const double curvature = side / connector_.radius();
+  const Driven before = driven_to(node);
+  if (!connector_.may_jump(before, direction)) {
+    const double now = node.parent < 0 ? node.segment.curvature : before.curvature;
+    const double change = curvature - now;
+    const double rate = connector_.continuous()->curvature_rate();
+    if (!is_straight(change)) {
+      return {now, direction * std::abs(change) / rate, std::copysign(rate, change)};
+    }
+  }
+  return {curvature, direction * (side == 0.0 ? straight_cells * cell_ : step_length_)};
 }
 
 void Lattice::expand(std::int32_t id) {
@@ -167,10 +210,11 @@ void Lattice::expand(std::int32_t id) {
   const bool is_length = connector_.rule().is_length();
   const Driven before = driven_to(node);
   for (const double side : {1.0, 0.0, -1.0}) {
-    for (const double direction : {1.0, -1.0}) {
-      const double stretch = side == 0.0 ? straight_cells * cell_ : step_length_;
-      const Segment segment{side / connector_.radius(), direction * stretch};
+    for (const GearSign direction : {1, -1}) {
+      const Segment segment = step_from(node, side, direction);
+      const double stretch = std::abs(segment.length);
       const bool back = node.parent >= 0 && node.segment.curvature == segment.curvature &&
+                        node.segment.curvature_rate == segment.curvature_rate &&
                         node.segment.length * segment.length < 0;
       if (back) continue;
       Node next{advance(node.pose, segment), segment, 0.0, id};

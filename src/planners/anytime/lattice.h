@@ -2,7 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
 // Which way is there, systematically? A search over arcs and lines of fixed length, one continuous
-// pose per cell (Hybrid A*, Dolgov et al. 2010). Its routes are seeds for the shortener.
+// pose per cell (Hybrid A*, Dolgov et al. 2010). Its routes are seeds for the shortener. Where the
+// curvature is continuous, clothoids lead from lock to lock, and a cell is one for each of them.
 
 #include <optional>
 #include <vector>
@@ -24,10 +25,10 @@ struct LatticeOptions {
   bool overlooks_clearance = false;
 };
 
-/// One search from `root` to `target`.
+/// One search from `root` to `target`; what is driven before and after it are its gears.
 class Lattice {
  public:
-  Lattice(const Pose& root, const Pose& target, const LatticeOptions& options,
+  Lattice(const Pose& root, const Pose& target, const Gears& gears, const LatticeOptions& options,
           const GridDistance& guide, Connector& connector);
 
   /// Expands one pose. True when a route was found that is cheaper than those before: `route`.
@@ -62,6 +63,7 @@ class Lattice {
 
   [[nodiscard]] std::uint64_t key_of(const Node& node) const;
   [[nodiscard]] Driven driven_to(const Node& node) const;
+  [[nodiscard]] Segment step_from(const Node& node, double side, GearSign direction) const;
   void open(const Node& node);
   void push(const Entry& entry);
   [[nodiscard]] Entry pop();
@@ -72,12 +74,15 @@ class Lattice {
   bool close(std::uint64_t key);
   [[nodiscard]] bool is_closed(std::uint64_t key) const;
   void grow_table();
+  [[nodiscard]] bool is_straight(double curvature) const;
+  void append(const Segment& step, const Pose& end);
   void build_route(std::int32_t node, const Piece& last);
 
   Connector& connector_;
   const GridDistance& guide_;
   LatticeOptions options_;
   Pose target_;
+  Gears gears_;
   double cutoff_;
   double step_length_;
   double cell_;

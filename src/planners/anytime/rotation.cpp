@@ -39,8 +39,13 @@ CostRule priced(CostRule rule, double price) {
 }  // namespace
 
 Rotation::Rotation(const Task& task, const CostRule& rule, const Pose& root, const Pose& target,
-                   const GridDistance& guide)
-    : root_(root), target_(target), guide_(guide), joined_(first_joined), turn_(first_turn) {
+                   const Gears& gears, const GridDistance& guide)
+    : root_(root),
+      target_(target),
+      gears_(gears),
+      guide_(guide),
+      joined_(first_joined),
+      turn_(first_turn) {
   for (const Style& style : styles) {
     searches_.push_back(std::make_unique<Search>(task, priced(rule, style.price)));
   }
@@ -59,8 +64,8 @@ bool Rotation::begin_turn() {
     if (search.done) continue;
     left_ = turn_;
     if (!search.lattice) {
-      search.lattice = std::make_unique<Lattice>(root_, target_, styles[current_].lattice, guide_,
-                                                 search.connector);
+      search.lattice = std::make_unique<Lattice>(root_, target_, gears_, styles[current_].lattice,
+                                                 guide_, search.connector);
       if (current_ == 0) left_ = first_of_all;
     }
     return true;

@@ -28,7 +28,9 @@ Shortener::Place Shortener::random_place() {
   while (leg + 1 < route_.legs.size() && s > route_.legs[leg].piece.length) {
     s -= route_.legs[leg++].piece.length;
   }
-  return {leg, std::min(s, route_.legs[leg].piece.length)};
+  const Piece& piece = route_.legs[leg].piece;
+  s = std::min(s, piece.length);
+  return {leg, connector_.continuous() != nullptr ? nearest_cut(piece, s, connector_.radius()) : s};
 }
 
 Pose Shortener::pose_at(const Place& place) const {
@@ -109,7 +111,9 @@ bool Shortener::shortcut() {
                     tail.count > 0 ? first_driven(tail) : old.gears.after};
   trial_.clear();
   if (head.count > 0) trial_.push_back({head, from});
-  trial_.push_back({connector_.steer(from, to, gears, old.cost - kept), to});
+  const std::optional<Piece> piece = connector_.steer(from, to, gears, old.cost - kept);
+  if (!piece) return false;
+  trial_.push_back({*piece, to});
   if (tail.count > 0) trial_.push_back({tail, route_.legs[b.leg].end});
   return replace(old, std::span(trial_).subspan(head.count > 0 ? 1 : 0, 1));
 }
@@ -121,12 +125,15 @@ bool Shortener::drop_via() {
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
   const Pose& to = route_.legs[i + 1].end;
   const Stretch old = stretch(i, i + 2);
-  trial_.assign(1, {connector_.steer(route_.begin_of(i), to, old.gears, old.cost), to});
+  const std::optional<Piece> piece = connector_.steer(route_.begin_of(i), to, old.gears, old.cost);
+  if (!piece) return false;
+  trial_.assign(1, {*piece, to});
   return replace(old, trial_);
 }
 
-// Drives the stretch by way of another pose.
-bool Shortener::replace_by_way_of(const Pose& via, const Stretch& old) {
+// Drives the stretch by way of another pose. Where the curvature is continuous, the gear changes
+// there if `cusp` is the gear driven then.
+bool Shortener::replace_by_way_of(const Pose& via, const Stretch& old, GearSign cusp) {
   const Pose& from = route_.begin_of(old.first);
   const Pose& to = route_.legs[old.last - 1].end;
   double left = old.cost;
@@ -134,11 +141,17 @@ bool Shortener::replace_by_way_of(const Pose& via, const Stretch& old) {
     left -= connector_.least_cost(via, to, {0, old.gears.after});
     if (left <= 0.0) return false;
   }
-  trial_.assign(1, {connector_.steer(from, via, {old.gears.before, 0}, left), via});
+  const Driven next = connector_.continuous() != nullptr ? cusp : 0;
+  const std::optional<Piece> first = connector_.steer(from, via, {old.gears.before, next}, left);
+  if (!first) return false;
+  trial_.assign(1, {*first, via});
   const Driven between = last_driven(trial_[0].piece);
   const double spent = connector_.cost(trial_[0].piece, {old.gears.before, 0});
   if (!connector_.rule().is_length() && spent >= left) return false;
-  trial_.push_back({connector_.steer(via, to, {between, old.gears.after}, old.cost - spent), to});
+  const std::optional<Piece> second =
+      connector_.steer(via, to, {between, old.gears.after}, old.cost - spent);
+  if (!second) return false;
+  trial_.push_back({*second, to});
   return replace(old, trial_);
 }
 
@@ -148,14 +161,16 @@ bool Shortener::move_via() {
   if (legs < 2) return move_place();
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
   const Pose via = perturbed(route_.legs[i].end);
-  return replace_by_way_of(via, stretch(i, i + 2));
+  const GearSign before = last_driven(route_.legs[i].piece).gear;
+  const GearSign after = first_driven(route_.legs[i + 1].piece).gear;
+  return replace_by_way_of(via, stretch(i, i + 2), after == -before ? after : 0);
 }
 
 // Makes a via pose beside a place of the route.
 bool Shortener::move_place() {
   const Place place = random_place();
   const Pose via = perturbed(pose_at(place));
-  return replace_by_way_of(via, stretch(place.leg, place.leg + 1));
+  return replace_by_way_of(via, stretch(place.leg, place.leg + 1), 0);
 }
 
 bool Shortener::step() {

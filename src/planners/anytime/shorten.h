@@ -49,7 +49,7 @@ class Shortener {
   bool move_place();
   [[nodiscard]] double cost_of_legs(std::span<const Leg> legs, const Gears& gears) const;
   [[nodiscard]] Stretch stretch(std::size_t first, std::size_t last) const;
-  bool replace_by_way_of(const Pose& via, const Stretch& old);
+  bool replace_by_way_of(const Pose& via, const Stretch& old, GearSign cusp);
   [[nodiscard]] bool stays_cheaper(Pose from, double gain);
   bool replace(const Stretch& old, std::span<const Leg> fresh);
 

@@ -30,6 +30,16 @@ CostRule rule_from(const CostRule& rule, Root root) {
   return root == Root::start ? rule : reversed(rule, 0);
 }
 
+/// What is driven before the first end of a search, and after the last one.
+Gears gears_at_ends(const Task& task, const CostRule& rule, Root root) {
+  Gears gears{rule.initial_gear, 0};
+  if (task.steering != Steering::continuous) return gears;
+  gears.before.curvature = task.curvatures.start;
+  gears.after.curvature = task.curvatures.goal;
+  if (root == Root::goal) std::swap(gears.before.curvature, gears.after.curvature);
+  return gears;
+}
+
 }  // namespace
 
 Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
@@ -59,7 +69,9 @@ void Ladder::next_search() {
     finished_ = true;
     return;
   }
-  lattice_.emplace(from_, to_, searches[level_], *guide_, minds_prices_ ? by_price_ : by_length_);
+  Connector& connector = minds_prices_ ? by_price_ : by_length_;
+  lattice_.emplace(from_, to_, gears_at_ends(task_, connector.rule(), root_), searches[level_],
+                   *guide_, connector);
   ++level_;
 }
 
@@ -103,7 +115,8 @@ bool Ladder::step_rotation() {
       next_guide();
       return false;
     }
-    rotation_.emplace(task_, by_price_.rule(), from_, to_, *guide_);
+    const Gears gears = gears_at_ends(task_, by_price_.rule(), root_);
+    rotation_.emplace(task_, by_price_.rule(), from_, to_, gears, *guide_);
   }
   const bool found = rotation_->step(cutoff_);
   finished_ = rotation_->is_finished();

@@ -76,7 +76,8 @@ void TwoTrees::rank(const Tree& tree, const Pose& target) {
   }
   nearest_.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    nearest_.push_back({best[i].id, connector_.steer(tree.pose(best[i].id), target, {})});
+    const std::optional<Piece> piece = connector_.steer(tree.pose(best[i].id), target);
+    if (piece) nearest_.push_back({best[i].id, *piece});
   }
   std::sort(nearest_.begin(), nearest_.end(), [](const Edge& a, const Edge& b) {
     return a.piece.length != b.piece.length ? a.piece.length < b.piece.length : a.from < b.from;
@@ -91,6 +92,7 @@ NodeId TwoTrees::add(Side& side, NodeId parent, const Piece& piece, const Pose& 
 // Drives from the nearest node towards the target as far as it is free; -1 when that is nowhere.
 NodeId TwoTrees::extend(Side& side, const Pose& target) {
   rank(side.tree, target);
+  if (nearest_.empty()) return -1;
   const auto [from, piece] = nearest_.front();
   const Pose& pose = side.tree.pose(from);
   if (connector_.is_free(pose, piece)) return add(side, from, piece, target);
@@ -154,8 +156,8 @@ std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const Pose& targ
   }
   for (const NodeId id : ids) {
     if (id < 0) break;
-    const Piece piece = connector_.steer(tree.pose(id), target, {});
-    if (connector_.is_free(tree.pose(id), piece)) return Edge{id, piece};
+    const std::optional<Piece> piece = connector_.steer(tree.pose(id), target);
+    if (piece && connector_.is_free(tree.pose(id), *piece)) return Edge{id, *piece};
   }
   return std::nullopt;
 }
@@ -182,6 +184,7 @@ bool TwoTrees::step_near() {
   const NodeId node = extend(sides_[side], target);
   if (node < 0) return false;
   if (connect(side, node)) return true;
+  if (nearest_.empty()) return false;
   // The edge of the other tree that came nearest: drive it as far as it is free.
   Side& other = sides_[1 - side];
   const auto [from, piece] = nearest_.front();
