@@ -7,13 +7,13 @@
 #include <limits>
 #include <utility>
 
-#include "collision/clothoid_arcs.h"
+#include "collision/clothoid_part.h"
 #include "collision/ground.h"
 #include "collision/sweep.h"
 
 namespace vandplan {
 
-using collision::ClothoidArcs, collision::DiscRows, collision::Obstacles, collision::Placement,
+using collision::ClothoidPart, collision::DiscRows, collision::Obstacles, collision::Placement,
     collision::placement_of;
 using collision::PlacedSegment, collision::Sides, collision::Sweep;
 
@@ -128,6 +128,7 @@ struct CollisionChecker::Data {
   }
 
   [[nodiscard]] bool keeps_margin(const PlacedSegment& placed) const noexcept;
+  [[nodiscard]] bool crosses_nothing(const ClothoidPart& part, double reach) const noexcept;
   [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept;
 };
 
@@ -147,21 +148,38 @@ bool CollisionChecker::Data::keeps_margin(const PlacedSegment& placed) const noe
   return keeps_margin(placed.part(0, half)) && keeps_margin(placed.part(half, placed.length));
 }
 
+/// Whether a part of a clothoid touches no side and keeps to the bounds: an arc in its place does,
+/// with as much around it as it is off; or both halves do.
+bool CollisionChecker::Data::crosses_nothing(const ClothoidPart& part,
+                                             double reach) const noexcept {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr Bounds everywhere{-infinity, infinity, -infinity, infinity};
+  if (part.is_simple()) {
+    const PlacedSegment arc = part.arc();
+    const double off = part.deviation(reach);
+    // The box of the arc does not count: the axle is held to the bounds on the clothoid itself.
+    if (off <= collision::arc_deviation) {
+      return part.keeps_to(ground->bounds) && crosses_nothing(arc, everywhere);
+    }
+    const auto& [x_min, x_max, y_min, y_max] = arc.axle_box();
+    if (holds(ground->bounds, {x_min - off, x_max + off, y_min - off, y_max + off})) {
+      const double distance = margin.wanted + off;
+      if (keeps(distance, DiscRows(body, distance), arc)) return true;
+    }
+  }
+  const auto [first, second] = part.halves();
+  return crosses_nothing(first, reach) && crosses_nothing(second, reach);
+}
+
 /// Whether a clothoid touches no side and keeps to the bounds; `placement` goes on to its end. Out
 /// of line, so that arcs and lines do not pay for it.
 [[gnu::noinline, gnu::cold]] bool CollisionChecker::Data::crosses_nothing(
     Placement& placement, const Segment& clothoid) const noexcept {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr Bounds everywhere{-infinity, infinity, -infinity, infinity};
   const double reach = std::max(reach_of(body), reach_of(wheels));
-  // The boxes of the arcs do not count: the axle is held to the bounds on the clothoid itself.
-  ClothoidArcs arcs(placement, clothoid, reach);
-  if (!contains(ground->bounds, placement.position) || arcs.are_too_many()) return false;
-  for (; !arcs.is_done(); arcs.advance()) {
-    if (!arcs.keeps_to(ground->bounds) || !crosses_nothing(arcs.arc(), everywhere)) return false;
-  }
-  placement = arcs.here();
-  return true;
+  const ClothoidPart whole(placement, clothoid);
+  if (!contains(ground->bounds, placement.position) || whole.is_too_long(reach)) return false;
+  placement = whole.to();
+  return crosses_nothing(whole, reach);
 }
 
 double Margin::least() const noexcept {
