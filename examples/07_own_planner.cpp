@@ -47,7 +47,7 @@ PlannerAnswer grow(const Task& task, const PlanOptions& options) {
     answer.segments.emplace();
     const std::vector<Pose> poses = tree.branch(node);
     for (std::size_t i = 1; i < poses.size(); ++i) {
-      const Piece piece = connector.steer(poses[i - 1], poses[i]);
+      const Piece piece = *connector.steer(poses[i - 1], poses[i]);
       answer.segments->insert(answer.segments->end(), piece.view().begin(), piece.view().end());
     }
     break;

@@ -132,7 +132,7 @@ TEST(Detours, FindAnotherWayBetweenTwoPlacesOfARoute) {
     Route route{problem.start(), {}, 0.0};
     for (const Pose& via : {Pose{80, 0, 0}, Pose{80, 20, pi}, problem.goal()}) {
       const Pose from = route.legs.empty() ? route.start : route.legs.back().end;
-      route.legs.push_back({connector.steer(from, via), via});
+      route.legs.push_back({*connector.steer(from, via), via});
     }
     route.cost = cost_of(rule, route);
     expect_valid(problem, rule, route);
@@ -177,8 +177,8 @@ TEST(Shortener, OnOpenGroundItFindsTheShortestPath) {
     Connector connector(problem.task());
     const Pose via = uniform_pose({-30, 30, -30, 30}, rng);
     Route route{problem.start(), {}, 0.0};
-    route.legs.push_back({connector.steer(problem.start(), via), via});
-    route.legs.push_back({connector.steer(via, problem.goal()), problem.goal()});
+    route.legs.push_back({*connector.steer(problem.start(), via), via});
+    route.legs.push_back({*connector.steer(via, problem.goal()), problem.goal()});
     route.cost = cost_of({}, route);
     Shortener shortener(connector, route, rng());
     for (int i = 0; i < 200; ++i) shortener.step();

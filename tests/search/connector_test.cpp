@@ -42,7 +42,7 @@ TEST(Connector, NoWordCostsLessThanTheLeastCost) {
     for (const Piece& word : {forward, reverse}) {
       EXPECT_GE(connector.cost(word, gears), least - 1e-9);
     }
-    EXPECT_GE(least, connector.least_length(from, to) - 1e-9);
+    EXPECT_GE(least, reeds_shepp_length(from, to, connector.radius()) - 1e-9);
   });
 }
 
@@ -62,9 +62,9 @@ TEST(Connector, ACutoffHidesNoWordThatCostsLess) {
     const Problem problem = problem_of(from, {0, 0, 0}, {});
     Connector connector(problem.task(), random_rule(rng));
     const Gears gears{random_gear(rng), random_gear(rng)};
-    const double cost = connector.cost(connector.steer(from, to, gears), gears);
+    const double cost = connector.cost(*connector.steer(from, to, gears), gears);
     const double cutoff = cost * uniform(0.5, 2.0, rng);
-    const double below = connector.cost(connector.steer(from, to, gears, cutoff), gears);
+    const double below = connector.cost(*connector.steer(from, to, gears, cutoff), gears);
     if (cost < cutoff) {
       EXPECT_NEAR(below, cost, 1e-5);  // among words that cost alike the one of fewer segments
     } else {

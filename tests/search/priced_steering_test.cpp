@@ -85,7 +85,7 @@ void expect_no_dearer(const Pose& start, const Piece& word, const Pose& goal,
   const Problem problem = problem_of(start, goal, {});
   Connector connector(problem.task(), rule);
   const search::Gears gears{rule.initial_gear, 0};
-  const Piece piece = connector.steer(start, goal, gears);
+  const Piece piece = *connector.steer(start, goal, gears);
   EXPECT_LE(connector.cost(piece, gears), connector.cost(word, gears) + 2e-4)
       << as_code(word.view()) << " to " << as_code(goal);
   EXPECT_TRUE(ends_within(end_of(start, piece), goal, {0.9e-6, 0.9e-6})) << as_code(word.view());
@@ -143,7 +143,7 @@ TEST(PricedSteering, EndsOnTheWayButForRounding) {
       const Pose from = uniform_pose({-100, 100, -100, 100}, rng);
       const Pose exact = end_of(from, degenerate(random_word(rng), rng));
       const Pose to = rng() % 2 == 0 ? exact : moved(exact, rng);
-      const Pose end = end_of(from, connector.steer(from, to));
+      const Pose end = end_of(from, *connector.steer(from, to));
       EXPECT_TRUE(ends_within(end, to, {1e-9, 1e-11})) << as_code(from) << " to " << as_code(to);
     }
   });
@@ -161,7 +161,7 @@ TEST(PricedSteering, GoesOnAlongAWordThatWasCut) {
     double cost = 0.0;
     for (int i = 1; i <= 50; ++i) {
       const Pose next = end_of({}, search::prefix(word, word.length * i / 50));
-      const Piece piece = connector.steer(pose, next);
+      const Piece piece = *connector.steer(pose, next);
       cost += connector.cost(piece, {1, 1});
       for (const Segment& segment : piece.view()) pose = advance(pose, segment);
       EXPECT_TRUE(ends_within(pose, next, {1e-9, 1e-11}));

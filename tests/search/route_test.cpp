@@ -27,7 +27,7 @@ Route random_route(Rng& rng) {
   Pose at = route.start;
   for (int leg = 0; leg < 4; ++leg) {
     const Pose next = uniform_pose(region, rng);
-    route.legs.push_back({connector.steer(at, next), next});
+    route.legs.push_back({*connector.steer(at, next), next});
     at = next;
   }
   return route;

@@ -10,14 +10,22 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double hopeless_shot = 1.2;   // ways around that are longer than the shot by this
-constexpr double guide_trust = 0.9;     // of a way around on the grid, which is no bound
-constexpr double straight_cells = 1.5;  // length of a straight step: it leaves its cell
-constexpr int looks = 8;                // at open ground, for one entry
-constexpr int segments_of_leg = 5;      // of arcs and lines
+constexpr double hopeless_shot = 1.2;       // ways around that are longer than the shot by this
+constexpr double guide_trust = 0.9;         // of a way around on the grid, which is no bound
+constexpr double straight_cells = 1.5;      // length of a straight step: it leaves its cell
+constexpr int looks = 8;                    // at open ground, for one entry
+constexpr std::size_t segments_of_leg = 5;  // of arcs and lines
+constexpr int most_locks = 8;               // to either side
 
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
+}
+
+/// As many locks to either side as make the clothoid from one to the next about a step long.
+int locks_for(const Connector& connector, double step) {
+  if (connector.continuous() == nullptr) return 1;
+  const double clothoid = 1 / (connector.radius() * connector.continuous()->curvature_rate());
+  return static_cast<int>(std::clamp(std::round(clothoid / step), 1.0, double{most_locks}));
 }
 
 }  // namespace
@@ -32,6 +40,7 @@ Lattice::Lattice(const Pose& root, const Pose& target, const Gears& gears,
       cutoff_(std::numeric_limits<double>::infinity()),
       step_length_(2 * std::numbers::pi / options.headings * connector.radius()),
       cell_(options.cell * connector.radius()),
+      locks_(locks_for(connector, step_length_)),
       closed_(1024, 0) {
   route_.start = root;
   open({root, {std::isnan(gears.before.curvature) ? 0.0 : gears.before.curvature, 0.0}, 0.0, -1});
@@ -52,8 +61,8 @@ std::uint64_t Lattice::key_of(const Node& node) const {
   key = (key << 1) | (reverse ? 1U : 0U);
   const bool is_continuous = connector_.continuous() != nullptr;
   if (connector_.rule().curvature_change_cost == 0.0 && !is_continuous) return key;
-  const double curvature = last_driven(node.segment).curvature;
-  return (key << 2) | (is_straight(curvature) ? 0U : curvature > 0.0 ? 2U : 1U);
+  const int lock = lock_of(last_driven(node.segment).curvature);
+  return (key << 5) | static_cast<std::uint64_t>(lock + most_locks);
 }
 
 bool Lattice::is_closed(std::uint64_t key) const {
@@ -116,11 +125,12 @@ void Lattice::append(const Segment& step, const Pose& end) {
       step.curvature_rate == 0.0 && last->length * step.length > 0) {
     last->length += step.length;
   } else {
+    const bool is_continuous = connector_.continuous() != nullptr;
+    const std::size_t most = is_continuous ? Piece{}.segments.size() : segments_of_leg;
     const bool is_whole =
-        connector_.continuous() == nullptr
-            ? leg == nullptr || leg->piece.count == segments_of_leg
-            : leg == nullptr || is_straight(step.curvature) ||
-                  connector_.may_jump(last_driven(*last), {gear_of(step), step.curvature});
+        leg == nullptr || leg->piece.count == most ||
+        (is_continuous &&
+         (is_straight(step.curvature) || connector_.may_jump(last_driven(*last), gear_of(step))));
     if (is_whole) leg = &route_.legs.emplace_back();
     leg->piece.segments[leg->piece.count++] = step;
   }
@@ -136,23 +146,9 @@ void Lattice::build_route(std::int32_t node, const Piece& last) {
     branch.push_back(i);
   }
   route_.legs.clear();
-  Pose from = route_.start;
   for (auto i = branch.rbegin(); i != branch.rend(); ++i) {
     const Node& step = nodes_[static_cast<std::size_t>(*i)];
-    const double end = last_driven(step.segment).curvature;
-    if (step.segment.curvature * end < 0.0 && !is_straight(step.segment.curvature) &&
-        !is_straight(end)) {  // where the wheels are straight another leg begins
-      const double length = std::abs(step.segment.length);
-      const double half = length * step.segment.curvature / (step.segment.curvature - end);
-      const Segment first = part_of(step.segment, 0.0, half);
-      Segment second = part_of(step.segment, half, length);
-      second.curvature = 0.0;
-      append(first, advance(from, first));
-      append(second, step.pose);
-    } else {
-      append(step.segment, step.pose);
-    }
-    from = step.pose;
+    append(step.segment, step.pose);
   }
   route_.legs.push_back({last, target_});
   price(connector_, route_);
@@ -190,28 +186,42 @@ bool Lattice::shoot(const Entry& entry) {
   return true;
 }
 
-// Full lock to one side or straight on, or the clothoid that leads there.
-Segment Lattice::step_from(const Node& node, double side, GearSign direction) const {
-  const double curvature = side / connector_.radius();
+// Full lock to one side or straight on; or, where the curvature may not jump, as it is, and a
+// clothoid to the next lock to either side.
+std::optional<Segment> Lattice::step_from(const Node& node, int side, GearSign direction) const {
+  const double arc = direction * step_length_;
+  const double line = direction * straight_cells * cell_;
   const Driven before = driven_to(node);
-  if (!connector_.may_jump(before, direction)) {
-    const double now = node.parent < 0 ? node.segment.curvature : before.curvature;
-    const double change = curvature - now;
-    const double rate = connector_.continuous()->curvature_rate();
-    if (!is_straight(change)) {
-      return {now, direction * std::abs(change) / rate, std::copysign(rate, change)};
-    }
+  if (connector_.may_jump(before, direction)) {
+    return Segment{side / connector_.radius(), side == 0 ? line : arc};
   }
-  return {curvature, direction * (side == 0.0 ? straight_cells * cell_ : step_length_)};
+  const double now = node.parent < 0 ? node.segment.curvature : before.curvature;
+  const int lock = lock_of(now);
+  const int next = std::clamp(lock + side, -locks_, locks_);
+  const double wanted = next / (locks_ * connector_.radius());
+  const double change = wanted - now;
+  if (is_straight(change)) {
+    if (side != 0) return std::nullopt;
+    return Segment{wanted, next == 0 ? line : arc};
+  }
+  const double rate = connector_.continuous()->curvature_rate();
+  return Segment{now, direction * std::abs(change) / rate, std::copysign(rate, change)};
+}
+
+// The nearest lock: `locks_` is full lock to the left.
+int Lattice::lock_of(double curvature) const {
+  return static_cast<int>(std::lround(curvature * connector_.radius() * locks_));
 }
 
 void Lattice::expand(std::int32_t id) {
   const Node node = nodes_[static_cast<std::size_t>(id)];
   const bool is_length = connector_.rule().is_length();
   const Driven before = driven_to(node);
-  for (const double side : {1.0, 0.0, -1.0}) {
+  for (const int side : {1, 0, -1}) {
     for (const GearSign direction : {1, -1}) {
-      const Segment segment = step_from(node, side, direction);
+      const std::optional<Segment> step = step_from(node, side, direction);
+      if (!step) continue;
+      const Segment& segment = *step;
       const double stretch = std::abs(segment.length);
       const bool back = node.parent >= 0 && node.segment.curvature == segment.curvature &&
                         node.segment.curvature_rate == segment.curvature_rate &&

@@ -63,7 +63,9 @@ class Lattice {
 
   [[nodiscard]] std::uint64_t key_of(const Node& node) const;
   [[nodiscard]] Driven driven_to(const Node& node) const;
-  [[nodiscard]] Segment step_from(const Node& node, double side, GearSign direction) const;
+  [[nodiscard]] std::optional<Segment> step_from(const Node& node, int side,
+                                                 GearSign direction) const;
+  [[nodiscard]] int lock_of(double curvature) const;
   void open(const Node& node);
   void push(const Entry& entry);
   [[nodiscard]] Entry pop();
@@ -86,6 +88,7 @@ class Lattice {
   double cutoff_;
   double step_length_;
   double cell_;
+  int locks_;  // to either side of straight; more than one where the curvature is continuous
   std::vector<Node> nodes_;
   std::vector<Entry> open_;
   std::vector<std::uint64_t> closed_;  // open addressing; 0 is free
