@@ -113,7 +113,7 @@ void Connector::find_ends(const Pose& pose, const Driven& beside, std::vector<En
 
 std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& to,
                                                  const Gears& gears, double cutoff) {
-  if (from == to) return std::nullopt;
+  if (from == to || reeds_shepp_length(from, to, radius_) >= cutoff) return std::nullopt;
   find_ends(from, gears.before, starts_);
   find_ends(to, gears.after, goals_);
   std::optional<Piece> best;
