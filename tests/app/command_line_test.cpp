@@ -76,6 +76,7 @@ TEST(PlannersCommand, OnePlannerIsToldWithItsOptions) {
   EXPECT_EQ(text.out.find("reverse_weight"), std::string::npos) << text.out;
   const Json json = Json::parse(run_vandplan({"planners", "rrt-bsc-euc", "--json"}).out);
   EXPECT_EQ(json.at("properties").at("family"), "rrt");
+  EXPECT_EQ(json.at("properties").at("honours_steering"), true);
   EXPECT_EQ(json.at("options").at(0).contains("range"), true);
   EXPECT_EQ(run_vandplan({"planners", "best"}).status, 2);
 }

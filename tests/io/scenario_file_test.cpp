@@ -368,7 +368,7 @@ std::vector<BadFile> bad_files() {
              "4: options.margn: unknown option, expected one of style, seed, time_limit, "
              "max_iterations, threads, target_gap, reverse_weight, gear_change_cost, "
              "curvature_change_cost, clearance_weight, clearance_distance, initial_gear, margin, "
-             "margin_ramp, region, min_stroke"),
+             "margin_ramp, steering, region, min_stroke"),
       spoilt("bounds:", "options: {seed: 7}\nbounds:",
              "4: options.seed: is an option of the budget, expected one of what is planned: --set "
              "seed=7"),
