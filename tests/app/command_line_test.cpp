@@ -113,6 +113,29 @@ TEST_F(DrawCommand, DrawsWhatPlanDraws) {
   EXPECT_TRUE(content_of(drawn) == content_of(planned));
 }
 
+TEST_F(DrawCommand, AStripOfCurvatureIsThereOnRequest) {
+  const std::string result = folder_ / "result.json";
+  const std::string planned = folder_ / "planned.svg";
+  const std::string drawn = folder_ / "drawn.svg";
+  const std::string plain = folder_ / "plain.svg";
+  ASSERT_EQ(run_vandplan({"plan", scenario_, "--max-iterations", "300", "--output", result,
+                          "--draw", planned, "--curvature-strip"})
+                .status,
+            0);
+  ASSERT_EQ(run_vandplan({"draw", scenario_, result, "-o", plain}).status, 0);
+  ASSERT_EQ(run_vandplan({"draw", scenario_, result, "-o", drawn, "--curvature-strip"}).status, 0);
+  EXPECT_TRUE(content_of(drawn) == content_of(planned));
+  EXPECT_GT(content_of(drawn).size(), content_of(plain).size());
+
+  EXPECT_EQ(run_vandplan({"draw", scenario_, "-o", drawn, "--curvature-strip"}).status, 2);
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5, heading: 0}",
+                                    "goals: [{distance: 1, goal: {x: 20, y: 5, heading: 0}}]"));
+  const Outcome row = run_vandplan({"plan", scenario_, "--draw", drawn, "--curvature-strip"});
+  EXPECT_EQ(row.status, 2);
+  EXPECT_EQ(row.err,
+            "vandplan: --curvature-strip: is for one path, the scenario has a row of goals\n");
+}
+
 TEST_F(DrawCommand, NothingIsDrawnOfBadInput) {
   const std::string file = folder_ / "yard.pdf";
   write_content(scenario_, replaced(yard(), "width: 2.55", "width: wide"));
