@@ -13,8 +13,8 @@ namespace vandplan {
 
 /// What is done to a path.
 enum class SmoothMethod : std::uint8_t {
-  clothoids,  ///< joints become clothoids; the path stays where it was, as nearly as it can
-  optimised,  ///< and then it is made cheaper for as long as the budget lasts
+  clothoids,  ///< joints become clothoids; what that makes longer is shortened for a moment
+  optimised,  ///< all of it is made cheaper for as long as the budget lasts
 };
 
 /// "clothoids" or "optimised". Throws InputError naming "method" for another name.

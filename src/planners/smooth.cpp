@@ -20,7 +20,8 @@ using namespace search;
 
 constexpr std::array<std::string_view, 2> method_names = {"clothoids", "optimised"};
 constexpr std::int64_t most_repairs = 20'000;
-constexpr double sideways = 0.3;  // of trials that bring nothing, those that are kept
+constexpr std::int64_t settling = 1000;  // trials that take out what repairs made longer
+constexpr double sideways = 0.3;         // of trials that bring nothing, those that are kept
 
 /// A place of the old path where the wheels are straight or the gear changes.
 struct Via {
@@ -234,7 +235,8 @@ PlannerAnswer smoothed(const Task& task, const PlanOptions& options, const Path&
       take(path_of(route).segments, route.cost);
     };
     offer();
-    while (method == SmoothMethod::optimised && budget.next()) {  // [4]
+    for (std::int64_t i = 0; method == SmoothMethod::optimised || i < settling; ++i) {  // [4]
+      if (!budget.next()) break;
       if (shortener.step()) offer();
     }
   }
