@@ -27,6 +27,7 @@ void add_draw(CLI::App& vandplan, int& status);
 void add_evaluate(CLI::App& vandplan, int& status);
 void add_plan(CLI::App& vandplan, int& status);
 void add_planners(CLI::App& vandplan, int& status);
+void add_smooth(CLI::App& vandplan, int& status);
 void add_speed(CLI::App& vandplan, int& status);
 void add_study(CLI::App& vandplan, int& status);
 void add_table(CLI::App& vandplan, int& status);
