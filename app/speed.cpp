@@ -132,7 +132,7 @@ double highest_speed(const SpeedProfile& profile) {
   return highest;
 }
 
-nlohmann::ordered_json json_of(const Choice& choice, const SpeedProfile& profile) {
+nlohmann::ordered_json speed_json(const Choice& choice, const SpeedProfile& profile) {
   const Stretch longest = longest_stretch(profile);
   nlohmann::ordered_json json = {
       {"scenario", choice.record.scenario},
@@ -221,7 +221,7 @@ int run(const SpeedArguments& arguments) {
   if (!verdict.valid) return refuse(choice, "invalid: " + verdict.reason, arguments);
   const Vehicle& vehicle = choice.problem.vehicle();
   const SpeedProfile profile = speed_profile(*path, vehicle);
-  nlohmann::ordered_json json = json_of(choice, profile);
+  nlohmann::ordered_json json = speed_json(choice, profile);
   if (arguments.output) {
     if (profile.duration / arguments.step > most_rows) {
       throw InputError("--output", fmt::format("would have more than {} rows", most_rows));

@@ -37,7 +37,7 @@ Bounds bounds_from(const Document& file, const Node& node) {
   return {x.x, x.y, y.x, y.y};
 }
 
-Pose pose_from(const Document& file, const Node& node) {
+Pose lone_pose(const Document& file, const Node& node) {
   file.allow_only(node, {"x", "y", "heading"});
   return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
           file.number(file.at(node, "heading"))};
@@ -69,7 +69,7 @@ std::vector<RowGoal> row_from(const Document& file, const Node& node) {
     file.allow_only(item, {"distance", "goal", "obstacles"});
     RowGoal& goal = row.emplace_back();
     goal.distance = file.number(file.at(item, "distance"));
-    goal.goal = pose_from(file, file.at(item, "goal"));
+    goal.goal = lone_pose(file, file.at(item, "goal"));
     if (const Node* const obstacles = file.find(item, "obstacles")) {
       goal.obstacles = polygons_from(file, *obstacles);
     }
@@ -176,9 +176,9 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     scenario.description = file.text(*description);
   }
   scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"));
-  scenario.start = pose_from(file, file.at(root, "start"));
+  scenario.start = lone_pose(file, file.at(root, "start"));
   if (goals != nullptr) result.row = row_from(file, *goals);
-  scenario.goal = goals != nullptr ? result.row.front().goal : pose_from(file, *goal);
+  scenario.goal = goals != nullptr ? result.row.front().goal : lone_pose(file, *goal);
   read_ground(file, where, map, scenario);
   if (const Node* const options = file.find(root, "options")) {
     result.options = settings_from(file, *options);
