@@ -46,7 +46,8 @@ OptionText option_text(const CommonOption& option) {
 }
 
 OptionText option_text(const OptionInfo& info) {
-  return {info.name, typed_text(vandplan::json_of(info.standard)), info.summary + "; " + info.range()};
+  return {info.name, typed_text(vandplan::json_of(info.standard)),
+          info.summary + "; " + info.range()};
 }
 
 /// The option of that name, of all planners or of the first that has one of its own.

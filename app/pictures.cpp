@@ -15,8 +15,8 @@
 namespace vandplan::app {
 namespace {
 
-constexpr int picture_width = 1200;       // pixels or points
-constexpr std::size_t room = 48;  // pictures on a sheet of pairs
+constexpr int picture_width = 1200;  // pixels or points
+constexpr std::size_t room = 48;     // pictures on a sheet of pairs
 
 std::string captioned_outcome(const PlanResult& result) {
   if (!result.path) return std::string(name_of(result.status));
@@ -74,7 +74,8 @@ void write_picture(const std::string& file, const ScenarioFile& scenario,
     sheet.drawings.push_back(drawing_of(scenarios.back(), records.empty() ? nullptr : &records[i]));
   }
   const bool one = sheet.drawings.size() == 1;
-  write_file(file, one ? draw(sheet.drawings.front(), format, picture_width) : draw(sheet, format, picture_width));
+  write_file(file, one ? draw(sheet.drawings.front(), format, picture_width)
+                       : draw(sheet, format, picture_width));
 }
 
 DrawnPairs write_picture(const std::string& file, const ScenarioFile& scenario,

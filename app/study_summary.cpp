@@ -14,9 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json pose_json(const Pose& pose) { return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}}; }
+Json pose_json(const Pose& pose) {
+  return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}};
+}
 
-Json detour_json(const Detour& detour) { return {{"mean", detour.mean}, {"largest", detour.largest}}; }
+Json detour_json(const Detour& detour) {
+  return {{"mean", detour.mean}, {"largest", detour.largest}};
+}
 
 Json spread_json(const Spread& spread) {
   Json json = {{"least", spread.least}, {"largest", spread.largest}, {"mean", spread.mean}};

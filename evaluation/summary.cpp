@@ -80,8 +80,8 @@ std::vector<CurvePoint> curve_of(const Runs& runs, const CostUnit& unit,
   for (const double time : times) {
     const std::vector<double> costs =
         values_of(runs, [&](const RunRecord& run) { return cost_at(run, time) / unit(run); });
-    const auto solved =
-        static_cast<int>(std::ranges::count_if(costs, [](double cost) { return cost < unreached; }));
+    const auto solved = static_cast<int>(
+        std::ranges::count_if(costs, [](double cost) { return cost < unreached; }));
     curve.push_back({median_of(costs, confidence), static_cast<double>(solved) / count,
                      share_interval(solved, count, confidence)});
   }
