@@ -203,9 +203,7 @@ void add_check(CLI::App& vandplan, int& status) {
       "Exit status: 0 valid (in a row or of many: one at least, and none is invalid), 1 invalid\n"
       "or no path, 2 bad input or usage.");
   const auto arguments = std::make_shared<CheckArguments>();
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
-      ->required();
-  command->add_option("RESULT", arguments->result, "Result file (JSON or JSON Lines)")->required();
+  add_scenario_and_result(*command, arguments->scenario, arguments->result);
   CLI::Option* const metrics = command->add_flag(
       "--metrics", arguments->metrics,
       "Also what the path is like to drive: share in reverse, turning, curvature changes, time");

@@ -144,8 +144,7 @@ std::string help_on_keys() {
 void add_plan(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand("plan", "Plan a path for a scenario.");
   const auto arguments = std::make_shared<PlanArguments>();
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
-      ->required();
+  add_scenario(*command, arguments->scenario);
   command
       ->add_option("--planner", arguments->planner, "One of those that `vandplan planners` lists")
       ->type_name("NAME")

@@ -255,9 +255,7 @@ void add_speed(CLI::App& vandplan, int& status) {
       "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse, a is its change.\n"
       "Exit status: 0 done, 1 no path or an invalid one, 2 bad input or usage.");
   const auto arguments = std::make_shared<SpeedArguments>();
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
-      ->required();
-  command->add_option("RESULT", arguments->result, "Result file (JSON or JSON Lines)")->required();
+  add_scenario_and_result(*command, arguments->scenario, arguments->result);
   command->add_option("-o,--output", arguments->output, "The drive over time (.csv), - prints it")
       ->type_name("FILE");
   command
