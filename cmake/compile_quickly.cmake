@@ -19,3 +19,25 @@ function(vandplan_compile_together target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   endif()
 endfunction()
+
+# With VANDPLAN_PCH, these headers of the standard library are read once for all files of a target,
+# and further ones that are named.
+function(vandplan_precompile_headers target)
+  if(VANDPLAN_PCH)
+    target_precompile_headers(
+      ${target}
+      PRIVATE
+      <algorithm>
+      <array>
+      <cmath>
+      <functional>
+      <limits>
+      <memory>
+      <numbers>
+      <optional>
+      <span>
+      <string>
+      <vector>
+      ${ARGN})
+  endif()
+endfunction()
