@@ -46,8 +46,8 @@ ResultRecord smoothed(const Problem& problem, ResultRecord record, SmoothMethod 
   return record;
 }
 
-void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& before,
-                   const std::vector<ResultRecord>& after) {
+void print_smoothed(const ScenarioFile& file, const std::vector<ResultRecord>& before,
+                    const std::vector<ResultRecord>& after) {
   fmt::print("{}, {}\n", printable(file.scenario.name), after.front().planner);
   for (std::size_t i = 0; i < after.size(); ++i) {
     const PlanResult& result = after[i].result;
@@ -61,13 +61,6 @@ void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& be
                100 * (result.check->length / length - 1), result.iterations,
                seconds_text(result.time_total));
   }
-}
-
-void write_results(const std::string& output, const ScenarioFile& file,
-                   const std::vector<ResultRecord>& records) {
-  FileWriter writer(output);
-  vandplan::write_results(file, records, [&](std::string_view piece) { writer.write(piece); });
-  writer.commit();
 }
 
 int run(const SmoothArguments& arguments) {
@@ -100,7 +93,7 @@ int run(const SmoothArguments& arguments) {
   if (arguments.json) {
     write_results("-", read.file, after);
   } else {
-    print_summary(read.file, before, after);
+    print_smoothed(read.file, before, after);
   }
   const bool all = std::ranges::equal(before, after, [](const auto& a, const auto& b) {
     return a.result.path.has_value() == b.result.path.has_value();
@@ -117,9 +110,7 @@ void add_smooth(CLI::App& vandplan, int& status) {
       "jumps, along the same way, checked like any path. It is never worse than a path that can\n"
       "be followed already.");
   const auto arguments = std::make_shared<SmoothArguments>();
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
-      ->required();
-  command->add_option("RESULT", arguments->result, "Result file (JSON)")->required();
+  add_scenario_and_result(*command, arguments->scenario, arguments->result);
   command
       ->add_option(
           "--method", arguments->method,
