@@ -46,7 +46,8 @@ OptionText text_of(const CommonOption& option) {
 }
 
 OptionText text_of(const OptionInfo& info) {
-  return {info.name, typed_text(json_of(info.standard)), info.summary + "; " + info.range()};
+  const char* const only = info.reeds_shepp_only ? "; for steering=reeds-shepp" : "";
+  return {info.name, typed_text(json_of(info.standard)), info.summary + "; " + info.range() + only};
 }
 
 /// The option of that name, of all planners or of the first that has one of its own.
