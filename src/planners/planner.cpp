@@ -47,13 +47,13 @@ const CommonOption* common_option(std::string_view name) {
   throw InputError(std::string(option), "unknown option, expected one of " + base::joined(names));
 }
 
-/// What is no default though the planner takes no notice of it. That it plans by length may be
-/// said.
+/// What is no default though the planner takes no notice of it. That it plans by length, or arcs
+/// and lines, may be said.
 void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   PlanOptions defaults;
   if (is_length(options.cost)) defaults.cost = shortest_style;
   defaults.cost.clearance_distance = options.cost.clearance_distance;
-  defaults.steering = Steering::reeds_shepp;
+  if (options.steering == Steering::reeds_shepp) defaults.steering = options.steering;
   for (const CommonOption& common : common_options()) {
     if (honours(planner, common.name)) continue;
     if (common.get(options) != common.get(defaults)) refuse(planner, common.name);
@@ -255,6 +255,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
   refuse_ignored(planner, options);
   PlanOptions all = options;
   if (!planner.properties.honours_prices) all.cost = shortest_style;
+  if (!planner.properties.honours_steering) all.steering = Steering::reeds_shepp;
   for (const OptionInfo& info : planner.options) {
     const OptionValue* const given = options.planner.find(info.name);
     all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));

@@ -319,6 +319,7 @@ TEST_F(PlanCommand, HelpListsTheOptionsOfEveryFamily) {
     }
   }
   EXPECT_NE(help.out.find("try_goal=false|true "), std::string::npos) << help.out;
+  EXPECT_NE(help.out.find("; for steering=reeds-shepp\n"), std::string::npos) << help.out;
 }
 
 // ---- what reads odd ----
