@@ -239,7 +239,7 @@ struct Solution {
     answer = answer_of(solver, combinations[0], least, cutoff);
     // Jumps nearly always help. Where the path is much longer than any has to be, look without.
     constexpr double suspicious = 1.2;
-    if (!task.stops.inside || answer.length <= suspicious * least) return;
+    if (!task.stops.inside || std::min(answer.length, cutoff) <= suspicious * least) return;
     const auto fewer = with_fewer(task.stops);
     for (std::size_t i = 0; i < fewer.size(); ++i) {
       if (i > 0 && fewer[i] == task.stops) break;
