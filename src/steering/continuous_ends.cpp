@@ -244,9 +244,8 @@ struct Solution {
     for (std::size_t i = 0; i < fewer.size(); ++i) {
       if (i > 0 && fewer[i] == task.stops) break;
       combinations[i + 1] = combinations_of(solver, task, fewer[i]);
-      const double most = std::min(answer.length, cutoff);
-      const Answer other = i == 0 ? answer_of(solver, combinations[1], least, most)
-                                  : quick_answer(solver, combinations[i + 1], most);
+      const Answer other = i == 0 ? answer_of(solver, combinations[1], least, cutoff)
+                                  : quick_answer(solver, combinations[i + 1], cutoff);
       if (other.length < answer.length) answer = other;
     }
   }
