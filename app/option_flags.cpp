@@ -31,7 +31,8 @@ std::string typed_text(std::string json) {
 
 std::string default_of(const CommonOption& option) {
   if (option.name == "time_limit") return fmt::format("{}", default_time_limit);
-  return typed_text(option.get(usual_options(default_planner())));
+  const Planner& planner = default_planner();
+  return typed_text(option.get(complete(planner, usual_options(planner))));
 }
 
 /// An option as the help shows it.

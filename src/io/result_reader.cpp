@@ -229,7 +229,7 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
     }
     record.claims.cost = cost_from(file, node, record);
     record.claims.clearance = record.options.clearance;
-    record.claims.steering = record.options.steering;
+    record.claims.steering = record.options.steering.value_or(Steering::reeds_shepp);
   }
   read_statistics(file, node, result, lists);
   return record;
