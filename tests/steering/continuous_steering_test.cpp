@@ -112,6 +112,17 @@ TEST(ContinuousSteering, ACutoffKeepsWhatIsNoLonger) {
   }
 }
 
+/// A word of Reeds and Shepp with a part of no length: there Newton's method takes no step,
+/// although the word ends metres away.
+TEST(ContinuousSteering, WhereNoStepHelpsThereIsNoWord) {
+  ContinuousCase c{{radius, 0.0079401916730816747, Continuity::between_stops},
+                   {{58.110609299647251, 36.082516789588055, -2.8445636142154589},
+                    {53.465902022497112, 27.340280559103974, -1.2737672874205623}},
+                   {}};
+  c.query.goal_stands = false;
+  EXPECT_TRUE(is_drivable(*c.steering.steer(c.pair.from, c.pair.to, c.query), c));
+}
+
 TEST(ContinuousSteering, SlowSteeringWindsByMoreThanATurn) {
   for (const double ramp : {3.5, 7.0, 30.0, 1000.0}) {
     for (const Continuity kind : {Continuity::between_stops, Continuity::throughout}) {
