@@ -289,4 +289,48 @@ std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task) 
   return paths;
 }
 
+EndsTask ends_task(const ContinuousSteering& steering, const Pose& from, const Pose& to,
+                   const ContinuousQuery& query) {
+  const double radius = steering.radius();
+  const auto bounded = [&](double curvature) { return std::clamp(curvature * radius, -1.0, 1.0); };
+  const bool may_jump = steering.continuity() == Continuity::between_stops;
+  const Stops stops{may_jump && query.start_stands, may_jump, may_jump && query.goal_stands};
+  return {{0, 0, from.heading},
+          {(to.x - from.x) / radius, (to.y - from.y) / radius, to.heading},
+          stops,
+          stops.start ? 0.0 : bounded(query.start_curvature),
+          stops.goal ? 0.0 : bounded(query.goal_curvature),
+          query.cutoff / radius};
+}
+
+void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, int gear_changes,
+                          const std::function<void(const UnitPath&)>& take) {
+  const Combinations all = combinations_of(solver, task, task.stops);
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const Combination& c = all.list[i];
+    if (is_nothing(c.task.frame)) {
+      const bool changes = c.first.length * c.last.length < 0;
+      if (gear_changes == (changes ? 1 : 0)) take(without_word(solver, c));
+      continue;
+    }
+    // What a word drives back is part of what was wound.
+    for_each_wanted_word(solver, c.task, {gear_changes, task.cutoff + c.wound},
+                         [&](const FoundWord& found) {
+                           const UnitPath path = driven(solver, c, found);
+                           if (path.length <= task.cutoff) take(path);
+                         });
+  }
+}
+
+Piece scaled(const UnitPath& path, double radius) {
+  Piece piece;
+  for (std::size_t i = 0; i < path.segments.count; ++i) {
+    const Segment& s = path.segments.list[i];
+    piece.segments[piece.count++] = {s.curvature / radius, s.length * radius,
+                                     s.curvature_rate / radius / radius};
+  }
+  piece.length = path.length * radius;
+  return piece;
+}
+
 }  // namespace vandplan::steering
