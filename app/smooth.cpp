@@ -76,6 +76,12 @@ int run(const SmoothArguments& arguments) {
   const ScenarioProblems read = read_problems(arguments.scenario);
   warn(read.file.warnings);
   PlanOptions options = options_for(any, read.file.options, arguments.options);
+  const auto says_so = [](const auto& setting) { return setting.name == "steering"; };
+  const auto types_so = [](const TypedOption& typed) { return typed.option == "steering"; };
+  if (std::ranges::none_of(read.file.options, says_so) &&
+      std::ranges::none_of(arguments.options, types_so)) {
+    options.steering = Steering::continuous_between_stops;  // what smoothing is for
+  }
   options.budget.stop = stop;
   const PictureWish picture{arguments.picture.value_or(""), arguments.curvature_strip};
   expect_one_path(picture, read.file);

@@ -58,7 +58,7 @@ void BM_words(benchmark::State& state) {
   for (auto _ : state) {
     const std::size_t n = i++ % pairs.size();
     steering::find_continuous_words(steering, pairs[n].from, pairs[n].to, {},
-                                    static_cast<int>(state.range(2)), longest[n], words);
+                                    {static_cast<int>(state.range(2)), longest[n]}, words);
     benchmark::DoNotOptimize(words.data());
   }
 }

@@ -155,7 +155,8 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
                         : word == "reverse" ? InitialGear::reverse
                                             : InitialGear::any;
   }
-  if (const Node* const steering = file.find(node, "steering")) {
+  const Node* const steering = file.find(node, "steering");
+  if (steering != nullptr && steering->kind != Node::Kind::nothing) {
     try {
       options.steering = steering_named(file.text(*steering));
     } catch (const InputError& error) {

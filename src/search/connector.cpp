@@ -139,7 +139,8 @@ std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& t
       for (const int changes : {0, 1, 2}) {  // each one more has to be worth its price
         const double longest = least - changes * rule_.gear_change_cost;
         if (longest < shortest) break;
-        steering::find_continuous_words(*continuous_, from, to, query, changes, longest, words_);
+        steering::find_continuous_words(*continuous_, from, to, query,
+                                        {changes, longest, start.gear, goal.gear}, words_);
         for (const Piece& word : words_) consider(word, start, goal);
       }
     }

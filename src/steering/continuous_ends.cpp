@@ -303,22 +303,23 @@ EndsTask ends_task(const ContinuousSteering& steering, const Pose& from, const P
           query.cutoff / radius};
 }
 
-void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, int gear_changes,
+void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, const WantedWords& wanted,
                           const std::function<void(const UnitPath&)>& take) {
   const Combinations all = combinations_of(solver, task, task.stops);
   for (std::size_t i = 0; i < all.count; ++i) {
     const Combination& c = all.list[i];
     if (is_nothing(c.task.frame)) {
       const bool changes = c.first.length * c.last.length < 0;
-      if (gear_changes == (changes ? 1 : 0)) take(without_word(solver, c));
+      if (wanted.gear_changes == (changes ? 1 : 0)) take(without_word(solver, c));
       continue;
     }
     // What a word drives back is part of what was wound.
-    for_each_wanted_word(solver, c.task, {gear_changes, task.cutoff + c.wound},
-                         [&](const FoundWord& found) {
-                           const UnitPath path = driven(solver, c, found);
-                           if (path.length <= task.cutoff) take(path);
-                         });
+    WantedWords words = wanted;
+    words.longest += c.wound;
+    for_each_wanted_word(solver, c.task, words, [&](const FoundWord& found) {
+      const UnitPath path = driven(solver, c, found);
+      if (path.length <= wanted.longest) take(path);
+    });
   }
 }
 

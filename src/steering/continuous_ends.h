@@ -44,8 +44,8 @@ struct UnitPath {
 /// All paths of the families up to the cutoff.
 [[nodiscard]] std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task);
 
-/// Calls `take` with the paths up to the cutoff whose words have so many gear changes.
-void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, int gear_changes,
+/// Calls `take` with the paths of the wanted words that are no longer than these may be.
+void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, const WantedWords& wanted,
                           const std::function<void(const UnitPath&)>& take);
 
 /// The path for a turning radius [m].

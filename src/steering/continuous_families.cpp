@@ -150,7 +150,15 @@ void for_each_wanted_word(const WordSolver& solver, const WordTask& task, const 
   const auto is_that_line = [&](const SolvedWord& w) {
     return is_straight && w.length <= near.x * (1 + 1e-9);
   };
+  const auto is_wanted = [&](const Steps& steps, const Symmetry& made) {
+    const double sign = made.swaps_gears() ? -1 : 1;
+    const std::size_t last = steps.count - 1;
+    const double begin = sign * steps.list[made.swaps_ends() ? last : 0].gear;
+    const double end = sign * steps.list[made.swaps_ends() ? 0 : last].gear;
+    return wanted.first_gear * begin >= 0 && wanted.last_gear * end >= 0;
+  };
   const auto visit = [&](const Kind& kind, const WordFrame& image, const Symmetry& made) {
+    if (!is_wanted(steps_of(kind.formula), made)) return;
     const Stops stops = seen_by(made, task.stops);
     const auto word = wanted_word(solver, kind, image, stops, wanted.longest);
     if (word && word->length < wanted.longest && !is_that_line(*word)) take({*word, made});

@@ -52,6 +52,8 @@ struct WordTask {
 struct WantedWords {
   int gear_changes = 0;  ///< of the formula; 0 to 2
   double longest = 0.0;
+  int first_gear = 0;  ///< of the formula's first step; 0: any
+  int last_gear = 0;   ///< and of its last one
 };
 
 /// Calls `take` with the wanted words: with turns that reach full lock in closed form, others by

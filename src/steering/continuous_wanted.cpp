@@ -26,17 +26,20 @@ bool are_equal(const Piece& a, const Piece& b, double radius) {
 }  // namespace
 
 void find_continuous_words(const ContinuousSteering& steering, const Pose& from, const Pose& to,
-                           const ContinuousQuery& query, int gear_changes, double longest,
+                           const ContinuousQuery& query, const WantedContinuous& wanted,
                            std::vector<Piece>& words) {
   words.clear();
   const double radius = steering.radius();
   const WordSolver solver(SharpTurns(steering.curvature_rate() * radius * radius));
-  EndsTask task = ends_task(steering, from, to, query);
-  task.cutoff = longest / radius;
-  for_each_wanted_path(solver, task, gear_changes, [&](const UnitPath& path) {
+  const EndsTask task = ends_task(steering, from, to, query);
+  // Where bent wheels are straightened first, a word begins in any gear.
+  const WantedWords likely{wanted.gear_changes, wanted.longest / radius,
+                           task.start_curvature == 0 ? wanted.first_gear : 0,
+                           task.goal_curvature == 0 ? wanted.last_gear : 0};
+  for_each_wanted_path(solver, task, likely, [&](const UnitPath& path) {
     const Piece piece = scaled(path, radius);
     const auto is_equal = [&](const Piece& other) { return are_equal(piece, other, radius); };
-    if (piece.count > 0 && piece.length < longest &&
+    if (piece.count > 0 && piece.length < wanted.longest &&
         std::none_of(words.begin(), words.end(), is_equal)) {
       words.push_back(piece);
     }

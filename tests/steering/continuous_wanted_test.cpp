@@ -59,8 +59,8 @@ ContinuousCase drawn_case(Rng& rng) {
 
 std::vector<Piece> words_of(const ContinuousCase& c, int gear_changes, double longest) {
   std::vector<Piece> words;
-  steering::find_continuous_words(c.steering, c.pair.from, c.pair.to, c.query, gear_changes,
-                                  longest, words);
+  steering::find_continuous_words(c.steering, c.pair.from, c.pair.to, c.query,
+                                  {gear_changes, longest}, words);
   return words;
 }
 
@@ -131,6 +131,28 @@ TEST(ContinuousWanted, EqualWordsComeOnce) {
   const Pose goal = advance({0, 0, 0}, {1 / radius, 5.0});
   const std::vector<Piece> words = words_of({steering, {{0, 0, 0}, goal}, {}}, 0, 5.001);
   EXPECT_LE(words.size(), 1U);
+}
+
+// Who knows how the path begins and ends gets those words of all that begin and end so.
+TEST(ContinuousWanted, GearsAtTheEndsLeaveOutTheOthers) {
+  for_each_continuous_case(5, 20'000, [](const ContinuousCase& c, Rng& rng) {
+    if (c.query.start_curvature != 0 || c.query.goal_curvature != 0) return;
+    const int changes = static_cast<int>(rng() % 3);
+    const double longest = 2 * c.steering.length(c.pair.from, c.pair.to, c.query);
+    const int first = rng() % 2 == 0 ? 1 : -1;
+    const int last = rng() % 2 == 0 ? 1 : -1;
+    std::vector<Piece> words;
+    steering::find_continuous_words(c.steering, c.pair.from, c.pair.to, c.query,
+                                    {changes, longest, first, last}, words);
+    const std::vector<Piece> all = words_of(c, changes, longest);
+    EXPECT_LE(words.size(), all.size());
+    const auto fits = [&](const Piece& piece) {
+      const int changed = gear_changes(piece.view());
+      return piece.segments[0].length * first > 0 &&
+             piece.segments[piece.count - 1U].length * last > 0 && changed == changes;
+    };
+    EXPECT_EQ(std::ranges::count_if(words, fits), std::ranges::count_if(all, fits));
+  });
 }
 
 }  // namespace
