@@ -36,7 +36,10 @@ struct DriveOptions {
   /// the whole drive the wheels are turned 0.2 degrees and 1 % further than they say, and the
   /// vehicle is 1 % faster. All of these are standard deviations of normal distributions.
   double noise = 0.0;
-  double delay = 0.0;      ///< from a measurement to what follows from it [s]; 0 to 1
+  double delay = 0.0;  ///< from a measurement to what follows from it [s]; 0 to 1
+  /// Share of steering rate, acceleration and braking that the planned speeds leave for
+  /// corrections; 0 to 0.5.
+  double reserve = 0.1;
   std::uint64_t seed = 1;  ///< of the noise
   bool keep_log = false;   ///< `DriveResult::log` is filled
 };
@@ -67,7 +70,7 @@ struct Contact {
 struct DriveResult {
   bool has_arrived = false;       ///< it stands at the end of the path, as far as it can tell
   double duration = 0.0;          ///< [s]
-  double planned_duration = 0.0;  ///< of the fastest drive that the limits allow [s]
+  double planned_duration = 0.0;  ///< of the fastest drive that leaves the reserve [s]
   double largest_lateral = 0.0;   ///< distance of the rear axle from the path [m]
   double rms_lateral = 0.0;       ///< root of the mean square along the driven way [m]
   double largest_heading = 0.0;   ///< difference of the headings [rad]
@@ -85,9 +88,10 @@ struct DriveResult {
 };
 
 /// Drives a path (in the scenario's frame) from standing to standing with the speeds of
-/// `speed_profile`, and looks at everything that footprint and wheels sweep. Repeats bit for bit.
-/// Throws InputError naming "controller", "noise" or "delay", a limit of the vehicle, or a segment
-/// that is not finite or turns more sharply than the vehicle can.
+/// `speed_profile` for limits less the reserve, and looks at everything that footprint and wheels
+/// sweep. Repeats bit for bit. Throws InputError naming "controller", "noise", "delay" or
+/// "reserve", a limit of the vehicle, or a segment that is not finite or turns more sharply than
+/// the vehicle can.
 [[nodiscard]] DriveResult drive(const Problem& problem, const Path& path,
                                 const DriveOptions& options = {});
 

@@ -81,6 +81,12 @@ double stanley(const Sight& sight) noexcept {
   return ahead - sight.offset.heading - base::atan_2(gain * left, slowest + sight.state.v);
 }
 
+/// The planned speed at a place, or, where the vehicle began before the stroke, half of the planned
+/// acceleration on twice the way.
+double planned_speed(const Sight& sight, double s) {
+  return sight.stroke.speed_at(s < sight.behind ? (s + sight.behind) / 2 : s);
+}
+
 constexpr std::array all = {
     Controller{{"rear-axle-feedback", "error of the rear axle and its heading, both gears", true},
                rear_axle_feedback},
@@ -117,7 +123,7 @@ double acceleration(const Sight& sight) noexcept {
   double low = std::max(v - braking * control_period, 0.0);
   double high = v + limits.max_acceleration * control_period;
   const auto is_allowed = [&](double next) {
-    return next <= sight.stroke.speed_at(s + (v + next) / 2 * control_period);
+    return next <= planned_speed(sight, s + (v + next) / 2 * control_period);
   };
   if (is_allowed(high)) return limits.max_acceleration;
   constexpr int halvings = 40;

@@ -18,7 +18,8 @@ struct Sight {
   const Stroke& stroke;
   const Vehicle& vehicle;
   const State& state;
-  Offset offset;  ///< of the state's pose from the stroke
+  Offset offset;        ///< of the state's pose from the stroke
+  double behind = 0.0;  ///< so far before the stroke the vehicle began to drive it [m]; >= 0
 };
 
 /// A way to steer: the angle that the wheels are to have at the end of the control period [rad].

@@ -30,6 +30,7 @@ void require(bool holds, const char* where, double value, const std::string& exp
 const Controller& checked_controller(const DriveOptions& options, const Path& path) {
   require(options.noise >= 0.0 && options.noise <= 10.0, "noise", options.noise, "0 to 10");
   require(options.delay >= 0.0 && options.delay <= 1.0, "delay", options.delay, "0 to 1 s");
+  require(options.reserve >= 0.0 && options.reserve <= 0.5, "reserve", options.reserve, "0 to 0.5");
   const Controller* const controller = find_controller(options.controller);
   if (controller == nullptr) {
     throw InputError("controller", "\"" + options.controller + "\" is unknown, expected " +
@@ -56,6 +57,17 @@ void expect_drivable(const Path& path, const Vehicle& vehicle) {
               "at most 1 / min_turning_radius, " + base::shortest_text(most));
     }
   }
+}
+
+/// The vehicle whose limits the planned speeds keep.
+Vehicle with_reserve(Vehicle vehicle, double reserve) {
+  constexpr double least = 1e-3;  // that a limit may be
+  const auto less = [&](double limit) { return std::max((1 - reserve) * limit, least); };
+  DrivingLimits& limits = vehicle.limits;
+  limits.max_braking = less(limits.max_braking.value_or(limits.max_acceleration));
+  limits.max_acceleration = less(limits.max_acceleration);
+  limits.max_steering_rate = less(limits.max_steering_rate);
+  return vehicle;
 }
 
 /// Sums of what a drive does wrong.
@@ -111,7 +123,8 @@ class Drive {
         watch_(problem),
         errors_(vehicle_) {
     expect_drivable(path, vehicle_);
-    const SpeedProfile profile = speed_profile(path, vehicle_);
+    check_limits(vehicle_.limits);
+    const SpeedProfile profile = speed_profile(path, with_reserve(vehicle_, options.reserve));
     result_.planned_duration = profile.duration;
     pose_ = to_local(*problem.world(), path.start);
     strokes_ = strokes_of({pose_, path.segments}, profile);
@@ -158,6 +171,7 @@ class Drive {
 
   std::size_t stroke_ = 0;  // that is decided about
   double guess_ = 0.0;      // where the decisions are on it [m]
+  double behind_ = 0.0;     // so far before it the vehicle stood [m]
   bool is_driving_ = false;
   bool is_done_ = false;
 
@@ -186,6 +200,7 @@ Command Drive::decide() {
     // 2. On it: go on.
     const Offset offset = stroke.offset_of(state.pose, guess_);
     guess_ = offset.place.s;
+    if (state.v == 0.0) behind_ = std::max(-guess_, 0.0);
     const double enough = std::min(arrived_enough, stroke.length() / 10);
     if (state.v > 0.0 || stroke.length() - guess_ > enough) return command_at(state, offset);
     // 3. At its end: the next one.
@@ -198,7 +213,7 @@ Command Drive::decide() {
 }
 
 Command Drive::command_at(const State& state, const Offset& offset) {
-  const Sight sight{strokes_[stroke_], vehicle_, state, offset};
+  const Sight sight{strokes_[stroke_], vehicle_, state, offset, behind_};
   return {controller_.steering_angle(sight), acceleration(sight), strokes_[stroke_].direction(),
           stroke_};
 }

@@ -18,7 +18,7 @@ constexpr Vector path_bends = {-d * d / 2, -d, 0};
 
 // What a step costs: e^2 + h^2 + effort * u^2. The less the effort, the more exactly clothoids are
 // followed, and the more the wheels tremble with noise.
-constexpr double effort = 1e-3;
+constexpr double effort = 5e-4;
 
 Vector product(const Matrix& m, const Vector& v) {
   Vector result{};
@@ -85,6 +85,11 @@ PreviewGains worked_out() {
   Vector felt = product(cost, path_bends);
   for (double& ahead : result.ahead) {
     ahead = -dot(input, felt) / weight;
+    felt = product(transposed(closed), felt);
+  }
+  // Beyond what is looked at the path goes on bending as there.
+  for (int n = 0; n < rounds; ++n) {
+    result.ahead.back() -= dot(input, felt) / weight;
     felt = product(transposed(closed), felt);
   }
   return result;

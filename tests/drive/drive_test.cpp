@@ -9,6 +9,7 @@
 
 #include "support/problems.h"
 #include "vandplan/input_error.h"
+#include "vandplan/path_check.h"
 #include "vandplan/speed.h"
 
 namespace vandplan {
@@ -66,7 +67,8 @@ TEST(Drive, ListsItsControllers) {
 
 TEST_P(EveryController, ALineIsDrivenAsTheSpeedsSay) {
   const Path path{{1, 2, 0.3}, {{0, 10}}};
-  const DriveResult result = driven(path, {.controller = GetParam(), .keep_log = true});
+  const DriveResult result =
+      driven(path, {.controller = GetParam(), .reserve = 0, .keep_log = true});
   EXPECT_TRUE(result.has_arrived);
   // 2.5 s up to 2.5 m/s, 1.5 s at that, 2.5 s down; control periods are not cut.
   EXPECT_DOUBLE_EQ(result.planned_duration, 6.5);
@@ -99,20 +101,20 @@ TEST(Drive, ContinuousPathsAreFollowedWithinMillimetres) {
     SCOPED_TRACE(controller);
     const DriveResult result = driven(there_and_back(), {.controller = controller});
     EXPECT_TRUE(result.has_arrived);
-    EXPECT_LT(result.largest_lateral, 3e-3);
-    EXPECT_LT(result.largest_heading, 3e-3);
-    EXPECT_LT(result.end_distance, 3e-3);
-    EXPECT_LT(result.outline_deviation, 0.02);
+    // What looks ahead begins to turn before the path does.
+    const double most = controller == std::string("lqr") ? 5e-3 : 1e-4;
+    EXPECT_LT(result.largest_lateral, most);
+    EXPECT_LT(result.largest_heading, most);
+    EXPECT_LT(result.end_distance, most);
+    EXPECT_LT(result.outline_deviation, 6 * most);
     EXPECT_GT(result.outline_deviation, result.largest_lateral);
     EXPECT_LE(result.rms_lateral, result.largest_lateral);
     EXPECT_NEAR(result.duration, result.planned_duration, 1);
   }
 }
 
-TEST_P(EveryController, ErrorsFade) {
+TEST_P(EveryController, NoiseIsSteeredAgainst) {
   const Path path{{0, 0, 0}, {{0, 40}}};
-  const Path beside{{0, 0.3, 0.05}, path.segments};
-  (void)beside;
   const DriveResult result = driven(path, {.controller = GetParam(), .noise = 1, .seed = 3});
   EXPECT_TRUE(result.has_arrived);
   EXPECT_GT(result.largest_lateral, 1e-3);
@@ -135,7 +137,7 @@ TEST(Drive, WheelsAreTurnedAtStandstill) {
   const DriveResult result = driven(path, {.keep_log = true});
   EXPECT_TRUE(result.has_arrived);
   EXPECT_LT(result.largest_lateral, 3e-3);
-  EXPECT_NEAR(result.duration, result.planned_duration, 0.2);
+  EXPECT_NEAR(result.duration, result.planned_duration, 0.5);
   int standing = 0;
   for (std::size_t i = 1; i < result.log.size(); ++i) {
     const DriveMoment& now = result.log[i];
@@ -178,7 +180,7 @@ TEST(Drive, AContactIsReported) {
   const Path path{{0, 0, 0}, {{0, 20}}};
   // The front bumper, 5.9 m ahead of the rear axle, meets the wall after 6.1 m.
   const Surroundings wall{.obstacles = {box(-30, -9, -29, 9), box(12, -9, 13, 9)}};
-  const DriveResult result = driven(path, {}, wall);
+  const DriveResult result = driven(path, {.reserve = 0}, wall);
   EXPECT_TRUE(result.has_arrived);
   ASSERT_TRUE(result.contact);
   EXPECT_NEAR(result.contact->s, 6.1, 0.02);
@@ -214,13 +216,22 @@ TEST(Drive, OutOfBoundsNothingIsTouched) {
 }
 
 TEST(Drive, AMarginOfTheOutlineDeviationIsEnough) {
-  // The wall stands as far from the planned outline as noise will bring the vehicle out.
   const Path path{{0, 0, 0}, two_turns(1)};
-  const DriveOptions options{.noise = 5, .seed = 4};
-  const double needed = driven(path, options).outline_deviation;
-  EXPECT_GT(needed, 0.01);
-  const Surroundings wall{.obstacles = {box(0, -9, 5, -1.275 - needed - 2e-3)}};
-  EXPECT_FALSE(driven(path, options, wall).contact);
+  const auto wall_below = [](double y) {
+    return Surroundings{wide_bounds, {box(-50, -99, 50, y)}};
+  };
+  const auto planned_clearance = [&](const Surroundings& wall) {
+    return check_path(problem_of_path(wall, path, truck()), path).clearance.value();
+  };
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const DriveOptions options{.noise = 5, .seed = seed};
+    const double needed = driven(path, options).outline_deviation;
+    EXPECT_GT(needed, 0.01);
+    // The wall stands as far from what is planned as noise brings the vehicle out somewhere.
+    const double y = -20 + planned_clearance(wall_below(-20)) - needed - 2e-3;
+    EXPECT_NEAR(planned_clearance(wall_below(y)), needed + 2e-3, 1.1e-3);
+    EXPECT_FALSE(driven(path, options, wall_below(y)).contact) << seed;
+  }
 }
 
 TEST(Drive, TheSeedDecides) {
@@ -285,12 +296,14 @@ TEST(Drive, SaysWhatItCannotDo) {
             "stanley");
   EXPECT_EQ(complaint(line, {.noise = -1}), "noise: is -1, expected 0 to 10");
   EXPECT_EQ(complaint(line, {.noise = std::nan("")}), "noise: is nan, expected 0 to 10");
+  EXPECT_EQ(complaint(line, {.reserve = 1}), "reserve: is 1, expected 0 to 0.5");
   EXPECT_EQ(complaint(line, {.delay = 2}), "delay: is 2, expected 0 to 1 s");
   EXPECT_EQ(complaint({{0, 0, 0}, {{0, 2}, {0.2, 1}}}, {}),
             "segments[1].curvature: is 0.2, expected at most 1 / min_turning_radius, "
-            "0.14300000000000002");
-  EXPECT_EQ(complaint({{0, 0, 0}, {{0, std::nan("")}}}, {}),
-            "segments[0]: is not finite, expected numbers");
+            "0.143");
+  const Problem problem = problem_of({0, 0, 0}, {1, 0, 0}, {});
+  EXPECT_THROW((void)drive(problem, {{0, 0, 0}, {{0, std::nan("")}}}), InputError);
+  EXPECT_THROW((void)drive(problem, {{0, 0, 0}, {{std::nan(""), 1}}}), InputError);
 }
 
 }  // namespace
