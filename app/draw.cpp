@@ -18,22 +18,24 @@ struct DrawArguments {
   std::optional<std::string> result;
   std::optional<std::size_t> pair;
   std::string output;
+  bool curvature_strip = false;
   bool json = false;
 };
 
 /// Draws, and says how much of a file with many pairs was drawn: "48 pairs, there are more".
 std::string drawn(const DrawArguments& arguments, const ScenarioFile& scenario) {
+  const PictureWish wish{arguments.output, arguments.curvature_strip};
   if (!arguments.result) {
-    write_picture(arguments.output, scenario, std::vector<ResultRecord>{});
+    write_picture(wish, scenario, std::vector<ResultRecord>{});
     return "";
   }
   ResultReader reader(*arguments.result, scenario);
   if (!reader.has_pairs()) {
     if (arguments.pair) throw InputError("--pair", "the result is one, not many with numbers");
-    write_picture(arguments.output, scenario, reader.all());
+    write_picture(wish, scenario, reader.all());
     return "";
   }
-  const DrawnPairs pairs = write_picture(arguments.output, scenario, reader, arguments.pair);
+  const DrawnPairs pairs = write_picture(wish, scenario, reader, arguments.pair);
   if (arguments.pair) return fmt::format("pair {}", *arguments.pair);
   return fmt::format("{} pairs{}", pairs.drawn, pairs.is_all ? "" : ", there are more: --pair N");
 }
@@ -73,6 +75,10 @@ void add_draw(CLI::App& vandplan, int&) {
   command->add_option("-o,--output", arguments->output, "Picture (.svg, .png or .pdf)")
       ->type_name("FILE")
       ->required();
+  command
+      ->add_flag("--curvature-strip", arguments->curvature_strip,
+                 "Below the picture: how far the wheels are turned along the path")
+      ->needs("RESULT");
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->callback([arguments] { run(*arguments); });
 }

@@ -31,7 +31,7 @@ std::string typed_text(std::string json) {
 
 std::string default_of(const CommonOption& option) {
   if (option.name == "time_limit") return fmt::format("{}", default_time_limit);
-  return typed_text(option.get(PlanOptions{}));
+  return typed_text(option.get(usual_options(default_planner())));
 }
 
 /// An option as the help shows it.
@@ -126,7 +126,7 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
 
 PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_by_file,
                         const std::vector<TypedOption>& typed) {
-  PlanOptions options;
+  PlanOptions options = usual_options(planner);
   set_honoured(options, planner, wanted_by_file);
   std::vector<TypedOption> in_order = typed;  // what is given beside a style wins
   std::stable_partition(in_order.begin(), in_order.end(),
@@ -142,9 +142,10 @@ PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_
 }
 
 std::string help_on_common_options() {
-  std::string help = line_of({"style", "driver",
-                              "driver: the prices below; shortest: the length alone; what is set "
-                              "beside it wins"});
+  std::string help =
+      line_of({"style", "driver",
+               "driver: the prices and the steering below; shortest: the length alone; what is set "
+               "beside it wins"});
   for (const CommonOption& option : common_options()) help += line_of(text_of(option));
   return help;
 }

@@ -15,7 +15,8 @@
 namespace vandplan::app {
 namespace {
 
-constexpr int width = 1200;       // pixels or points
+constexpr int width = 1200;  // pixels or points
+constexpr const char* strip_flag = "--curvature-strip";
 constexpr std::size_t room = 48;  // pictures on a sheet of pairs
 
 std::string outcome_of(const PlanResult& result) {
@@ -64,21 +65,32 @@ void expect_picture(const std::string& file) {
   expect_writable(file);
 }
 
-void write_picture(const std::string& file, const ScenarioFile& scenario,
+void expect_one_path(const PictureWish& wish, const ScenarioFile& scenario) {
+  if (wish.curvature_strip && scenario.is_row()) {
+    throw InputError(strip_flag, "is for one path, the scenario has a row of goals");
+  }
+}
+
+void write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                    const std::vector<ResultRecord>& records) {
+  expect_one_path(wish, scenario);
+  const auto& [file, has_strip] = wish;
   const PictureFormat format = picture_format(file);
   std::deque<Scenario> scenarios;
   ContactSheet sheet;
   for (std::size_t i = 0; i < scenario.size(); ++i) {
     scenarios.push_back(scenario_at(scenario, i));
     sheet.drawings.push_back(drawing_of(scenarios.back(), records.empty() ? nullptr : &records[i]));
+    sheet.drawings.back().curvature_strip = has_strip;
   }
   const bool one = sheet.drawings.size() == 1;
   write_file(file, one ? draw(sheet.drawings.front(), format, width) : draw(sheet, format, width));
 }
 
-DrawnPairs write_picture(const std::string& file, const ScenarioFile& scenario,
+DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                          ResultReader& results, std::optional<std::size_t> pair) {
+  const auto& [file, has_strip] = wish;
+  if (has_strip && !pair) throw InputError(strip_flag, "is for one path: --pair N");
   const PictureFormat format = picture_format(file);
   std::deque<PairPicture> pictures;
   ContactSheet sheet;
@@ -90,6 +102,7 @@ DrawnPairs write_picture(const std::string& file, const ScenarioFile& scenario,
     const PairPicture& picture = pictures.emplace_back(picture_of(scenario, *std::move(next)));
     Drawing drawing = drawing_of(picture.scenario, &picture.pair.record);
     if (pair) {
+      drawing.curvature_strip = has_strip;
       write_file(file, draw(drawing, format, width));
       return {1, true};
     }

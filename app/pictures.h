@@ -12,11 +12,20 @@
 
 namespace vandplan::app {
 
+/// Which picture somebody wants.
+struct PictureWish {
+  std::string file;
+  bool curvature_strip = false;
+};
+
 /// Throws InputError if a picture can surely not be written to this file.
 void expect_picture(const std::string& file);
 
+/// Throws InputError if the results of a scenario are more than the picture is for.
+void expect_one_path(const PictureWish& wish, const ScenarioFile& scenario);
+
 /// Draws what was planned, a row of goals as a sheet of pictures; without records the scene alone.
-void write_picture(const std::string& file, const ScenarioFile& scenario,
+void write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                    const std::vector<ResultRecord>& records);
 
 /// What was drawn of a file with results of many pairs.
@@ -27,7 +36,7 @@ struct DrawnPairs {
 
 /// Draws results of many pairs as a sheet of pictures, as many as a sheet has room for, or the pair
 /// of that number alone. Throws InputError when there is no such pair.
-DrawnPairs write_picture(const std::string& file, const ScenarioFile& scenario,
+DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                          ResultReader& results, std::optional<std::size_t> pair);
 
 }  // namespace vandplan::app

@@ -26,6 +26,7 @@ struct PlanArguments {
   std::vector<TypedOption> options;
   std::optional<std::string> output;
   std::optional<std::string> picture;
+  bool curvature_strip = false;
   std::optional<std::string> poses;
   int jobs = 0;  // as many as there are processors
   bool json = false;
@@ -103,6 +104,8 @@ int run(const PlanArguments& arguments) {
   PlanOptions options =
       complete(planner, options_for(planner, read.file.options, arguments.options));
   options.budget.stop = stop;
+  const PictureWish picture{arguments.picture.value_or(""), arguments.curvature_strip};
+  expect_one_path(picture, read.file);
   warn(read.file.warnings);
   warn_of_ignored(arguments.scenario, read.file.options, planner);
   if (arguments.poses) {
@@ -113,7 +116,7 @@ int run(const PlanArguments& arguments) {
   }
   const std::vector<ResultRecord> records = plan_goals(read, planner, options);
   if (arguments.output) write_results(*arguments.output, read.file, records);
-  if (arguments.picture) write_picture(*arguments.picture, read.file, records);
+  if (arguments.picture) write_picture(picture, read.file, records);
   if (arguments.json) {
     write_results("-", read.file, records);
   } else {
@@ -155,6 +158,10 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->type_name("FILE");
   command->add_option("--draw", arguments->picture, "Draw it here (.svg, .png or .pdf)")
       ->type_name("FILE");
+  command
+      ->add_flag("--curvature-strip", arguments->curvature_strip,
+                 "Below the picture: how far the wheels are turned along the path")
+      ->needs("--draw");
   command
       ->add_option(
           "--poses", arguments->poses,

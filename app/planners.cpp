@@ -33,6 +33,7 @@ Json json_of_planner(const Planner& planner) {
                         {"honours_prices", properties.honours_prices},
                         {"honours_threads", properties.honours_threads},
                         {"honours_target_gap", properties.honours_target_gap},
+                        {"honours_steering", properties.honours_steering},
                         {"anytime", properties.anytime},
                         {"deterministic", properties.deterministic},
                         {"groups", properties.groups}};

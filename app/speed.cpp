@@ -161,7 +161,8 @@ int run(const SpeedArguments& arguments) {
   if (!reason.empty()) return refuse(choice, reason, arguments);
   const std::optional<Path>& path = choice.record.result.path;
   const Vehicle& vehicle = choice.problem.vehicle();
-  const SpeedProfile profile = speed_profile(*path, vehicle);
+  const SpeedOptions options{.start_curvature = choice.problem.curvatures().start};
+  const SpeedProfile profile = speed_profile(*path, vehicle, options);
   nlohmann::ordered_json json = json_of(choice, profile);
   if (arguments.output) {
     if (profile.duration / arguments.step > most_rows) {
@@ -190,7 +191,7 @@ void add_speed(CLI::App& vandplan, int& status) {
       "Drive the path of a result as fast as the limits of the scenario's vehicle allow: speed,\n"
       "acceleration, braking, lateral acceleration, steering rate, jerk. It stands at start, goal\n"
       "and gear changes, and wherever the curvature jumps until the wheels are turned; before the\n"
-      "start they are straight. The judge sees the path first.");
+      "start they are as the scenario says (start.curvature). The judge sees the path first.");
   command->footer(
       "Columns: t [s], s [m], x, y [m], heading [rad], curvature [1/m], steering_angle [rad],\n"
       "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse, a is its change.\n"

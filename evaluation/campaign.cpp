@@ -197,7 +197,8 @@ std::vector<RunSpec> runs_of(const Campaign& campaign) {
 }
 
 PlanOptions options_of(const Campaign& campaign, const Planner& planner) {
-  PlanOptions options{.cost = shortest_style};
+  PlanOptions options;
+  set_option(options, planner, "style", "shortest");
   set_honoured(options, planner, campaign.settings);
   return complete(planner, options);
 }

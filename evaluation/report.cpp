@@ -117,10 +117,14 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   shown.budget.max_iterations = run.result.iterations;
   const auto planner = std::ranges::find(planners(), run.planner, &Planner::name);
   const bool is_ours = planner != planners().end();
-  PlanOptions usual = is_ours ? complete(*planner, {}) : PlanOptions{};
+  PlanOptions usual = is_ours ? complete(*planner, usual_options(*planner)) : PlanOptions{};
   usual.budget = {};
   const bool has_style = is_ours && planner->properties.honours_prices && is_length(shown.cost);
-  if (has_style) usual.cost = shortest_style;
+  if (has_style) {
+    const auto [cost, steering] = style_named("shortest");
+    usual.cost = cost;
+    usual.steering = steering;
+  }
   std::map<std::string, std::string> defaults;
   for (const auto& [name, value] : option_values(usual)) defaults[name] = value;
   std::string command =

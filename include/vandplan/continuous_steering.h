@@ -19,18 +19,20 @@ namespace vandplan {
 
 /// Where the curvature of a path goes on without a jump.
 enum class Continuity : std::uint8_t {
-  between_stops,  ///< it may jump where the vehicle stands: at the start, the goal, gear changes
+  between_stops,  ///< it may jump where the vehicle stands: at gear changes, at start and goal
   throughout,     ///< it never jumps, through gear changes too
 };
 
 /// What a steering call asks for beside its two poses.
 struct ContinuousQuery {
-  /// At the start and the goal [1/m], at most 1/radius; of no account between stops, where the
-  /// wheels are turned as the path wants before it starts.
-  double start_curvature = 0.0;
-  double goal_curvature = 0.0;
+  double start_curvature = 0.0;  ///< at most 1/radius [1/m]; of no account if it stands there
+  double goal_curvature = 0.0;   ///< at most 1/radius [1/m]; of no account if it stands there
   double cutoff = std::numeric_limits<double>::infinity();  ///< longer paths are of no use [m]
+  /// Between stops: the vehicle stands at the start and may have turned its wheels there, as the
+  /// path wants; else the path begins with `start_curvature`. Of no account throughout.
   bool start_stands = true;
+  /// Between stops: the vehicle stands at the goal and the path may end with any curvature; else it
+  /// ends with `goal_curvature`. Of no account throughout.
   bool goal_stands = true;
 };
 
@@ -43,7 +45,7 @@ class ContinuousSteering {
   /// `radius` > 0 [m], `curvature_rate` > 0 [1/m^2], both finite, else InputError.
   ContinuousSteering(double radius, double curvature_rate, Continuity continuity);
 
-  /// The least path that begins and ends with the wheels straight or, between stops, as it wants.
+  /// The least path. It begins and ends with the wheels straight or, between stops, as it wants.
   /// Throws InputError if a pose is not finite.
   [[nodiscard]] Piece steer(const Pose& from, const Pose& to) const;
 

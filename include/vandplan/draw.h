@@ -25,9 +25,11 @@ struct Drawing {
   const TreeSnapshot* tree = nullptr;  ///< or none
   double margin = 0.0;                 ///< a band so wide is drawn around all that is swept [m]
   std::string caption = {};            ///< one line above the picture, UTF-8
+  /// Below the picture of a path: how far the wheels are turned along it.
+  bool curvature_strip = false;
 };
 
-/// Several drawings side by side, row by row, all of the same size.
+/// Several drawings side by side, row by row, all of the same size; without curvature strips.
 struct ContactSheet {
   std::vector<Drawing> drawings = {};
   int columns = 3;           ///< >= 1

@@ -41,6 +41,10 @@ struct PathClaims {
   /// How far the path stays from things: the footprint from obstacles and the map, the wheels from
   /// kerbs; less a millimetre on the ramps, which begin at the ends of the path.
   ClearanceOptions clearance = {};
+  /// Where the curvature may jump. Unless anywhere, it changes by no more than
+  /// `max_curvature_rate` of the vehicle per metre; if nowhere, it is that of the problem at both
+  /// ends.
+  Steering steering = Steering::reeds_shepp;
   /// From end to end, at most 0.1 m apart, in the frame of the path; none: nothing is said.
   std::vector<StatedPose> poses = {};
 };
@@ -61,11 +65,11 @@ struct PathCheck {
 };
 
 /// Judges a path in the scenario's frame, in this order: every number is finite, it
-/// begins at the start, every curvature is drivable, the rear axle stays in the bounds, the
-/// footprint touches no obstacle and no blocked cell and the wheels no kerb (looked at every
-/// millimetre that a point of the vehicle moves, skipping only what is proven to be free), they
-/// keep the margin that is claimed, it ends at the goal within 1e-6 m and 1e-6 rad, and what is
-/// claimed is true.
+/// begins at the start, every curvature is drivable, the wheels turn as is claimed, the rear axle
+/// stays in the bounds, the footprint touches no obstacle and no blocked cell and the wheels no
+/// kerb (looked at every millimetre that a point of the vehicle moves, skipping only what is proven
+/// to be free), they keep the margin that is claimed, it ends at the goal within 1e-6 m and 1e-6
+/// rad, and what is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});
 

@@ -3,9 +3,9 @@
 #pragma once
 // Which knobs does a run have?
 //
-// Four parts: how much work it may do, what driving costs, how far to stay away from things, and
-// the options of one planner, which its registration names (planner.h). An option that the chosen
-// planner does not honour is an error, never silence.
+// Five parts: how much work it may do, what driving costs, how far to stay away from things, how
+// the vehicle steers, and the options of one planner, which its registration names (planner.h). An
+// option that the chosen planner does not honour is an error, never silence.
 
 #include <atomic>
 #include <cstdint>
@@ -65,15 +65,28 @@ inline constexpr CostOptions shortest_style = {.reverse_weight = 1.0,
 /// Whether the cost of every path is its length.
 [[nodiscard]] bool is_length(const CostOptions& cost);
 
-/// "driver" or "shortest", without regard to `initial_gear`. Throws InputError for another name.
-[[nodiscard]] CostOptions style_named(std::string_view name);
-
 /// Where the curvature of a path may jump.
 enum class Steering : std::uint8_t {
   reeds_shepp,               ///< anywhere: a path is made of arcs and lines
   continuous_between_stops,  ///< where the vehicle stands: at the start, the goal, gear changes
   continuous,                ///< nowhere: the wheels turn while the vehicle drives
 };
+
+/// "reeds-shepp", "continuous-between-stops" or "continuous".
+[[nodiscard]] std::string_view name_of(Steering steering) noexcept;
+
+/// The steering of that name. Throws InputError for another one.
+[[nodiscard]] Steering steering_named(std::string_view name);
+
+/// A named set of options.
+struct Style {
+  CostOptions cost = {};
+  Steering steering = Steering::reeds_shepp;
+  bool operator==(const Style&) const = default;
+};
+
+/// "driver" or "shortest", without regard to `initial_gear`. Throws InputError for another name.
+[[nodiscard]] Style style_named(std::string_view name);
 
 /// How far the vehicle stays away from things.
 struct ClearanceOptions {
@@ -117,8 +130,8 @@ struct PlanOptions {
   BudgetOptions budget = {};
   CostOptions cost = {};
   ClearanceOptions clearance = {};
-  Steering steering = Steering::reeds_shepp;
-  PlannerSettings planner = {};  ///< of the chosen planner alone
+  Steering steering = Steering::reeds_shepp;  ///< what the judge holds the path to, too
+  PlannerSettings planner = {};               ///< of the chosen planner alone
   bool operator==(const PlanOptions&) const = default;
 };
 
@@ -130,12 +143,14 @@ struct OptionInfo {
   double least = 0.0;                   ///< of a number
   double most = 0.0;                    ///< of a number
   std::vector<std::string> words = {};  ///< that a word may be
+  /// Whether it can be set for a vehicle that steers by `Steering::reeds_shepp` alone.
+  bool reeds_shepp_only = false;
 
   /// "0 to 1", "bounds or scene", "true or false".
   [[nodiscard]] std::string range() const;
 };
 
-/// An option of budget, cost or clearance that a user can set by name.
+/// An option of all planners that a user can set by name.
 struct CommonOption {
   std::string_view name;                              ///< the field's name
   std::string_view summary;                           ///< meaning, unit and range

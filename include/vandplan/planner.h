@@ -33,6 +33,7 @@ struct PlannerProperties {
   bool honours_prices = false;           ///< CostOptions; else its cost is the length
   bool honours_threads = false;          ///< BudgetOptions::threads
   bool honours_target_gap = false;       ///< BudgetOptions::target_gap: it proves lower bounds
+  bool honours_steering = false;         ///< PlanOptions::steering; else it is `reeds_shepp`
   bool anytime = false;                  ///< goes on improving its path for as long as it may
   bool deterministic = true;             ///< same seed and iterations, same path
   std::vector<std::string> groups = {};  ///< sets that it belongs to: "thesis"
@@ -84,7 +85,11 @@ struct PlanResult {
 /// of range, or that the planner does not honour (and which planners of the library do).
 [[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options);
 
-/// Whether a planner honours an option of that name, one of its own or of budget and cost.
+/// What is in force for a planner when nobody sets anything: the style of a driver, or the shortest
+/// one where it knows no prices.
+[[nodiscard]] PlanOptions usual_options(const Planner& planner);
+
+/// Whether a planner honours an option of that name, one of its own or of all planners.
 [[nodiscard]] bool honours(const Planner& planner, std::string_view option);
 
 /// Sets an option for a planner by name from text, as `--set` does. Throws InputError naming the

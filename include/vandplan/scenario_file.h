@@ -22,6 +22,7 @@ struct RowGoal {
   double distance = 0.0;  ///< how far this goal counts [m]
   Pose goal = {};
   std::vector<Polygon> obstacles = {};
+  double curvature = 0.0;  ///< `EndCurvatures::goal` of this goal [1/m]
 };
 
 /// What a scenario file says: one problem (`goal:`), or a row of problems that differ in their

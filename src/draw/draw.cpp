@@ -6,6 +6,7 @@
 #include "draw/frame.h"
 #include "draw/paint.h"
 #include "draw/scene.h"
+#include "draw/strip.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
@@ -65,6 +66,7 @@ std::string draw(const Drawing& drawing, PictureFormat format, int width) {
     paint_axes(cairo, layout.view);
     paint_axis_titles(cairo, scene, layout.view);
     if (layout.is_cropped) paint_cropped(cairo, layout.view);
+    if (layout.strip) paint_curvature_strip(cairo, scene, *layout.strip);
     paint_legend(cairo, legend, layout.legend);
   });
 }

@@ -13,21 +13,7 @@
 namespace vandplan::drawing {
 namespace {
 
-constexpr TextStyle tick_style{.size = 10.5, .colour = colour::faint_ink};
 constexpr TextStyle legend_style{.size = 11.0, .colour = colour::ink};
-
-TextStyle aligned(TextStyle style, Align align) {
-  style.align = align;
-  return style;
-}
-
-// As many decimals as the step has, and a true minus.
-std::string number(double value, double step) {
-  const int decimals = step < 1.0 ? static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) : 0;
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(value));
-  return value < 0.0 ? "\u2212" + std::string(text.data()) : text.data();
-}
 
 // "4 517 230 000": digits in threes, as in SI.
 std::string grouped(double value) {
@@ -36,25 +22,7 @@ std::string grouped(double value) {
   return digits;
 }
 
-std::vector<double> ticks(double low, double high, double step) {
-  std::vector<double> values;
-  for (double i = std::ceil(low / step); i * step <= high; ++i) values.push_back(i * step);
-  return values;
-}
-
 double axis_step(const View& view) { return tick_step(view.scale, 85.0); }
-
-void add_line(cairo_t* cairo, const Point& from, const Point& to) {
-  cairo_move_to(cairo, from.x, from.y);
-  cairo_line_to(cairo, to.x, to.y);
-}
-
-void paint_frame(cairo_t* cairo, const Box& plot) {
-  cairo_rectangle(cairo, plot.x, plot.y, plot.width, plot.height);
-  set_colour(cairo, colour::faint_ink, 1.0);
-  cairo_set_line_width(cairo, 0.9);
-  cairo_stroke(cairo);
-}
 
 // A bar that ends at (right, y), its length in metres before it.
 void paint_scale_bar(cairo_t* cairo, double metres, double scale, const Point& right_end) {
@@ -153,13 +121,61 @@ Layout layout_of(const Scene& scene, bool has_caption) {
   constexpr double page_width = 900.0;
   constexpr double left = 58.0;
   constexpr double plot_width = page_width - left - 18.0;
-  constexpr double below = 76.0;  // ticks, title, legend
+  constexpr double titled = 42.0;  // below a plot: ticks and title
+  constexpr double legend_height = 34.0;
+  constexpr double gap = 14.0;  // above the strip
+  constexpr double strip_height = 84.0;
   const double top = has_caption ? 38.0 : 14.0;
   const auto [seen, is_cropped] = framed(scene);
   const double shape = (seen.y_max - seen.y_min) / (seen.x_max - seen.x_min);
   const Box plot{left, top, plot_width, std::round(plot_width * std::clamp(shape, 0.3, 0.9))};
-  const Size page{page_width, top + plot.height + below};
-  return {page, view_of(seen, plot), {left, page.height - 34.0, plot_width, 24.0}, is_cropped};
+  std::optional<Box> strip;
+  double below = plot.y + plot.height + titled;
+  if (scene.curvature_strip) {
+    strip = Box{left, below + gap, plot_width, strip_height};
+    below += gap + strip_height + titled;
+  }
+  const Size page{page_width, below + legend_height};
+  const Box legend{left, below, plot_width, 24.0};
+  return {page, view_of(seen, plot), legend, strip, is_cropped};
+}
+
+TextStyle aligned(TextStyle style, Align align) {
+  style.align = align;
+  return style;
+}
+
+std::string number(double value, double step) {
+  const int decimals = step < 1.0 ? static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) : 0;
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(value));
+  return value < 0.0 ? "\u2212" + std::string(text.data()) : text.data();
+}
+
+std::vector<double> ticks(double low, double high, double step) {
+  std::vector<double> values;
+  for (double i = std::ceil(low / step); i * step <= high; ++i) values.push_back(i * step);
+  return values;
+}
+
+void add_line(cairo_t* cairo, const Point& from, const Point& to) {
+  cairo_move_to(cairo, from.x, from.y);
+  cairo_line_to(cairo, to.x, to.y);
+}
+
+void paint_frame(cairo_t* cairo, const Box& plot) {
+  cairo_rectangle(cairo, plot.x, plot.y, plot.width, plot.height);
+  set_colour(cairo, colour::faint_ink, 1.0);
+  cairo_set_line_width(cairo, 0.9);
+  cairo_stroke(cairo);
+}
+
+void write_upwards(cairo_t* cairo, const std::string& title, const Point& centre) {
+  cairo_save(cairo);
+  cairo_translate(cairo, centre.x, centre.y);
+  cairo_rotate(cairo, -1.5707963267948966);
+  write_text(cairo, title, 0.0, 0.0, aligned(tick_style, Align::centre));
+  cairo_restore(cairo);
 }
 
 double tick_step(double scale, double wanted) {
@@ -205,11 +221,7 @@ void paint_axis_titles(cairo_t* cairo, const Scene& scene, const View& view) {
   const TextStyle style = aligned(tick_style, Align::centre);
   write_text(cairo, axis_title("x", scene.origin.x), plot.x + plot.width / 2,
              plot.y + plot.height + 33, style);
-  cairo_save(cairo);
-  cairo_translate(cairo, plot.x - 42, plot.y + plot.height / 2);
-  cairo_rotate(cairo, -1.5707963267948966);
-  write_text(cairo, axis_title("y", scene.origin.y), 0.0, 0.0, style);
-  cairo_restore(cairo);
+  write_upwards(cairo, axis_title("y", scene.origin.y), {plot.x - 42, plot.y + plot.height / 2});
   paint_scale_bar(cairo, tick_step(view.scale, 90.0), view.scale,
                   {plot.x + plot.width, plot.y + plot.height + 29});
 }

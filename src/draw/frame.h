@@ -3,6 +3,10 @@
 #pragma once
 // What stands where on the page, and what around the picture: axes, scale bar, legend?
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "draw/canvas.h"
 #include "draw/scene.h"
 
@@ -13,13 +17,34 @@ struct Layout {
   Size page;
   View view;
   Box legend;
-  bool is_cropped = false;  ///< there is more than the view shows
+  std::optional<Box> strip;  ///< of curvature, without its axes
+  bool is_cropped = false;   ///< there is more than the view shows
 };
 
 [[nodiscard]] Layout layout_of(const Scene& scene, bool has_caption);
 
 /// Lines every 1, 2 or 5 times a power of ten metres, about `wanted` page units apart [m].
 [[nodiscard]] double tick_step(double scale, double wanted);
+
+/// Words and numbers along axes.
+inline constexpr TextStyle tick_style{.size = 10.5, .colour = colour::faint_ink};
+
+[[nodiscard]] TextStyle aligned(TextStyle style, Align align);
+
+/// As many decimals as the step has, and a true minus.
+[[nodiscard]] std::string number(double value, double step);
+
+/// The multiples of the step from `low` to `high`.
+[[nodiscard]] std::vector<double> ticks(double low, double high, double step);
+
+/// Adds a line to those that are to be drawn.
+void add_line(cairo_t* cairo, const Point& from, const Point& to);
+
+/// Lines around a plot.
+void paint_frame(cairo_t* cairo, const Box& plot);
+
+/// What an axis counts that goes upwards, centred at a point.
+void write_upwards(cairo_t* cairo, const std::string& title, const Point& centre);
 
 /// Faint lines across the plot.
 void paint_grid(cairo_t* cairo, const View& view);

@@ -42,10 +42,6 @@ void stroke(cairo_t* cairo, double width, const Colour& colour, double alpha) {
   cairo_stroke(cairo);
 }
 
-const Colour& colour_of_gear(int direction) {
-  return direction > 0 ? colour::forward : colour::reverse;
-}
-
 // The ground, and what of it the rear axle must not touch.
 void paint_bounds(cairo_t* cairo, const Scene& scene, const View& view) {
   const Bounds& b = scene.bounds;
@@ -206,6 +202,10 @@ void paint_vehicle(cairo_t* cairo, const ParkedVehicle& vehicle, const View& vie
   set_colour(cairo, colour, 1.0);
   cairo_fill(cairo);
   cairo_restore(cairo);
+}
+
+const Colour& colour_of_gear(int direction) {
+  return direction > 0 ? colour::forward : colour::reverse;
 }
 
 void paint_gear_change(cairo_t* cairo, const Point& place) {

@@ -24,6 +24,8 @@ struct ParkedVehicle {
 /// The outline, the rear-axle midpoint as a dot, and an arrow where the vehicle points.
 void paint_vehicle(cairo_t* cairo, const ParkedVehicle& vehicle, const View& view);
 
+[[nodiscard]] const Colour& colour_of_gear(int direction);
+
 /// A gear change.
 void paint_gear_change(cairo_t* cairo, const Point& place);
 

@@ -117,6 +117,7 @@ Scene scene_of(const Drawing& drawing) {
   if (drawing.path) scene.path = moved(*drawing.path, scene.origin);
   if (!(drawing.margin >= 0.0)) throw InputError("margin", "must be at least 0 [m]");
   scene.margin = drawing.margin;
+  scene.curvature_strip = drawing.curvature_strip && drawing.path != nullptr;
   if (drawing.tree) scene.tree = moved(*drawing.tree, scene.origin);
   return scene;
 }

@@ -22,8 +22,9 @@ struct Scene {
   std::vector<Polygon> kerbs;
   std::optional<OccupancyGrid> map;
   std::optional<Path> path;
-  double margin = 0.0;  ///< around what the path sweeps [m]
-  TreeSnapshot tree;    ///< empty when there is none
+  double margin = 0.0;           ///< around what the path sweeps [m]
+  TreeSnapshot tree;             ///< empty when there is none
+  bool curvature_strip = false;  ///< and there is a path
 };
 
 /// Throws InputError when the scenario is none (`check_scenario`), has no such goal, or a number of

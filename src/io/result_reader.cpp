@@ -29,8 +29,9 @@ PlanStatus status_from(const Document& file, const Node& node) {
   for (const PlanStatus status : plan_statuses()) {
     if (file.text(node) == name_of(status)) return status;
   }
-  file.fail(node, fmt::format("is \"{}\", expected one of {}", file.text(node),
-                              base::joined(plan_statuses(), name_of)));
+  file.fail(node,
+            fmt::format("is \"{}\", expected one of {}", file.text(node),
+                        base::joined(plan_statuses(), [](PlanStatus s) { return name_of(s); })));
 }
 
 double curvature_from(const Document& file, const Node& node, double radius) {
@@ -154,6 +155,13 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
                         : word == "reverse" ? InitialGear::reverse
                                             : InitialGear::any;
   }
+  if (const Node* const steering = file.find(node, "steering")) {
+    try {
+      options.steering = steering_named(file.text(*steering));
+    } catch (const InputError& error) {
+      file.fail(*steering, error.problem());
+    }
+  }
   expect_in_range(file, node, options);
 }
 
@@ -221,6 +229,7 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
     }
     record.claims.cost = cost_from(file, node, record);
     record.claims.clearance = record.options.clearance;
+    record.claims.steering = record.options.steering;
   }
   read_statistics(file, node, result, lists);
   return record;

@@ -38,9 +38,15 @@ Bounds bounds_from(const Document& file, const Node& node) {
 }
 
 Pose pose_from(const Document& file, const Node& node) {
-  file.allow_only(node, {"x", "y", "heading"});
+  file.allow_only(node, {"x", "y", "heading", "curvature"});
   return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
           file.number(file.at(node, "heading"))};
+}
+
+/// How far the wheels are turned at a pose.
+double curvature_from(const Document& file, const Node& pose) {
+  const Node* const curvature = file.find(pose, "curvature");
+  return curvature == nullptr ? 0.0 : file.number(*curvature);
 }
 
 std::vector<Polygon> polygons_from(const Document& file, const Node& node) {
@@ -70,6 +76,7 @@ std::vector<RowGoal> row_from(const Document& file, const Node& node) {
     RowGoal& goal = row.emplace_back();
     goal.distance = file.number(file.at(item, "distance"));
     goal.goal = pose_from(file, file.at(item, "goal"));
+    goal.curvature = curvature_from(file, file.at(item, "goal"));
     if (const Node* const obstacles = file.find(item, "obstacles")) {
       goal.obstacles = polygons_from(file, *obstacles);
     }
@@ -177,8 +184,15 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   }
   scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"));
   scenario.start = pose_from(file, file.at(root, "start"));
-  if (goals != nullptr) result.row = row_from(file, *goals);
-  scenario.goal = goals != nullptr ? result.row.front().goal : pose_from(file, *goal);
+  scenario.curvatures.start = curvature_from(file, file.at(root, "start"));
+  if (goals != nullptr) {
+    result.row = row_from(file, *goals);
+    scenario.goal = result.row.front().goal;
+    scenario.curvatures.goal = result.row.front().curvature;
+  } else {
+    scenario.goal = pose_from(file, *goal);
+    scenario.curvatures.goal = curvature_from(file, *goal);
+  }
   read_ground(file, where, map, scenario);
   if (const Node* const options = file.find(root, "options")) {
     result.options = settings_from(file, *options);
@@ -211,7 +225,8 @@ Problem problem_of_row(const ScenarioFile& file, std::size_t i,
   try {
     if (!goal.obstacles.empty()) return make_problem(scenario_at(file, i));
     if (shared != nullptr) {
-      return make_problem(shared, file.scenario.vehicle, file.scenario.start, goal.goal);
+      return make_problem(shared, file.scenario.vehicle, file.scenario.start, goal.goal,
+                          {file.scenario.curvatures.start, goal.curvature});
     }
     Problem made = make_problem(scenario_at(file, i));
     shared = made.world();
@@ -229,6 +244,7 @@ void check(const ScenarioFile& file) {
     const std::string key = "goals[" + std::to_string(i) + "]";
     problem::check_row_distance(file.row[i].distance, key + ".distance");
     problem::check_pose(file.row[i].goal, key + ".goal");
+    problem::check_curvature(file.row[i].curvature, file.scenario.vehicle, key + ".goal.curvature");
     problem::check_distance(start, file.row[i].goal, key + ".goal");
     (void)problem::local_polygons(file.row[i].obstacles, problem::local_origin({start.x, start.y}),
                                   key + ".obstacles");
@@ -253,8 +269,9 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string yaml_of(const Pose& pose) {
-  return fmt::format("{{x: {}, y: {}, heading: {}}}", pose.x, pose.y, pose.heading);
+std::string yaml_of(const Pose& pose, double curvature) {
+  const std::string turned = curvature == 0.0 ? "" : fmt::format(", curvature: {}", curvature);
+  return fmt::format("{{x: {}, y: {}, heading: {}{}}}", pose.x, pose.y, pose.heading, turned);
 }
 
 /// The value of an `obstacles` key and the end of its line.
@@ -278,6 +295,7 @@ Scenario scenario_at(const ScenarioFile& file, std::size_t i) {
   if (!file.is_row()) return scenario;
   const RowGoal& goal = file.row.at(i);
   scenario.goal = goal.goal;
+  scenario.curvatures.goal = goal.curvature;
   scenario.obstacles.insert(scenario.obstacles.end(), goal.obstacles.begin(), goal.obstacles.end());
   return scenario;
 }
@@ -336,12 +354,14 @@ std::string to_yaml(const ScenarioFile& file) {
   }
   text += fmt::format("vehicle: {}\n", yaml_of(scenario.vehicle));
   text += fmt::format("bounds: {{x: [{}, {}], y: [{}, {}]}}\n", b.x_min, b.x_max, b.y_min, b.y_max);
-  text += fmt::format("start: {}\n", yaml_of(scenario.start));
-  if (!file.is_row()) text += fmt::format("goal: {}\n", yaml_of(scenario.goal));
+  text += fmt::format("start: {}\n", yaml_of(scenario.start, scenario.curvatures.start));
+  if (!file.is_row()) {
+    text += fmt::format("goal: {}\n", yaml_of(scenario.goal, scenario.curvatures.goal));
+  }
   if (file.is_row()) text += "goals:\n";
   for (const RowGoal& goal : file.row) {
     text += fmt::format("  - distance: {}\n    goal: {}\n    obstacles:{}", goal.distance,
-                        yaml_of(goal.goal), yaml_of(goal.obstacles, "      "));
+                        yaml_of(goal.goal, goal.curvature), yaml_of(goal.obstacles, "      "));
   }
   if (!scenario.kerbs.empty()) text += "kerbs:" + yaml_of(scenario.kerbs, "  ");
   if (scenario.map) {

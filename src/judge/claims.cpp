@@ -3,10 +3,10 @@
 #include "judge/claims.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
+
+#include "judge/text.h"
 
 namespace vandplan::judge {
 namespace {
@@ -19,12 +19,6 @@ constexpr double pose_distance = 0.1;  // between stated poses, at most [m]
 // Of stated poses [m, rad], curvature [1/m] and distance: files far from the origin, where doubles
 // are micrometres apart, and figures rounded by others must pass.
 constexpr double stated_tolerance = 1e-5;
-
-std::string text(const char* format, auto... values) {
-  std::array<char, 200> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
 
 std::optional<std::string> false_figures(const Track& track, const PathClaims& claims) {
   const auto length = static_cast<double>(track.length);

@@ -3,9 +3,7 @@
 #include "vandplan/path_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -14,6 +12,8 @@
 #include "judge/claims.h"
 #include "judge/ground.h"
 #include "judge/near_cost.h"
+#include "judge/steering.h"
+#include "judge/text.h"
 #include "judge/track.h"
 
 namespace vandplan {
@@ -34,12 +34,6 @@ struct Fault {
   std::string reason;
   std::optional<Place> place;
 };
-
-std::string text(const char* format, auto... values) {
-  std::array<char, 200> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
 
 Place end_of(const Track& track) {
   return {track.stretches.size() - 1, track.stretches.back().length};
@@ -212,6 +206,7 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Pat
                                  std::optional<double>& least) {
   if (auto f = off_pose(track.stretches[0].start, task.start, "begins", {0, 0})) return f;
   if (auto f = too_tight(track, task.vehicle.min_turning_radius)) return f;
+  if (auto f = false_steering(track, task, claims.steering)) return Fault{f->reason, f->place};
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
   const std::shared_ptr<const Ground> ground = ground_of(*task.world);
   const Outlines outlines = outlines_of(task.vehicle);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double rounding = 1e-12;  // of a sum of lengths, relative
 constexpr std::string_view style_key = "style";
+constexpr std::string_view steering_key = "steering";
 
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
   const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
@@ -52,12 +53,23 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   PlanOptions defaults;
   if (is_length(options.cost)) defaults.cost = shortest_style;
   defaults.cost.clearance_distance = options.cost.clearance_distance;
+  defaults.steering = Steering::reeds_shepp;
   for (const CommonOption& common : common_options()) {
     if (honours(planner, common.name)) continue;
     if (common.get(options) != common.get(defaults)) refuse(planner, common.name);
   }
   for (const auto& [name, value] : options.planner.values()) {
     if (own_option(planner, name) == nullptr) refuse(planner, name);
+  }
+}
+
+/// What is set though it says nothing of a vehicle that steers like this.
+void refuse_for_steering(const Planner& planner, const PlanOptions& all) {
+  if (all.steering == Steering::reeds_shepp) return;
+  for (const OptionInfo& info : planner.options) {
+    if (!info.reeds_shepp_only || *all.planner.find(info.name) == info.standard) continue;
+    throw InputError(info.name, "is for steering=reeds-shepp, the steering is " +
+                                    std::string(name_of(all.steering)));
   }
 }
 
@@ -78,6 +90,8 @@ std::optional<PlannerAnswer> settled(const Task& task) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
   }
+  const auto [first, last] = task.curvatures;
+  if (task.steering == Steering::continuous && first != last) return std::nullopt;
   const double radius = task.vehicle.min_turning_radius;
   if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
   answer.status = PlanStatus::solved;
@@ -86,20 +100,21 @@ std::optional<PlannerAnswer> settled(const Task& task) {
   return answer;
 }
 
-/// Sets all prices, but not the gear driven before the start. Whoever knows no prices has the
-/// shortest style.
+/// Sets all prices and the steering, but not the gear driven before the start. Whoever knows no
+/// prices has the shortest style.
 void set_style(PlanOptions& options, const Planner& planner, std::string_view name) {
-  CostOptions cost = style_named(name);
+  auto [cost, steering] = style_named(name);
   if (!planner.properties.honours_prices && !is_length(cost)) refuse(planner, style_key);
   cost.initial_gear = options.cost.initial_gear;
   options.cost = cost;
+  if (planner.properties.honours_steering) options.steering = steering;
 }
 
 /// What is said about a path when it is shown to the judge.
 PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
   StatedCost cost{.cost = result.cost, .rule = all.cost};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
-  return {.cost = cost, .clearance = all.clearance};
+  return {.cost = cost, .clearance = all.clearance, .steering = all.steering};
 }
 
 /// Lets the judge see the path; takes it away if he rejects it, also for a bound that is above the
@@ -182,12 +197,19 @@ const Planner& planner_named(std::string_view name) {
                                   base::joined(planners(), &Planner::name));
 }
 
+PlanOptions usual_options(const Planner& planner) {
+  PlanOptions options;
+  set_style(options, planner, planner.properties.honours_prices ? "driver" : "shortest");
+  return options;
+}
+
 bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
   if (option == style_key) return planner.properties.honours_prices;
   if (common_option(option) == nullptr) return false;
   if (option == "threads") return planner.properties.honours_threads;
   if (option == "target_gap") return planner.properties.honours_target_gap;
+  if (option == steering_key) return planner.properties.honours_steering;
   const bool is_price = option == "reverse_weight" || option == "gear_change_cost" ||
                         option == "curvature_change_cost" || option == "clearance_weight" ||
                         option == "clearance_distance" || option == "initial_gear";
@@ -200,7 +222,8 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
     set_style(options, planner, text);
     return;
   }
-  if (!honours(planner, name)) refuse(planner, name);
+  const bool is_usual = name == steering_key && text == name_of(Steering::reeds_shepp);
+  if (!honours(planner, name) && !is_usual) refuse(planner, name);
   if (const OptionInfo* const own = own_option(planner, name)) {
     options.planner.set(name, parsed_value(*own, text));
     return;
@@ -236,6 +259,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
     const OptionValue* const given = options.planner.find(info.name);
     all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
   }
+  refuse_for_steering(planner, all);
   if (!all.budget.time_limit && !all.budget.max_iterations) {
     all.budget.time_limit = default_time_limit;
   }

@@ -16,14 +16,17 @@ using rrt::Strategy;
 using search::Estimate;
 
 Planner anytime_planner() {
+  OptionInfo min_stroke = anytime::min_stroke_option();
+  min_stroke.reeds_shepp_only = true;  // what makes strokes longer jumps in curvature
   return {.name = "anytime",
           .summary = "lattice searches and random trees, each path shortened: the one to use",
           .properties = {.family = "anytime",
                          .honours_prices = true,
                          .honours_threads = true,
                          .honours_target_gap = true,
+                         .honours_steering = true,
                          .anytime = true},
-          .options = {region_option(), anytime::min_stroke_option()},
+          .options = {region_option(), min_stroke},
           .function = anytime::plan_anytime};
 }
 
@@ -64,6 +67,7 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
                                  .strategy = choice.name,
                                  .estimate = ranking.property,
                                  .tries_goal = tries_goal,
+                                 .honours_steering = true,
                                  .anytime = true},
                   .options = rrt::options(tries_goal),
                   .function = [variant](const Task& task, const PlanOptions& options) {

@@ -106,15 +106,16 @@ void check_pose(const Pose& pose, const std::string& where) {
   require_within(pose.heading, largest_heading, where + ".heading");
 }
 
-void check_curvatures(const EndCurvatures& curvatures, const Vehicle& vehicle) {
+void check_curvature(double curvature, const Vehicle& vehicle, const std::string& where) {
   const double most = 1.0 / vehicle.min_turning_radius;
-  const auto check = [&](double curvature, const std::string& where) {
-    require(std::abs(curvature) <= most, where,
-            "is " + base::shortest_text(curvature) + ", expected at most 1 / min_turning_radius, " +
-                base::shortest_text(most) + " [1/m]");
-  };
-  check(curvatures.start, "start.curvature");
-  check(curvatures.goal, "goal.curvature");
+  require(std::abs(curvature) <= most, where,
+          "is " + base::shortest_text(curvature) + ", expected at most 1 / min_turning_radius, " +
+              base::shortest_text(most) + " [1/m]");
+}
+
+void check_curvatures(const EndCurvatures& curvatures, const Vehicle& vehicle) {
+  check_curvature(curvatures.start, vehicle, "start.curvature");
+  check_curvature(curvatures.goal, vehicle, "goal.curvature");
 }
 
 void check_distance(const Pose& start, const Pose& goal, const std::string& where) {

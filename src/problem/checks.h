@@ -19,6 +19,9 @@ void require_within(double value, double limit, const std::string& where);
 /// A pose in the scenario's frame; errors name `where` and the coordinate.
 void check_pose(const Pose& pose, const std::string& where);
 
+/// A curvature that the vehicle can drive [1/m]; errors name `where`.
+void check_curvature(double curvature, const Vehicle& vehicle, const std::string& where);
+
 /// Curvatures that the vehicle can drive; errors name "start.curvature" or "goal.curvature".
 void check_curvatures(const EndCurvatures& curvatures, const Vehicle& vehicle);
 

@@ -15,6 +15,8 @@ namespace vandplan {
 namespace {
 
 constexpr std::array<std::string_view, 3> gear_names = {"any", "forward", "reverse"};
+constexpr std::array<std::string_view, 3> steering_names = {
+    "reeds-shepp", "continuous-between-stops", "continuous"};
 
 template <typename Number>
 std::string text_of(Number value) {
@@ -33,6 +35,8 @@ std::string text_of(const std::optional<Number>& value) {
 std::string text_of(InitialGear gear) {
   return text_of(std::string(gear_names[static_cast<std::size_t>(gear)]));
 }
+
+std::string text_of(Steering steering) { return text_of(std::string(name_of(steering))); }
 
 // The setter throws with an empty place; its caller adds the name of the option.
 [[noreturn]] void reject(std::string_view value, const std::string& expected) {
@@ -70,6 +74,8 @@ void parse(std::string_view value, InitialGear& field) {
   field = static_cast<InitialGear>(name - gear_names.begin());
 }
 
+void parse(std::string_view value, Steering& field) { field = steering_named(value); }
+
 template <auto part, auto field>
 constexpr CommonOption option(std::string_view name, std::string_view summary) {
   return {name, summary, [](const PlanOptions& o) { return text_of(o.*part.*field); },
@@ -90,6 +96,11 @@ template <auto field>
 constexpr CommonOption clearance(std::string_view name, std::string_view summary) {
   return option<&PlanOptions::clearance, field>(name, summary);
 }
+
+constexpr CommonOption steering_option = {
+    "steering", "where curvature may jump; reeds-shepp, continuous-between-stops or continuous",
+    [](const PlanOptions& o) { return text_of(o.steering); },
+    [](PlanOptions& o, std::string_view value) { parse(value, o.steering); }};
 
 constexpr std::array options_of_all = {
     budget<&BudgetOptions::seed>("seed", "of the random numbers; a whole number"),
@@ -115,6 +126,7 @@ constexpr std::array options_of_all = {
     clearance<&ClearanceOptions::margin_ramp>(
         "margin_ramp",
         "way on which a start or goal that is nearer gains the margin [m]; 0 to 1000"),
+    steering_option,
 };
 
 void require(bool condition, std::string_view name, const std::string& value,
@@ -180,9 +192,20 @@ bool is_length(const CostOptions& cost) {
          cost.curvature_change_cost == 0.0 && cost.clearance_weight == 0.0;
 }
 
-CostOptions style_named(std::string_view name) {
-  if (name == "driver") return driver_style;
-  if (name == "shortest") return shortest_style;
+std::string_view name_of(Steering steering) noexcept {
+  return steering_names[static_cast<std::size_t>(steering)];
+}
+
+Steering steering_named(std::string_view name) {
+  const auto* const found = std::find(steering_names.begin(), steering_names.end(), name);
+  if (found != steering_names.end()) return static_cast<Steering>(found - steering_names.begin());
+  throw InputError("steering", "\"" + std::string(name) +
+                                   "\" is not reeds-shepp, continuous-between-stops or continuous");
+}
+
+Style style_named(std::string_view name) {
+  if (name == "driver") return {driver_style, Steering::reeds_shepp};
+  if (name == "shortest") return {shortest_style, Steering::reeds_shepp};
   throw InputError("style", "\"" + std::string(name) + "\" is not driver or shortest");
 }
 

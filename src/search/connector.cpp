@@ -101,7 +101,8 @@ void Connector::find_ends(const Pose& pose, const Driven& beside, std::vector<En
   ends.clear();
   const bool between_stops = continuous_->continuity() == Continuity::between_stops;
   const bool is_known = !std::isnan(beside.curvature);
-  if (!is_known && (pose == task_.start || pose == task_.goal)) {
+  const bool is_outermost = beside.gear == 0 || !is_known;
+  if (is_outermost && (pose == task_.start || pose == task_.goal)) {
     const EndCurvatures& given = task_.curvatures;
     ends.push_back({between_stops, pose == task_.start ? given.start : given.goal, 0});
     return;

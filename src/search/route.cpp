@@ -13,6 +13,11 @@ double Route::length() const {
   return sum;
 }
 
+Gears gears_at_ends(const Task& task, const CostRule& rule) {
+  if (task.steering != Steering::continuous) return {rule.initial_gear, 0};
+  return {{rule.initial_gear, task.curvatures.start}, {0, task.curvatures.goal}};
+}
+
 Gears gears_around(const CostRule& rule, const Route& route, std::size_t first, std::size_t last) {
   Gears gears{rule.initial_gear, 0};
   for (std::size_t i = first; i > 0 && (i == first || gears.before.gear == 0); --i) {

@@ -67,7 +67,9 @@ class Drive {
   /// Drives the stretch up to here and stands until the wheels are turned.
   void stop(double curvature) {
     finish_stretch();
-    const double pause = turn_to(curvature) / vehicle_.limits.max_steering_rate;
+    const double turn = turn_to(curvature);
+    const double pause =
+        turn > ignored_steering_jump ? turn / vehicle_.limits.max_steering_rate : 0.0;
     profile_.stops.push_back({t_, s_, pause, curvature_, curvature});
     if (pause > 0.0) profile_.knots.push_back({.t = t_, .s = s_});
     profile_.standing += pause;

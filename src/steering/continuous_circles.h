@@ -20,17 +20,25 @@ namespace vandplan::steering {
 
 /// Distances between the centres of neighbouring circles.
 struct Joints {
-  Joints(const SharpTurns& turns, bool jumps) noexcept
+  Joints(const SharpTurns& turns, const Stops& stops) noexcept
       : ahead(turns.centre().x),
         aside(turns.centre().y),
-        begin(jumps ? 0 : ahead),
-        stop(jumps ? 1 : aside),
+        start(turns, stops.start),
+        goal(turns, stops.goal),
+        stop(stops.inside ? 1 : aside),
         reach(turns.reach()),
         skew(turns.skew()) {}
 
+  /// The centre of the first circle from the start, or of the last from the goal.
+  struct End {
+    End(const SharpTurns& turns, bool stands) noexcept
+        : ahead(stands ? 0 : turns.centre().x), aside(stands ? 1 : turns.centre().y) {}
+    double ahead, aside;
+  };
+
   double ahead, aside;  ///< centre of a circle from where the wheels are straight
-  double begin;  ///< how far ahead of the start, or of the pose at a gear change, a centre is
-  double stop;   ///< and how far aside
+  End start, goal;
+  double stop;   ///< half of the distance across a gear change
   double reach;  ///< half of the distance across straight wheels to the other side
   double skew;   ///< how far that direction is off the perpendicular
 };
@@ -89,8 +97,8 @@ struct Between {
   Between(const WordFrame& f, const Joints& j, const Steps& steps) noexcept {
     const Step& first = steps.list[0];
     const Step& last = steps.list[steps.count - 1];
-    const double b0 = first.gear * j.begin, b1 = last.gear * j.begin;
-    const double a0 = first.turn * j.stop, a1 = last.turn * j.stop;
+    const double b0 = first.gear * j.start.ahead, b1 = last.gear * j.goal.ahead;
+    const double a0 = first.turn * j.start.aside, a1 = last.turn * j.goal.aside;
     v.re = f.x - (b0 + b1) * f.c - (a0 + a1) * f.s;
     v.im = f.y + (b0 - b1) * f.s + (a1 - a0) * f.c;
     squared = v.squared();

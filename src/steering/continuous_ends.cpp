@@ -103,10 +103,10 @@ struct Combinations {
   std::size_t count = 0;
 };
 
-Combinations combinations_of(const WordSolver& solver, const EndsTask& task, bool jumps) {
+Combinations combinations_of(const WordSolver& solver, const EndsTask& task, const Stops& stops) {
   const double sharpness = solver.turns().sharpness();
-  const double k0 = jumps ? 0 : task.start_curvature;
-  const double k1 = jumps ? 0 : task.goal_curvature;
+  const double k0 = task.start_curvature;
+  const double k1 = task.goal_curvature;
   const auto starts = ends_of(task.from, k0, sharpness);
   const auto goals = ends_of(task.to, k1, sharpness);
   const auto sign = [](double v) { return v < 0 ? -1.0 : 1.0; };
@@ -117,7 +117,7 @@ Combinations combinations_of(const WordSolver& solver, const EndsTask& task, boo
       const Segment& back = goals[j].segment;
       Combination& c = all.list[all.count++];
       c.task.frame = mean_frame(starts[i].pose, goals[j].pose, 1);
-      c.task.jumps = jumps;
+      c.task.stops = stops;
       c.task.windings.start = {-sign(first.length), sign(k0), std::abs(first.length)};
       c.task.windings.goal = {sign(back.length), sign(k1), std::abs(back.length)};
       c.first = first;
@@ -190,8 +190,8 @@ double least_possible(const MeanFrame& f) {
       .arcs.length;
 }
 
-/// The least that the quick search finds.
-Answer quick_answer(const WordSolver& solver, const Combinations& all) {
+/// The least that the quick search finds, if that is no longer than the cutoff.
+Answer quick_answer(const WordSolver& solver, const Combinations& all, double cutoff) {
   Answer answer;
   for (std::size_t i = 0; i < all.count; ++i) {
     const Combination& c = all.list[i];
@@ -201,16 +201,17 @@ Answer quick_answer(const WordSolver& solver, const Combinations& all) {
     }
     // What a word drives back is part of what was wound.
     if (i > 0 && least_possible(c.task.frame) - c.wound >= answer.length) continue;
-    consider(answer, solver, c, least_word(solver, c.task, answer.length - c.wound));
+    const double most = std::min(answer.length, cutoff);
+    consider(answer, solver, c, least_word(solver, c.task, most - c.wound));
   }
   return answer;
 }
 
-Answer answer_of(const WordSolver& solver, const Combinations& all, double least) {
-  Answer answer = quick_answer(solver, all);
+Answer answer_of(const WordSolver& solver, const Combinations& all, double least, double cutoff) {
+  Answer answer = quick_answer(solver, all, cutoff);
   // No path has to be a whole turn longer than the shortest.
   const double plausible = least + 2 + 6 * solver.turns().ramp();
-  if (answer.length <= plausible) return answer;
+  if (std::min(answer.length, cutoff) <= plausible) return answer;
   for (std::size_t i = 0; i < all.count; ++i) {  // every word that there is
     const Combination& c = all.list[i];
     for (const FoundWord& found : all_words(solver, c.task)) consider(answer, solver, c, found);
@@ -221,58 +222,69 @@ Answer answer_of(const WordSolver& solver, const Combinations& all, double least
   return answer;
 }
 
+/// The same ends where the curvature jumps at fewer places.
+std::array<Stops, 4> with_fewer(const Stops& stops) {
+  return {Stops{}, {false, true, false}, {stops.start, true, false}, {false, true, stops.goal}};
+}
+
 /// The ways to begin and end, with the least path of all.
 struct Solution {
-  Combinations combinations, rolling;
+  std::array<Combinations, 5> combinations;
   Answer answer;
 
-  Solution(const WordSolver& solver, const EndsTask& task, bool jumps)
-      : combinations(combinations_of(solver, task, jumps)) {
+  Solution(const WordSolver& solver, const EndsTask& task) {
+    combinations[0] = combinations_of(solver, task, task.stops);
     const double least = least_possible(mean_frame(task.from, task.to, 1));
-    answer = answer_of(solver, combinations, least);
+    const double cutoff = task.cutoff * (1 + 1e-9) + 1e-12;  // rounding is no reason to pass over
+    answer = answer_of(solver, combinations[0], least, cutoff);
     // Jumps nearly always help. Where the path is much longer than any has to be, look without.
     constexpr double suspicious = 1.2;
-    if (!jumps || answer.length <= suspicious * least) return;
-    rolling = combinations_of(solver, task, jumps);
-    rolling.list[0].task.jumps = false;
-    const Answer other = answer_of(solver, rolling, least);
-    if (other.length < answer.length) answer = other;
+    if (!task.stops.inside || answer.length <= suspicious * least) return;
+    const auto fewer = with_fewer(task.stops);
+    for (std::size_t i = 0; i < fewer.size(); ++i) {
+      if (i > 0 && fewer[i] == task.stops) break;
+      combinations[i + 1] = combinations_of(solver, task, fewer[i]);
+      const double most = std::min(answer.length, cutoff);
+      const Answer other = i == 0 ? answer_of(solver, combinations[1], least, most)
+                                  : quick_answer(solver, combinations[i + 1], most);
+      if (other.length < answer.length) answer = other;
+    }
   }
   Solution(const Solution&) = delete;  // the answer points into the combinations
 };
 
 }  // namespace
 
-std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task, bool jumps) {
-  const Solution solution(solver, task, jumps);
+std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task) {
+  const Solution solution(solver, task);
   const Answer& answer = solution.answer;
   if (answer.length > task.cutoff) return std::nullopt;
   return answer.word ? driven(solver, *answer.combination, *answer.word)
                      : without_word(solver, *answer.combination);
 }
 
-double least_length(const WordSolver& solver, const EndsTask& task, bool jumps) {
+double least_length(const WordSolver& solver, const EndsTask& task) {
   // No path is shorter than that of Reeds and Shepp, but for rounding.
   if (least_possible(mean_frame(task.from, task.to, 1)) > task.cutoff * (1 + 1e-9) + 1e-12) {
     return infinite;
   }
-  const double length = Solution(solver, task, jumps).answer.length;
+  const double length = Solution(solver, task).answer.length;
   return length > task.cutoff ? infinite : length;
 }
 
-std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task, bool jumps) {
+std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task) {
   std::vector<UnitPath> paths;
   const auto take = [&](const UnitPath& path) {
     if (path.length <= task.cutoff) paths.push_back(path);
   };
-  const Combinations all = combinations_of(solver, task, jumps);
+  const Combinations all = combinations_of(solver, task, task.stops);
   for (std::size_t i = 0; i < all.count; ++i) {
     Combination c = all.list[i];
     take(without_word(solver, c));
     if (is_nothing(c.task.frame)) continue;
     for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
-    if (!jumps) continue;
-    c.task.jumps = false;
+    if (!task.stops.inside) continue;
+    c.task.stops = {};
     for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
   }
   return paths;

@@ -14,10 +14,11 @@
 
 namespace vandplan::steering {
 
-/// Two poses at unit radius, the first at the origin, and the curvatures there (of no account where
-/// the curvature may jump).
+/// Two poses at unit radius, the first at the origin, and the curvatures there: 0 where the vehicle
+/// stands.
 struct EndsTask {
   Pose from, to;
+  Stops stops;
   double start_curvature = 0.0, goal_curvature = 0.0;
   double cutoff = 0.0;
 };
@@ -29,14 +30,12 @@ struct UnitPath {
 };
 
 /// The shortest path of the families, if it is no longer than the cutoff.
-[[nodiscard]] std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task,
-                                                 bool jumps);
+[[nodiscard]] std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task);
 
 /// Its length; infinity if it is longer than the cutoff.
-[[nodiscard]] double least_length(const WordSolver& solver, const EndsTask& task, bool jumps);
+[[nodiscard]] double least_length(const WordSolver& solver, const EndsTask& task);
 
 /// All paths of the families up to the cutoff.
-[[nodiscard]] std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task,
-                                              bool jumps);
+[[nodiscard]] std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task);
 
 }  // namespace vandplan::steering

@@ -33,7 +33,7 @@ struct Windings {
 struct WordTask {
   MeanFrame frame;
   Windings windings;
-  bool jumps = false;  ///< the curvature may jump where the vehicle stands
+  Stops stops;
 };
 
 /// How much shorter a word in the frame of its task is for what it drives back.

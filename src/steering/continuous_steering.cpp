@@ -76,17 +76,22 @@ double ContinuousSteering::length(const Pose& from, const Pose& to) const {
 namespace {
 
 /// What `query` means at unit radius in the frame whose origin is the first pose.
-EndsTask task_of(const Pose& from, const Pose& to, const ContinuousQuery& query, double radius) {
+EndsTask task_of(const ContinuousSteering& steering, const Pose& from, const Pose& to,
+                 const ContinuousQuery& query) {
+  const double radius = steering.radius();
   check("from", from);
   check("to", to);
   check_curvature("start_curvature", query.start_curvature, radius);
   check_curvature("goal_curvature", query.goal_curvature, radius);
   if (std::isnan(query.cutoff)) throw InputError("cutoff", "must be a number");
   const auto bounded = [&](double curvature) { return std::clamp(curvature * radius, -1.0, 1.0); };
+  const bool may_jump = steering.continuity() == Continuity::between_stops;
+  const Stops stops{may_jump && query.start_stands, may_jump, may_jump && query.goal_stands};
   return {{0, 0, from.heading},
           {(to.x - from.x) / radius, (to.y - from.y) / radius, to.heading},
-          bounded(query.start_curvature),
-          bounded(query.goal_curvature),
+          stops,
+          stops.start ? 0.0 : bounded(query.start_curvature),
+          stops.goal ? 0.0 : bounded(query.goal_curvature),
           query.cutoff / radius};
 }
 
@@ -94,29 +99,23 @@ EndsTask task_of(const Pose& from, const Pose& to, const ContinuousQuery& query,
 
 std::optional<Piece> ContinuousSteering::steer(const Pose& from, const Pose& to,
                                                const ContinuousQuery& query) const {
-  const EndsTask task = task_of(from, to, query, radius_);
-  const bool jumps =
-      continuity_ == Continuity::between_stops && query.start_stands && query.goal_stands;
-  const std::optional<UnitPath> path = least_path(WordSolver(SharpTurns(turns_)), task, jumps);
+  const EndsTask task = task_of(*this, from, to, query);
+  const std::optional<UnitPath> path = least_path(WordSolver(SharpTurns(turns_)), task);
   if (!path) return std::nullopt;
   return scaled(*path, radius_);
 }
 
 double ContinuousSteering::length(const Pose& from, const Pose& to,
                                   const ContinuousQuery& query) const {
-  const EndsTask task = task_of(from, to, query, radius_);
-  const bool jumps =
-      continuity_ == Continuity::between_stops && query.start_stands && query.goal_stands;
-  return least_length(WordSolver(SharpTurns(turns_)), task, jumps) * radius_;
+  const EndsTask task = task_of(*this, from, to, query);
+  return least_length(WordSolver(SharpTurns(turns_)), task) * radius_;
 }
 
 std::vector<Piece> ContinuousSteering::candidates(const Pose& from, const Pose& to,
                                                   const ContinuousQuery& query) const {
-  const EndsTask task = task_of(from, to, query, radius_);
-  const bool jumps =
-      continuity_ == Continuity::between_stops && query.start_stands && query.goal_stands;
+  const EndsTask task = task_of(*this, from, to, query);
   std::vector<Piece> pieces;
-  for (const UnitPath& path : all_paths(WordSolver(SharpTurns(turns_)), task, jumps)) {
+  for (const UnitPath& path : all_paths(WordSolver(SharpTurns(turns_)), task)) {
     pieces.push_back(scaled(path, radius_));
   }
   return pieces;

@@ -13,6 +13,18 @@ namespace vandplan::steering {
 /// How the curvature is at either end of a turn: 0, or free because the vehicle stands there.
 enum class Ends { rolling, stands_before, stands_after, stands_at_both };
 
+/// Where on its way the curvature may jump because the vehicle stands.
+struct Stops {
+  bool start = false;
+  bool inside = false;  ///< at gear changes between start and goal
+  bool goal = false;
+
+  bool operator==(const Stops&) const = default;
+
+  /// Of the way from the goal to the start.
+  [[nodiscard]] Stops swapped() const noexcept { return {goal, inside, start}; }
+};
+
 /// What a turn to the left driven forward does, and how that changes with its length. Of a negative
 /// length it is the turn to the left in reverse: way and angle are odd functions in its own frame.
 struct Turned {

@@ -20,14 +20,15 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 bool has_line(const Steps& steps) { return steps.list[1].part == 2 || steps.list[2].part == 2; }
 
-Shape made_shape(const Steps& steps, bool jumps) {
+Shape made_shape(const Steps& steps, const Stops& stops) {
   Shape shape;
   shape.steps = steps;
   shape.has_line = has_line(steps);
   for (std::size_t i = 0; i < steps.count; ++i) {
     const double gear = steps.list[i].gear;
-    const bool before = jumps && (i == 0 || steps.list[i - 1].gear != gear);
-    const bool after = jumps && (i + 1 == steps.count || steps.list[i + 1].gear != gear);
+    const bool before = i == 0 ? stops.start : stops.inside && steps.list[i - 1].gear != gear;
+    const bool after =
+        i + 1 == steps.count ? stops.goal : stops.inside && steps.list[i + 1].gear != gear;
     shape.ends[i] = before ? (after ? Ends::stands_at_both : Ends::stands_before)
                            : (after ? Ends::stands_after : Ends::rolling);
     const std::size_t part = steps.list[i].part;
@@ -43,8 +44,8 @@ Shape made_shape(const Steps& steps, bool jumps) {
     return steps.list[i].gear == steps.list[i + 1].gear &&
            steps.list[i].turn * steps.list[i + 1].turn != 0;
   };
-  shape.may_cut_first = jumps && rolls_on(0);
-  shape.may_cut_last = jumps && rolls_on(steps.count - 2);
+  shape.may_cut_first = stops.start && rolls_on(0);
+  shape.may_cut_last = stops.goal && rolls_on(steps.count - 2);
   return shape;
 }
 
@@ -153,17 +154,19 @@ void UnitSegments::add(const Segment& segment) noexcept {
   list[count++] = segment;
 }
 
-const Shape& shape_of(Formula formula, bool jumps) noexcept {
+const Shape& shape_of(Formula formula, const Stops& stops) noexcept {
   static const auto shapes = [] {
-    std::array<std::array<Shape, 2>, formulas> all;
+    std::array<std::array<Shape, 8>, formulas> all;
     for (std::size_t i = 0; i < formulas; ++i) {
-      for (const bool j : {false, true}) {
-        all[i][j ? 1 : 0] = made_shape(steps_of(static_cast<Formula>(i)), j);
+      for (std::size_t j = 0; j < 8; ++j) {
+        const Stops at{(j & 4) != 0, (j & 2) != 0, (j & 1) != 0};
+        all[i][j] = made_shape(steps_of(static_cast<Formula>(i)), at);
       }
     }
     return all;
   }();
-  return shapes[static_cast<std::size_t>(formula)][jumps ? 1 : 0];
+  const std::size_t j = (stops.start ? 4U : 0U) + (stops.inside ? 2U : 0U) + (stops.goal ? 1U : 0U);
+  return shapes[static_cast<std::size_t>(formula)][j];
 }
 
 double WordSolver::radius_of(double angle) const noexcept {
@@ -172,11 +175,11 @@ double WordSolver::radius_of(double angle) const noexcept {
   return std::sqrt(t.x * t.x + t.y * t.y) / (2 * base::sin_cos(bounded / 2).sin);
 }
 
-std::optional<SolvedWord> WordSolver::at_full_lock(Formula formula, bool jumps,
+std::optional<SolvedWord> WordSolver::at_full_lock(Formula formula, const Stops& stops,
                                                    const Arcs& arcs) const noexcept {
   constexpr double noise = 1e-13;
-  const Shape& shape = shape_of(formula, jumps);
-  SolvedWord word{formula, jumps, {}, 0, 0};
+  const Shape& shape = shape_of(formula, stops);
+  SolvedWord word{formula, stops, {}, 0, 0};
   const auto turn_of = [&](double angle, std::size_t step, double& length) {
     const double ramps = turns_.ramps_of(shape.ends[step]);
     if (angle < ramps / 2 - noise) return false;
@@ -197,11 +200,12 @@ std::optional<SolvedWord> WordSolver::at_full_lock(Formula formula, bool jumps,
   return word;
 }
 
-std::optional<SolvedWord> WordSolver::solve(Formula formula, bool jumps, const WordFrame& frame,
-                                            const Arcs& arcs, int most_steps) const noexcept {
-  const Shape& shape = shape_of(formula, jumps);
+std::optional<SolvedWord> WordSolver::solve(Formula formula, const Stops& stops,
+                                            const WordFrame& frame, const Arcs& arcs,
+                                            int most_steps) const noexcept {
+  const Shape& shape = shape_of(formula, stops);
   const std::size_t last = shape.steps.count - 1;
-  SolvedWord word{formula, jumps, {}, 0, 0};
+  SolvedWord word{formula, stops, {}, 0, 0};
   // Beside a line the angles are nearly right, however small; else turns need some length to move.
   const double least_guess = shape.has_line ? 1e-14 : 1e-6;
   const auto guessed = [&](double angle, std::size_t step) {
@@ -224,7 +228,7 @@ std::optional<SolvedWord> WordSolver::solve(Formula formula, bool jumps, const W
 
 bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
                        int most_steps) const noexcept {
-  const Shape& shape = shape_of(word.formula, word.jumps);
+  const Shape& shape = shape_of(word.formula, word.stops);
   const double size = 1 + std::abs(frame.x) + std::abs(frame.y);
   // A step so small misses by no more than its square, times how fast the curvature changes.
   const double small_step = 1e-8 / std::sqrt(1 + turns_.sharpness());
@@ -270,9 +274,10 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
 
 bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
   constexpr double noise = 1e-13;
-  const Shape& shape = shape_of(word.formula, word.jumps);
+  const Shape& shape = shape_of(word.formula, word.stops);
   const Steps& steps = shape.steps;
   word.length = 0;
+  bool vanishes = false;
   if (shape.has_line) {  // what turns by nothing is a part of the line
     constexpr double nothing = 1e-14;
     const auto give = [&](double& length, std::size_t step, std::size_t beside) {
@@ -287,8 +292,7 @@ bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
   for (std::size_t i = 0; i < steps.count; ++i) {
     double& length = length_of(word, i);
     if (std::abs(length) < noise) length = 0;
-    // Two strokes in one gear with nothing between them: the vehicle would not stand there.
-    if (length == 0 && i > 0 && word.formula == Formula::r_lr_l && i < 3) return false;
+    vanishes = vanishes || length == 0;
     word.length += length;
     if (length >= 0) continue;
     if (steps.list[i].part == 2) {
@@ -303,11 +307,35 @@ bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
       return false;
     }
   }
-  return true;
+  return !vanishes || jumps_at_stops(word);
+}
+
+bool WordSolver::jumps_at_stops(const SolvedWord& word) const noexcept {
+  const Shape& shape = shape_of(word.formula, word.stops);
+  const Steps& steps = shape.steps;
+  const auto bends_at = [&](std::size_t step, Ends end) {
+    return shape.ends[step] == end || shape.ends[step] == Ends::stands_at_both;
+  };
+  std::size_t last = steps.count;  // that is driven; none yet
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    if (length_of(word, i) <= 0) continue;
+    const bool bends_before = bends_at(i, Ends::stands_before);
+    if (last == steps.count) {
+      if (bends_before && !word.stops.start) return false;
+    } else if (steps.list[i].gear == steps.list[last].gear &&
+               (bends_before || bends_at(last, Ends::stands_after))) {
+      // Two strokes in one gear with nothing between them.
+      const bool is_one =
+          steps.list[i].turn == steps.list[last].turn && ramp_of(word, i) == ramp_of(word, last);
+      if (!is_one || !bends_before || !bends_at(last, Ends::stands_after)) return false;
+    }
+    last = i;
+  }
+  return last == steps.count || word.stops.goal || !bends_at(last, Ends::stands_after);
 }
 
 UnitSegments WordSolver::segments_of(const SolvedWord& word) const noexcept {
-  const Shape& shape = shape_of(word.formula, word.jumps);
+  const Shape& shape = shape_of(word.formula, word.stops);
   const Steps& steps = shape.steps;
   // What neighbours of negative length take from the end and from the begin of each turn.
   std::array<double, 7> taken{};  // before step i: [i], after it: [i + 1]
@@ -351,7 +379,7 @@ double WordSolver::step_length(const SolvedWord& word, std::size_t step) const n
 }
 
 double WordSolver::ramp_of(const SolvedWord& word, std::size_t step) const noexcept {
-  const Shape& shape = shape_of(word.formula, word.jumps);
+  const Shape& shape = shape_of(word.formula, word.stops);
   return turns_.peak(length_of(word, step), shape.ends[step]) * turns_.ramp();
 }
 

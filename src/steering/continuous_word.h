@@ -32,14 +32,14 @@ struct Shape {
   bool may_cut_last = false;   ///< the last turn stands after and rolls out of another turn
 };
 
-/// The shape of a formula's word. `jumps`: the curvature may jump where the vehicle stands.
-[[nodiscard]] const Shape& shape_of(reeds_shepp_formulas::Formula formula, bool jumps) noexcept;
+[[nodiscard]] const Shape& shape_of(reeds_shepp_formulas::Formula formula,
+                                    const Stops& stops) noexcept;
 
 /// A word of which lengths are known: of the first step, of the inner turns or else the line, of
 /// the last step.
 struct SolvedWord {
   reeds_shepp_formulas::Formula formula{};
-  bool jumps = false;
+  Stops stops;
   std::array<double, 3> lengths{};
   double quarter = 0.0;  ///< length of each inner turn beside a line
   double length = 0.0;   ///< of all
@@ -64,12 +64,12 @@ class WordSolver {
   /// The word of a formula whose turns have the angles of its circles, if these are enough for the
   /// clothoids.
   [[nodiscard]] std::optional<SolvedWord> at_full_lock(
-      reeds_shepp_formulas::Formula formula, bool jumps,
+      reeds_shepp_formulas::Formula formula, const Stops& stops,
       const reeds_shepp_formulas::Arcs& arcs) const noexcept;
 
   /// The word of a formula that is near the guess, if there is one and Newton's method finds it.
-  [[nodiscard]] std::optional<SolvedWord> solve(reeds_shepp_formulas::Formula formula, bool jumps,
-                                                const WordFrame& frame,
+  [[nodiscard]] std::optional<SolvedWord> solve(reeds_shepp_formulas::Formula formula,
+                                                const Stops& stops, const WordFrame& frame,
                                                 const reeds_shepp_formulas::Arcs& guess,
                                                 int most_steps) const noexcept;
 
@@ -92,6 +92,9 @@ class WordSolver {
 
   /// Whether no part is driven backwards; works out the length.
   [[nodiscard]] bool is_drivable(SolvedWord& word) const noexcept;
+
+  /// Whether the curvature jumps only where the vehicle stands, although parts have no length.
+  [[nodiscard]] bool jumps_at_stops(const SolvedWord& word) const noexcept;
 
   SharpTurns turns_;
 };

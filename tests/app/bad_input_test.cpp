@@ -62,7 +62,7 @@ TEST_F(BadInput, MissingKey) {
 
 TEST_F(BadInput, UnknownKey) {
   EXPECT_EQ(complaint_about("goal: {x", "goal: {z: 1, x"),
-            "5: goal: unknown key \"z\", expected one of x, y, heading");
+            "5: goal: unknown key \"z\", expected one of x, y, heading, curvature");
 }
 
 TEST_F(BadInput, KeyGivenTwice) {

@@ -167,6 +167,27 @@ TEST_F(CheckCommand, TheRuleOfTheCostIsRead) {
   EXPECT_EQ(check(result).status, 2);
 }
 
+TEST_F(CheckCommand, TheSteeringThatWasInForceIsHeldTo) {
+  const auto steered = [](const char* steering) {
+    return [steering](Json& result) {
+      result["path"]["segments"] = {{{"curvature", 0}, {"length", 1}},
+                                    {{"curvature", 0.001}, {"length", 4}}};
+      result["options"] = {{"steering", steering}};
+    };
+  };
+  for (const char* const steering : {"continuous-between-stops", "continuous"}) {
+    EXPECT_EQ(verdict(steered(steering)),
+              "invalid: the curvature jumps from 0 to 0.001 1/m where the vehicle rolls at s = "
+              "1.0000 m, where x = 1 m, y = 0 m, heading = 0 rad\n");
+  }
+  EXPECT_NE(verdict(steered("reeds-shepp")).find("the path ends"), std::string::npos);
+  Json result = drive_ahead();
+  result["options"] = {{"steering", "continuous"}};
+  EXPECT_EQ(check(result).status, 0);
+  result["options"]["steering"] = "smooth";
+  EXPECT_EQ(check(result).status, 2);
+}
+
 TEST_F(CheckCommand, ThePriceOfTurningTheWheelsIsRead) {
   Json result = drive_ahead();
   result["path"]["segments"] = {{{"turn", "straight"}, {"length", 5}},

@@ -76,6 +76,7 @@ TEST(PlannersCommand, OnePlannerIsToldWithItsOptions) {
   EXPECT_EQ(text.out.find("reverse_weight"), std::string::npos) << text.out;
   const Json json = Json::parse(run_vandplan({"planners", "rrt-bsc-euc", "--json"}).out);
   EXPECT_EQ(json.at("properties").at("family"), "rrt");
+  EXPECT_EQ(json.at("properties").at("honours_steering"), true);
   EXPECT_EQ(json.at("options").at(0).contains("range"), true);
   EXPECT_EQ(run_vandplan({"planners", "best"}).status, 2);
 }
@@ -110,6 +111,29 @@ TEST_F(DrawCommand, DrawsWhatPlanDraws) {
   EXPECT_EQ(Json::parse(outcome.out).at("output"), drawn);
   EXPECT_NE(content_of(drawn), "");
   EXPECT_TRUE(content_of(drawn) == content_of(planned));
+}
+
+TEST_F(DrawCommand, AStripOfCurvatureIsThereOnRequest) {
+  const std::string result = folder_ / "result.json";
+  const std::string planned = folder_ / "planned.svg";
+  const std::string drawn = folder_ / "drawn.svg";
+  const std::string plain = folder_ / "plain.svg";
+  ASSERT_EQ(run_vandplan({"plan", scenario_, "--max-iterations", "300", "--output", result,
+                          "--draw", planned, "--curvature-strip"})
+                .status,
+            0);
+  ASSERT_EQ(run_vandplan({"draw", scenario_, result, "-o", plain}).status, 0);
+  ASSERT_EQ(run_vandplan({"draw", scenario_, result, "-o", drawn, "--curvature-strip"}).status, 0);
+  EXPECT_TRUE(content_of(drawn) == content_of(planned));
+  EXPECT_GT(content_of(drawn).size(), content_of(plain).size());
+
+  EXPECT_EQ(run_vandplan({"draw", scenario_, "-o", drawn, "--curvature-strip"}).status, 2);
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5, heading: 0}",
+                                    "goals: [{distance: 1, goal: {x: 20, y: 5, heading: 0}}]"));
+  const Outcome row = run_vandplan({"plan", scenario_, "--draw", drawn, "--curvature-strip"});
+  EXPECT_EQ(row.status, 2);
+  EXPECT_EQ(row.err,
+            "vandplan: --curvature-strip: is for one path, the scenario has a row of goals\n");
 }
 
 TEST_F(DrawCommand, NothingIsDrawnOfBadInput) {

@@ -291,6 +291,25 @@ TEST_F(PlanCommand, AnOptionThatThePlannerDoesNotHonourIsRefused) {
             "that honour it: anytime\n");
 }
 
+TEST_F(PlanCommand, TheSteeringIsAnOption) {
+  const auto steering_of = [&](const std::string& planner, std::vector<std::string> options) {
+    options.insert(options.end(), {"--json", "--max-iterations", "0", "--planner", planner});
+    const Outcome outcome = plan(options);
+    EXPECT_EQ(outcome.err, "");
+    return Json::parse(outcome.out).at("options").at("steering");
+  };
+  EXPECT_EQ(steering_of("rrt-bsc-euc", {}), "reeds-shepp");
+  EXPECT_EQ(steering_of("rrt-bsc-euc", {"--set", "steering=continuous-between-stops"}),
+            "continuous-between-stops");
+  EXPECT_EQ(steering_of("anytime", {"--set", "steering=continuous", "--set", "style=shortest"}),
+            "continuous");
+
+  const Outcome stroke = plan({"--set", "steering=continuous", "--set", "min_stroke=2"});
+  EXPECT_EQ(stroke.status, 2);
+  EXPECT_EQ(stroke.err,
+            "vandplan: min_stroke: is for steering=reeds-shepp, the steering is continuous\n");
+}
+
 TEST_F(PlanCommand, HelpListsTheOptionsOfEveryFamily) {
   const Outcome help = run_vandplan({"plan", "--help"});
   EXPECT_EQ(help.status, 0);

@@ -146,6 +146,16 @@ TEST_F(SpeedCommand, TheWheelsTurnWhileItStands) {
   EXPECT_NEAR(pause, angle / 0.5, 1e-12);
 }
 
+TEST_F(SpeedCommand, BeforeTheStartTheWheelsAreAsTheScenarioSays) {
+  const auto standing_with = [&](const char* start) {
+    write_content(scenario_, replaced(scenario(), "start: {x: 0, y: 0, heading: 0}", start));
+    return Json::parse(speed({"--json"}).out).at("standing").get<double>();
+  };
+  EXPECT_EQ(standing_with("start: {x: 0, y: 0, heading: 0}"), 0);
+  EXPECT_NEAR(standing_with("start: {x: 0, y: 0, heading: 0, curvature: 0.1}"),
+              std::atan(4.5 * 0.1) / 0.5, 1e-12);
+}
+
 TEST_F(SpeedCommand, ThereIsNothingToDriveWithoutAGoodPath) {
   write_content(csv_, "what was there");
   Json wrong = result();

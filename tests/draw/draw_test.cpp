@@ -187,6 +187,74 @@ TEST(Draw, EverythingHasItsColourAtItsPlace) {
   EXPECT_TRUE(looks(page.at({3.3, 10.4}), drawing::colour::paper));
 }
 
+// Ahead 20 m straight, back a quarter of a circle to the right.
+TEST(Draw, TheStripShowsHowFarTheWheelsAreTurned) {
+  const Scenario scenario = yard();
+  const Path path = yard_path();
+  const Drawing drawing{.scenario = &scenario, .path = &path, .curvature_strip = true};
+  const drawing::Layout layout = drawing::layout_of(drawing::scene_of(drawing), false);
+  ASSERT_TRUE(layout.strip);
+  const drawing::Box& strip = *layout.strip;
+  const Image image(draw(drawing, PictureFormat::png, page_width));
+  const double driven = 20 + radius * pi / 2;
+  const double middle = strip.y + strip.height / 2;
+  const auto at = [&](double s, double y) {
+    return image.at({strip.x + s / driven * strip.width, y});
+  };
+  const double turned = 0.4 * strip.height;  // of 1 / radius, on the page
+  EXPECT_TRUE(looks(at(10, middle), drawing::colour::forward));
+  EXPECT_TRUE(looks(at(25, middle + turned), drawing::colour::reverse));
+  EXPECT_TRUE(looks(at(10, middle + turned / 2), drawing::colour::paper));
+  EXPECT_TRUE(looks(at(25, middle - turned / 2), drawing::colour::paper));
+  // The limits are dashed, the gear change has a tick at each edge.
+  int dashes = 0;
+  int ticks = 0;
+  for (double s = 1; s < 20; s += 0.05) {
+    dashes += !looks(at(s, middle - turned), drawing::colour::paper);
+  }
+  for (const double y : {strip.y + 4, strip.y + strip.height - 4}) {
+    EXPECT_TRUE(looks(at(15, y), drawing::colour::paper));
+    ticks += image.at({strip.x + 20 / driven * strip.width, y})[0] < 150;
+  }
+  EXPECT_GT(dashes, 100);
+  EXPECT_LT(dashes, 300);
+  EXPECT_EQ(ticks, 2);
+}
+
+TEST(Draw, TheStripFollowsAClothoid) {
+  Scenario scenario = yard();
+  const double lock = 1 / radius;
+  const Path path{{0, 0, 0}, {{0, 10, lock / 10}, {lock, 10, -lock / 10}}};
+  scenario.goal = end_pose(path);
+  const Drawing drawing{.scenario = &scenario, .path = &path, .curvature_strip = true};
+  const drawing::Box strip = *drawing::layout_of(drawing::scene_of(drawing), false).strip;
+  const Image image(draw(drawing, PictureFormat::png, page_width));
+  for (const double part : {0.25, 0.5, 0.75}) {
+    for (const double s : {10 * part, 20 - 10 * part}) {
+      const double y = strip.y + strip.height * (0.5 - 0.4 * part);
+      EXPECT_TRUE(looks(image.at({strip.x + s / 20 * strip.width, y}), drawing::colour::forward))
+          << s;
+    }
+  }
+}
+
+TEST(Draw, ThereIsNoStripUnlessAskedForAndWithoutAPath) {
+  const Scenario scenario = yard();
+  const Path path = yard_path();
+  const Path none{{0, 0, 0}, {}};
+  const auto layout = [&](const Path* drawn, bool asked) {
+    return drawing::layout_of(
+        drawing::scene_of({.scenario = &scenario, .path = drawn, .curvature_strip = asked}), false);
+  };
+  EXPECT_FALSE(layout(&path, false).strip);
+  EXPECT_FALSE(layout(nullptr, true).strip);
+  EXPECT_GT(layout(&path, true).page.height, layout(&path, false).page.height + 100);
+  EXPECT_EQ(layout(nullptr, true).page.height, layout(nullptr, false).page.height);
+  EXPECT_NE(draw({.scenario = &scenario, .path = &none, .curvature_strip = true},
+                 PictureFormat::svg, 300),
+            "");
+}
+
 TEST(Draw, GroundOutOfBoundsIsShaded) {
   Scenario scenario = yard();
   scenario.bounds.x_max = 15;
@@ -349,6 +417,8 @@ TEST(Draw, APathOfAbsurdLengthIsDrawnAllTheSame) {
   const Scenario scenario = yard();
   const Path path{{0, 0, 0}, {{0, 1e9}, {1 / radius, 1e9}}};
   EXPECT_FALSE(draw({.scenario = &scenario, .path = &path}, PictureFormat::png, 300).empty());
+  const Drawing with_strip{.scenario = &scenario, .path = &path, .curvature_strip = true};
+  EXPECT_FALSE(draw(with_strip, PictureFormat::png, 300).empty());
 }
 
 TEST(Draw, BadInputIsNamed) {

@@ -145,6 +145,20 @@ TEST(Campaign, GivesSettingsToThosePlannersThatHonourThem) {
   }
 }
 
+TEST(Campaign, SteersAsItsSettingsSayAndOtherwiseInTheShortestStyle) {
+  Campaign campaign = small_campaign();
+  campaign.planners = {planner("plain"), planner_named("rrt-bsc-euc"), planner_named("anytime")};
+  for (const RunSpec& run : runs_of(campaign)) {
+    EXPECT_EQ(run.options.cost, shortest_style);
+    EXPECT_EQ(run.options.steering, style_named("shortest").steering);
+  }
+  campaign.settings = {{"steering", "continuous"}};
+  for (const RunSpec& run : runs_of(campaign)) {
+    EXPECT_EQ(run.options.steering,
+              run.planner == 0 ? Steering::reeds_shepp : Steering::continuous);
+  }
+}
+
 TEST(Campaign, RefusesSettingsThatNobodyHonoursOrThatItSetsItself) {
   for (const Setting& setting :
        {Setting{"gaol_bias", "0.1"}, Setting{"reverse_weight", "2"}, Setting{"seed", "7"},

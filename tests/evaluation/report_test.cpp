@@ -52,7 +52,7 @@ TEST(Report, RepeatsARunThatWasCutByTheClock) {
     std::string word, file, planner;
     words >> word >> word >> file >> word >> planner;
     EXPECT_EQ(file, report.files[run.scenario].file);
-    PlanOptions options;
+    PlanOptions options = usual_options(planner_named(planner));
     for (std::string flag, value; words >> flag >> value;) {
       const auto set = [&](const std::string& name, const std::string& text) {
         set_option(options, planner_named(planner), name, text);
@@ -213,6 +213,28 @@ TEST(Report, CommandsToRepeatARunQuoteWhatAShellWouldRead) {
       EXPECT_NE(command.find(" " + word + " --planner "), std::string::npos) << command;
     EXPECT_NE((theirs + ours).find("--planner 'mine; ls' --seed"), std::string::npos) << theirs;
   }
+}
+
+TEST(Report, CommandsToRepeatARunSayHowItSteers) {
+  const TemporaryFolder folder;
+  Campaign campaign = small_campaign();
+  campaign.repeats = 1;
+  campaign.planners = {planner_named("rrt-bsc-euc"), planner_named("anytime")};
+  const auto commands = [&](const std::string& file) {
+    limit(campaign, 30);
+    Store store = Store::create(folder / file);
+    run_campaign(campaign, store, {});
+    const Report report = make_report(store, campaign);
+    std::vector<std::string> all;
+    for (const RunRecord& run : report.runs) all.push_back(reproduce_command(report, run));
+    return all;
+  };
+  for (const std::string& command : commands("usual"))
+    EXPECT_EQ(command.find("steering"), std::string::npos) << command;
+  campaign.settings.push_back({"steering", "continuous-between-stops"});
+  for (const std::string& command : commands("asked for"))
+    EXPECT_NE(command.find(" --set steering=continuous-between-stops"), std::string::npos)
+        << command;
 }
 
 TEST(Report, PutsTheLongerListDown) {

@@ -173,9 +173,11 @@ TEST(Store, KeepsTheMapOfAScenario) {
   const std::string file = folder / "runs.sqlite";
   OccupancyGrid map = grid_of({"#.?", "..#"}, 30.1, {-1.5, 2, 0.25});
   map.unknown_is_free = true;
+  ScenarioFile turned = on_a_map(map);
+  turned.scenario.curvatures = {0.1, -0.05};
   {
     Store store = Store::create(file);
-    store.index_of(stored(on_a_map(map), "no/such/yard.yaml"));
+    store.index_of(stored(turned, "no/such/yard.yaml"));
   }
   Store first = Store::open(file), second = Store::create(folder / "second.sqlite");
   second.merge(first);
@@ -189,6 +191,7 @@ TEST(Store, KeepsTheMapOfAScenario) {
     EXPECT_EQ(scenario.map->origin, map.origin);
     EXPECT_TRUE(scenario.map->unknown_is_free);
     EXPECT_EQ(scenario.map_file, "map.yaml");
+    EXPECT_EQ(scenario.curvatures, turned.scenario.curvatures);
   }
 }
 
@@ -312,6 +315,7 @@ TEST(Store, WritesOptionsAsJsonThatReadsBack) {
   options.budget.time_limit = 1e-7;
   options.budget.max_iterations = 1'000'000'000'000;
   options.cost.initial_gear = InitialGear::reverse;
+  options.steering = Steering::continuous_between_stops;
   options.planner.set("goal_bias", 1.0 / 3.0);
   options.planner.set("weight", 2.0);  // stays a number that need not be whole
   options.planner.set("max_nodes", std::int64_t{2});

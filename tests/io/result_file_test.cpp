@@ -414,6 +414,10 @@ TEST_F(ReadResults, OptionsOutOfRangeNameTheirLine) {
   EXPECT_EQ(
       message("\"curvature_change_cost\": 10001"),
       "r.json:3: options.curvature_change_cost: 10001 is not a number from 0 to 10000 [m per 1/m]");
+  EXPECT_EQ(
+      message("\"steering\": \"smooth\""),
+      "r.json:3: options.steering: \"smooth\" is not reeds-shepp, continuous-between-stops or "
+      "continuous");
   EXPECT_EQ(message("\"margin\": 0.1, \"curvature_change_cost\": 10000"), "no error");
 }
 

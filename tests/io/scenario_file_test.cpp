@@ -65,12 +65,14 @@ void expect_equal(const ScenarioFile& one, const ScenarioFile& other) {
   EXPECT_EQ(a.bounds, b.bounds);
   EXPECT_EQ(a.start, b.start);
   EXPECT_EQ(a.goal, b.goal);
+  EXPECT_EQ(a.curvatures, b.curvatures);
   EXPECT_EQ(a.obstacles, b.obstacles);
   EXPECT_EQ(one.options, other.options);
   ASSERT_EQ(one.row.size(), other.row.size());
   for (std::size_t i = 0; i < one.row.size(); ++i) {
     EXPECT_EQ(one.row[i].distance, other.row[i].distance);
     EXPECT_EQ(one.row[i].goal, other.row[i].goal);
+    EXPECT_EQ(one.row[i].curvature, other.row[i].curvature);
     EXPECT_EQ(one.row[i].obstacles, other.row[i].obstacles);
   }
 }
@@ -87,6 +89,7 @@ TEST(ScenarioFile, EveryKeyIsRead) {
   EXPECT_EQ(file.size(), 1U);
   EXPECT_TRUE(file.warnings.empty());
   EXPECT_EQ(scenario.goal, (Pose{20, 5.25, 0.5}));
+  EXPECT_EQ(scenario.curvatures, EndCurvatures{});
   EXPECT_EQ(scenario.obstacles,
             (std::vector<Polygon>{{{1, 2}, {3, 2}, {3, 4}}, {{-1, -2}, {-3, -2}, {-3, -4}}}));
 }
@@ -357,6 +360,15 @@ std::vector<BadFile> bad_files() {
       spoilt("[[1, 2], [3, 2], [3, 4]]", "[[0, 0], [1, 1], [1, 0], [0, 1]]",
              "11: obstacles[0]: crosses or touches itself where the sides that begin at [0, 0] and "
              "[1, 0] meet, expected a simple polygon"),
+      // Curvatures, of a radius of 7 m
+      spoilt("heading: -0.5", "heading: -0.5, curvature: 0.15",
+             "5: start.curvature: is 0.15, expected at most 1 / min_turning_radius, "
+             "0.14285714285714285 [1/m]"),
+      spoilt("heading: .5", "heading: .5\n  curvature: -.15",
+             "10: goal.curvature: is -0.15, expected at most 1 / min_turning_radius, "
+             "0.14285714285714285 [1/m]"),
+      spoilt("heading: -0.5", "heading: -0.5, curvature: left",
+             "5: start.curvature: is \"left\", expected a number"),
       // Options
       spoilt("bounds:", "options: [margin]\nbounds:",
              "4: options: is no map, expected options by their names"),
@@ -368,7 +380,7 @@ std::vector<BadFile> bad_files() {
              "4: options.margn: unknown option, expected one of style, seed, time_limit, "
              "max_iterations, threads, target_gap, reverse_weight, gear_change_cost, "
              "curvature_change_cost, clearance_weight, clearance_distance, initial_gear, margin, "
-             "margin_ramp, region, min_stroke"),
+             "margin_ramp, steering, region, min_stroke"),
       spoilt("bounds:", "options: {seed: 7}\nbounds:",
              "4: options.seed: is an option of the budget, expected one of what is planned: --set "
              "seed=7"),
@@ -384,6 +396,9 @@ std::vector<BadFile> bad_files() {
                  "8: goals[1].distance: is -40, expected 0 m or more"),
       spoilt_row("x: 40", "x: 1e13",
                  "8: goals[1].goal.x: is 1e+13, expected a number between -1e+12 and 1e+12"),
+      spoilt_row("x: 40, y: 0, heading: 0", "x: 40, y: 0, heading: 0, curvature: 1",
+                 "8: goals[1].goal.curvature: is 1, expected at most 1 / min_turning_radius, "
+                 "0.14285714285714285 [1/m]"),
       spoilt_row("[3, 2], [3, 4]", "[3, 2]",
                  "8: goals[1].obstacles[0]: has 2 corners, expected at least 3"),
       spoilt_row("goals:", "goal:", "6: goal: is a list, expected a map of keys"),
@@ -412,10 +427,34 @@ TEST(ScenarioFile, WritingAndReadingBackChangesNothing) {
     scenario.start = {1.0 / 3, 984378.24645, -6.11698657169903};
     scenario.goal.y = 984378.5;
     for (RowGoal& goal : file.row) goal.goal.y = 984378.5;
+    scenario.curvatures.start = 0.1 / 3;
     scenario.bounds.y_max = 1e10;
     scenario.vehicle.width = 0.1 + 0.2;
     expect_equal(scenario_from_yaml(to_yaml(file), "s.yaml"), file);
   }
+}
+
+TEST(ScenarioFile, CurvaturesAtTheEndsAreReadAndWritten) {
+  const std::string text =
+      exchanged(exchanged(valid, "heading: -0.5", "heading: -0.5, curvature: 0.1"), "heading: .5",
+                "heading: .5\n  curvature: -.125");
+  const ScenarioFile file = scenario_from_yaml(text, "s.yaml");
+  EXPECT_EQ(file.scenario.curvatures, (EndCurvatures{0.1, -0.125}));
+  EXPECT_EQ(make_problem(file.scenario).curvatures(), (EndCurvatures{0.1, -0.125}));
+  expect_equal(scenario_from_yaml(to_yaml(file), "s.yaml"), file);
+  // Straight wheels are not mentioned.
+  EXPECT_EQ(to_yaml(scenario_from_yaml(valid, "s.yaml")).find("curvature"), std::string::npos);
+}
+
+TEST(ScenarioFile, EachGoalOfARowHasACurvature) {
+  const std::string text = exchanged(exchanged(valid_row, "start: {x: 0, y: 0, heading: 0}",
+                                               "start: {x: 0, y: 0, heading: 0, curvature: .1}"),
+                                     "goal: {x: 40, y: 0, heading: 0}",
+                                     "goal: {x: 40, y: 0, heading: 0, curvature: -.125}");
+  const ScenarioFile file = scenario_from_yaml(text, "s.yaml");
+  EXPECT_EQ(scenario_at(file, 0).curvatures, (EndCurvatures{0.1, 0}));
+  EXPECT_EQ(scenario_at(file, 1).curvatures, (EndCurvatures{0.1, -0.125}));
+  expect_equal(scenario_from_yaml(to_yaml(file), "s.yaml"), file);
 }
 
 TEST(ScenarioFile, OptionsAreReadAndWritten) {

@@ -21,6 +21,7 @@ ScenarioFile one_goal() {
   file.scenario.bounds = {-50.5, 50, -40, 40.25};
   file.scenario.start = {10.7, -3.2, 0.5};
   file.scenario.goal = {20, 0, 0};
+  file.scenario.curvatures.start = 0.1;
   file.scenario.obstacles = {{{0, 0}, {1, 0}, {1, 1}}};
   return file;
 }
@@ -28,8 +29,8 @@ ScenarioFile one_goal() {
 ScenarioFile row() {
   ScenarioFile file = one_goal();
   file.row = {{20.0, {20, 0, 0}, {}},
-              {40.0, {40, 0, 0}, {{{5, 5}, {6, 5}, {6, 6}}}},
-              {60.0, {45, 0, 0}, {}}};
+              {40.0, {40, 0, 0}, {{{5, 5}, {6, 5}, {6, 6}}}, -0.05},
+              {60.0, {45, 0, 0}, {}, 0.125}};
   return file;
 }
 
@@ -45,6 +46,7 @@ TEST(ScenarioRow, EachGoalIsAScenarioOfItsOwn) {
   EXPECT_EQ(scenario_at(row(), 0).obstacles.size(), 1U);
   const Scenario second = scenario_at(row(), 1);
   EXPECT_EQ(second.goal, (Pose{40, 0, 0}));
+  EXPECT_EQ(second.curvatures, (EndCurvatures{0.1, -0.05}));
   EXPECT_EQ(second.obstacles,
             (std::vector<Polygon>{{{0, 0}, {1, 0}, {1, 1}}, {{5, 5}, {6, 5}, {6, 6}}}));
 }
@@ -58,6 +60,8 @@ TEST(ScenarioRow, GoalsWithoutObstaclesOfTheirOwnShareAWorld) {
     const Problem alone = make_problem(scenario_at(row(), i));
     EXPECT_EQ(problems[i].start(), alone.start());
     EXPECT_EQ(problems[i].goal(), alone.goal());
+    EXPECT_EQ(problems[i].curvatures(), (EndCurvatures{0.1, row().row[i].curvature}));
+    EXPECT_EQ(alone.curvatures(), problems[i].curvatures());
     EXPECT_EQ(problems[i].task().start, alone.task().start);
     EXPECT_EQ(problems[i].task().goal, alone.task().goal);
     EXPECT_EQ(problems[i].world()->local().bounds, alone.world()->local().bounds);
@@ -73,6 +77,9 @@ struct BadRow {
 const BadRow bad_rows[] = {
     {[](ScenarioFile& file) { file.row[1].goal.x = std::numeric_limits<double>::quiet_NaN(); },
      "goals[1].goal.x: is nan, expected a number between -1e+12 and 1e+12"},
+    {[](ScenarioFile& file) { file.row[2].curvature = -0.2; },
+     "goals[2].goal.curvature: is -0.2, expected at most 1 / min_turning_radius, "
+     "0.14285714285714285 [1/m]"},
     {[](ScenarioFile& file) { file.row[1].distance = -1; },
      "goals[1].distance: is -1, expected 0 m or more"},
     {[](ScenarioFile& file) { file.row[1].obstacles[0].pop_back(); },

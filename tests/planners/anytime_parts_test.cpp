@@ -100,7 +100,7 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
     GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.goal(), problem.start());
     while (guide.step()) {
     }
-    Rotation rotation(problem.task(), rule, problem.start(), problem.goal(), guide);
+    Rotation rotation(problem.task(), rule, problem.start(), problem.goal(), {}, guide);
     double cutoff = 150.0;
     for (int i = 0; i < 3000 && !rotation.is_finished(); ++i) {
       if (!rotation.step(cutoff)) continue;
@@ -119,7 +119,7 @@ TEST(Rotation, EndsWhenNothingCheaperIsLeft) {
   GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.goal(), problem.start());
   while (guide.step()) {
   }
-  Rotation rotation(problem.task(), {1.0, 2.0, 5.0, 0}, problem.start(), problem.goal(), guide);
+  Rotation rotation(problem.task(), {1.0, 2.0, 5.0, 0}, problem.start(), problem.goal(), {}, guide);
   for (int i = 0; i < 50000 && !rotation.is_finished(); ++i) EXPECT_FALSE(rotation.step(9.0));
   EXPECT_TRUE(rotation.is_finished());
 }

@@ -267,6 +267,46 @@ TEST(OwnPlanner, PricesAreChargedByPlanWhereItHonoursThem) {
   EXPECT_NEAR(result.check->reverse_length, 1, 1e-12);
 }
 
+TEST(OwnPlanner, IsToldHowTheVehicleSteers) {
+  std::optional<Steering> in_task;
+  std::optional<Steering> in_options;
+  Planner planner{.name = "asks",
+                  .summary = "",
+                  .properties = {.honours_steering = true},
+                  .function = [&](const Task& task, const PlanOptions& options) {
+                    in_task = task.steering;
+                    in_options = options.steering;
+                    return PlannerAnswer{.status = PlanStatus::time_limit};
+                  }};
+  PlanOptions options = iterations(3);
+  options.steering = Steering::continuous;
+  (void)plan(straight_ahead(), planner, options);
+  EXPECT_EQ(in_task, Steering::continuous);
+  EXPECT_EQ(in_options, Steering::continuous);
+  planner.properties.honours_steering = false;
+  EXPECT_THROW((void)plan(straight_ahead(), planner, options), InputError);
+}
+
+// Where start and goal are one pose, the wheels are to be turned all the same.
+TEST(OwnPlanner, IsAskedWhereOnlyTheWheelsAreToTurn) {
+  const auto runs = std::make_shared<int>(0);
+  Planner planner = straight_planner(runs);
+  planner.properties.honours_steering = true;
+  const Problem here = problem_of({1, 2, 3}, {1, 2, 3}, {});
+  const Problem turned =
+      make_problem(here.world(), here.vehicle(), here.start(), here.goal(), {0.0, 0.1});
+  const auto runs_for = [&](const Problem& problem, Steering steering) {
+    *runs = 0;
+    PlanOptions options = iterations(3);
+    options.steering = steering;
+    (void)plan(problem, planner, options);
+    return *runs;
+  };
+  EXPECT_EQ(runs_for(turned, Steering::continuous), 1);
+  EXPECT_EQ(runs_for(turned, Steering::continuous_between_stops), 0);
+  EXPECT_EQ(runs_for(here, Steering::continuous), 0);
+}
+
 TEST(OwnPlanner, IsNotAskedWhatNeedsNoSearch) {
   const auto runs = std::make_shared<int>(0);
   const Planner planner = straight_planner(runs);
@@ -338,6 +378,18 @@ TEST(RejectedPath, TurnsTooTight) {
   const PlanResult result = plan(problem, driving({{1 / radius, radius * pi / 2}}));
   expect_rejected(result,
                   "curvature 0.1449275362 is tighter than the turning radius of 7 m allows");
+}
+
+TEST(RejectedPath, JumpsInCurvatureWhereTheVehicleRolls) {
+  Planner planner = driving({{0, 3}, {1.0 / 7, 7 * pi / 2}});
+  const Problem problem = problem_of({0, 0, 0}, {10, 7, pi / 2}, {});
+  EXPECT_EQ(plan(problem, planner).status, PlanStatus::solved);
+  planner.properties.honours_steering = true;
+  PlanOptions options;
+  options.steering = Steering::continuous_between_stops;
+  const PlanResult result = plan(problem, planner, options);
+  expect_rejected(result, "the curvature jumps from 0 to 0.1428571 1/m where the vehicle rolls");
+  EXPECT_EQ(result.check->at->s, 3);
 }
 
 TEST(RejectedPath, LeadsThroughAWall) {

@@ -62,6 +62,8 @@ TEST(PlanOptions, EveryCommonOptionReadsBackWhatItWrites) {
                   .clearance_weight = 0.7,
                   .clearance_distance = 2.1,
                   .initial_gear = InitialGear::reverse};
+  options.clearance = {.margin = 0.2, .margin_ramp = 4};
+  options.steering = Steering::continuous_between_stops;
   PlanOptions copy;
   for (const CommonOption& option : common_options()) {
     std::string value = option.get(options);
@@ -153,7 +155,8 @@ TEST(PlannerOptions, ARunWithoutALimitTakesTheDefaultTime) {
 TEST(PlannerOptions, AnUnknownNameListsTheKnownOnes) {
   const std::string expected =
       "gaol_bias: unknown option, expected one of seed, time_limit, max_iterations, margin, "
-      "margin_ramp, region, goal_bias, max_nodes, max_parents, try_goal, keep_tree, profile";
+      "margin_ramp, steering, region, goal_bias, max_nodes, max_parents, try_goal, keep_tree, "
+      "profile";
   EXPECT_EQ(message_of_setting("rrt-bsc-euc", "gaol_bias", "0.1"), expected);
   EXPECT_EQ(message_of_completing("rrt-bsc-euc", with("gaol_bias", 0.1)), expected);
 }
@@ -193,6 +196,64 @@ TEST(PlannerOptions, PricesAndThreadsAreRefusedByTheTrees) {
   EXPECT_EQ(completing([](PlanOptions& o) { o.budget.threads = 2; }), refusal("threads"));
 }
 
+// ---- steering ----
+
+TEST(SteeringOption, HasThreeNames) {
+  for (const auto& [name, steering] :
+       {std::pair{"reeds-shepp", Steering::reeds_shepp},
+        {"continuous-between-stops", Steering::continuous_between_stops},
+        {"continuous", Steering::continuous}}) {
+    PlanOptions options;
+    set_option(options, planner_named("anytime"), "steering", name);
+    EXPECT_EQ(options.steering, steering);
+    EXPECT_EQ(name_of(steering), name);
+    EXPECT_EQ(steering_named(name), steering);
+  }
+  EXPECT_EQ(message_of_setting("anytime", "steering", "smooth"),
+            "steering: \"smooth\" is not reeds-shepp, continuous-between-stops or continuous, "
+            "expected: where curvature may jump; reeds-shepp, continuous-between-stops or "
+            "continuous");
+  EXPECT_THROW((void)steering_named("smooth"), InputError);
+}
+
+TEST(SteeringOption, IsHonouredByOurPlanners) {
+  for (const Planner& planner : planners()) {
+    PlanOptions options;
+    set_option(options, planner, "steering", "continuous");
+    EXPECT_EQ(complete(planner, options).steering, Steering::continuous) << planner.name;
+    EXPECT_EQ(complete(planner, {}).steering, Steering::reeds_shepp) << planner.name;
+  }
+}
+
+TEST(SteeringOption, IsRefusedForAPlannerThatDoesNotHonourIt) {
+  const Planner mine{.name = "mine", .summary = ""};
+  EXPECT_FALSE(honours(mine, "steering"));
+  const auto refusal = [&](const std::string& message) {
+    return message.starts_with(
+        "steering: is no option of mine, expected one of the planners that honour it: anytime, ");
+  };
+  PlanOptions options;
+  for (const char* const name : {"continuous-between-stops", "continuous"}) {
+    EXPECT_TRUE(refusal(message_of([&] { set_option(options, mine, "steering", name); })));
+    options.steering = steering_named(name);
+    EXPECT_TRUE(refusal(message_of([&] { (void)complete(mine, options); })));
+  }
+  set_option(options, mine, "steering", "reeds-shepp");  // what it does may be said
+  EXPECT_EQ(complete(mine, options).steering, Steering::reeds_shepp);
+}
+
+TEST(SteeringOption, TakesMinStrokeAway) {
+  PlanOptions options = with("min_stroke", 1.5);
+  EXPECT_EQ(message_of_completing("anytime", options), "");
+  options.steering = Steering::continuous;
+  EXPECT_EQ(message_of_completing("anytime", options),
+            "min_stroke: is for steering=reeds-shepp, the steering is continuous");
+  options.planner.set("min_stroke", 0.0);
+  EXPECT_EQ(message_of_completing("anytime", options), "");
+}
+
+// ---- styles ----
+
 TEST(Styles, AreSetsOfPrices) {
   const Planner& planner = planner_named("anytime");
   PlanOptions options;
@@ -204,6 +265,29 @@ TEST(Styles, AreSetsOfPrices) {
   EXPECT_EQ(options.cost.initial_gear, InitialGear::reverse);
   EXPECT_EQ(message_of_setting("anytime", "style", "fast"),
             "style: \"fast\" is not driver or shortest");
+}
+
+TEST(Styles, SayHowTheVehicleSteers) {
+  for (const char* const name : {"driver", "shortest"}) {
+    PlanOptions options{.steering = Steering::continuous};
+    set_option(options, planner_named("anytime"), "style", name);
+    EXPECT_EQ(options.steering, style_named(name).steering);
+    EXPECT_EQ(options.cost, style_named(name).cost);
+    set_honoured(options, planner_named("anytime"),
+                 std::vector<Setting>{{"steering", "continuous"}, {"style", name}});
+    EXPECT_EQ(options.steering, Steering::continuous);  // given beside it
+  }
+  EXPECT_EQ(style_named("shortest").steering, Steering::reeds_shepp);
+  PlanOptions options;
+  set_option(options, {.name = "mine", .summary = ""}, "style", "shortest");
+  EXPECT_EQ(options.steering, Steering::reeds_shepp);
+}
+
+TEST(Styles, AreWhatAPlannerBeginsWith) {
+  const PlanOptions driver = usual_options(planner_named("anytime"));
+  EXPECT_EQ((Style{driver.cost, driver.steering}), style_named("driver"));
+  const PlanOptions shortest = usual_options(planner_named("rrt-opt-rs"));
+  EXPECT_EQ((Style{shortest.cost, shortest.steering}), style_named("shortest"));
 }
 
 TEST(Styles, GiveWayToWhatIsSetBesideThem) {

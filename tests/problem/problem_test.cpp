@@ -75,6 +75,29 @@ TEST(MakeProblem, APolygonOfOnePointStaysAnObstacle) {
   EXPECT_TRUE(checker.is_free({9.0, 3.0 + 2.55 / 2 + 0.002, 0.0}));
 }
 
+TEST(MakeProblem, TheWheelsAreTurnedNoFurtherThanTheyCanBe) {
+  Scenario scenario = yard();
+  const double lock = 1 / scenario.vehicle.min_turning_radius;
+  scenario.curvatures = {lock, -lock};
+  EXPECT_EQ(make_problem(scenario).curvatures(), scenario.curvatures);
+  EXPECT_EQ(make_problem(scenario).task().curvatures, scenario.curvatures);
+  const auto place_of = [](const Scenario& spoilt) {
+    try {
+      check_scenario(spoilt);
+      (void)make_problem(spoilt);
+    } catch (const InputError& error) {
+      return error.where();
+    }
+    return std::string("none");
+  };
+  for (const double curvature : {1.0001 * lock, -1.0001 * lock, std::nan("")}) {
+    scenario.curvatures = {curvature, 0};
+    EXPECT_EQ(place_of(scenario), "start.curvature");
+    scenario.curvatures = {0, curvature};
+    EXPECT_EQ(place_of(scenario), "goal.curvature");
+  }
+}
+
 TEST(MakeProblem, CollisionAndBoundsAreForThePlannerToSay) {
   Scenario scenario = yard();
   scenario.start = {0.5, 0.2, 0};  // in the obstacle

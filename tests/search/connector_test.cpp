@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "../support/cases.h"
 #include "../support/problems.h"
@@ -15,10 +16,7 @@
 namespace vandplan {
 namespace {
 
-using search::Connector;
-using search::CostRule;
-using search::Gears;
-using search::GearSign;
+using namespace search;
 
 constexpr Bounds region{-30, 30, -30, 30};
 
@@ -70,6 +68,75 @@ TEST(Connector, ACutoffHidesNoWordThatCostsLess) {
     } else {
       EXPECT_GE(below, cutoff);
     }
+  });
+}
+
+/// A task in which the curvature is continuous, on open ground.
+Task continuous_task(Steering steering) {
+  Task task = problem_of({-90, 3, 1}, {90, -3, -2}, {}).task();
+  task.steering = steering;
+  return task;
+}
+
+/// Whether a piece may follow (or precede, at its end) what is driven beside it.
+bool fits(const Driven& beside, const Driven& end, Steering steering) {
+  const bool stands = beside.gear != 0 && end.gear == -beside.gear;
+  if (stands && steering == Steering::continuous_between_stops) return true;
+  const double wanted = std::isnan(beside.curvature) ? 0.0 : beside.curvature;
+  return std::abs(end.curvature - wanted) < 1e-12;
+}
+
+TEST(Connector, AContinuousPieceGoesOnFromWhatIsDrivenAroundIt) {
+  int found = 0;
+  for (const Steering steering : {Steering::continuous_between_stops, Steering::continuous}) {
+    const Task task = continuous_task(steering);
+    for_each_case(7, 2000, [&](Rng& rng) {
+      const CostRule rule = rng() % 2 == 0 ? CostRule{} : CostRule{1.0, 2.0, 5.0, 0};
+      Connector connector(task, rule);
+      const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
+      const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
+      const auto beside = [&]() -> Driven {
+        const double curvatures[] = {0.0, 1 / connector.radius(), Driven::any};
+        const GearSign gear = random_gear(rng);
+        return {gear, gear == 0 ? Driven::any : curvatures[rng() % 3]};
+      };
+      const Gears gears{beside(), beside()};
+      const std::optional<Piece> piece = connector.steer(from, to, gears);
+      if (!piece) return;
+      ++found;
+      EXPECT_TRUE(fits(gears.before, first_driven(*piece), steering));
+      EXPECT_TRUE(fits(gears.after, last_driven(*piece), steering));
+      const Pose end = end_of(from, *piece);
+      EXPECT_NEAR(std::hypot(end.x - to.x, end.y - to.y), 0.0, 1e-6);
+    });
+  }
+  EXPECT_GE(found, cases(2000));
+}
+
+TEST(Connector, ItStandsAtTheEndsOfTheTaskBetweenStops) {
+  const Task task = continuous_task(Steering::continuous_between_stops);
+  Connector connector(task);
+  const std::optional<Piece> piece = connector.steer(task.start, task.goal);
+  ASSERT_TRUE(piece);
+  EXPECT_NE(first_driven(*piece).curvature, 0.0);
+  EXPECT_NE(last_driven(*piece).curvature, 0.0);
+}
+
+TEST(Connector, AContinuousPieceIsCutWhereTheWheelsAreStraight) {
+  const Task task = continuous_task(Steering::continuous_between_stops);
+  Connector connector(task);
+  for_each_case(8, 500, [&](Rng& rng) {
+    const Pose to = uniform_pose({-20, 20, -20, 20}, rng);
+    const std::optional<Piece> piece = connector.steer({}, to);
+    ASSERT_TRUE(piece);
+    const double s = nearest_cut(*piece, uniform(0, piece->length, rng), connector.radius());
+    const Piece head = prefix(*piece, s);
+    const Piece tail = suffix(*piece, s);
+    EXPECT_NEAR(head.length + tail.length, piece->length, 1e-9);
+    if (head.count == 0 || tail.count == 0) return;
+    const Driven before = last_driven(head);
+    const Driven after = first_driven(tail);
+    EXPECT_TRUE(before.gear != after.gear || std::abs(before.curvature) < 1e-12);
   });
 }
 

@@ -27,7 +27,9 @@ inline std::string as_code(const ContinuousCase& c) {
   const auto& s = c.steering;
   return (s.continuity() == Continuity::throughout ? "throughout " : "between stops ") +
          braced({s.radius(), s.curvature_rate()}) + " " + as_code(c.pair) + " curvatures " +
-         braced({c.query.start_curvature, c.query.goal_curvature});
+         braced({c.query.start_curvature, c.query.goal_curvature}) +
+         (c.query.start_stands ? " stands" : " rolls") +
+         (c.query.goal_stands ? ", stands" : ", rolls");
 }
 
 /// Whether the segments lead from pose to pose within the limits, without a jump where none may be.
@@ -36,25 +38,27 @@ inline testing::AssertionResult is_drivable(const Piece& piece, const Continuous
   const double rate = (1 + 1e-11) * c.steering.curvature_rate();
   const double smooth = 1e-10 / c.steering.radius();
   const bool throughout = c.steering.continuity() == Continuity::throughout;
+  const bool rolls_first = throughout || !c.query.start_stands;
+  const bool rolls_last = throughout || !c.query.goal_stands;
   const auto wrong = [&](const char* what) {
     return testing::AssertionFailure() << what << " " << as_code(piece.view());
   };
   Pose end = c.pair.from;
-  double curvature = c.query.start_curvature, gear = 0, sum = 0;
+  double curvature = rolls_first ? c.query.start_curvature : c.query.goal_curvature;
+  double gear = 0, sum = 0;
   for (const Segment& s : piece.view()) {
     const double last = s.curvature + s.curvature_rate * std::abs(s.length);
     if (!(std::abs(s.length) > 0)) return wrong("a segment of no length");
     if (!(std::abs(s.curvature) <= most && std::abs(last) <= most)) return wrong("too sharp");
     if (!(std::abs(s.curvature_rate) <= rate)) return wrong("too sudden");
-    const bool stands = gear == 0 || gear * s.length < 0;
-    if ((throughout || !stands) && std::abs(s.curvature - curvature) > smooth)
-      return wrong("jumps");
+    const bool rolls = gear == 0 ? rolls_first : throughout || gear * s.length > 0;
+    if (rolls && std::abs(s.curvature - curvature) > smooth) return wrong("jumps");
     end = advance(end, s);
     curvature = last;
     gear = s.length;
     sum += std::abs(s.length);
   }
-  if (throughout && std::abs(curvature - c.query.goal_curvature) > smooth) {
+  if (rolls_last && std::abs(curvature - c.query.goal_curvature) > smooth) {
     return wrong("does not end with the curvature wanted");
   }
   if (std::abs(sum - piece.length) > 1e-10 * (c.steering.radius() + sum)) return wrong("length");
@@ -85,7 +89,12 @@ constexpr double law_radius = 7;
 inline ContinuousCase any_case(Rng& rng) {
   const ContinuousSteering steering = any_steering(law_radius, rng);
   ContinuousCase c{steering, any_pair(law_radius, rng), {}};
-  if (steering.continuity() == Continuity::throughout && chance(0.5, rng)) {
+  const bool between_stops = steering.continuity() == Continuity::between_stops;
+  if (between_stops) {
+    c.query.start_stands = chance(0.5, rng);
+    c.query.goal_stands = chance(0.5, rng);
+  }
+  if (chance(between_stops ? 0.2 : 0.5, rng)) {
     c.query.start_curvature = any_curvature(law_radius, rng);
     c.query.goal_curvature = any_curvature(law_radius, rng);
   }

@@ -69,7 +69,7 @@ void Detours::choose() {
 void Detours::begin() {
   choose();
   CostRule rule = rule_;
-  gears_ = {rule_.initial_gear, 0};
+  gears_ = gears_at_ends(task_, rule_);
   if (!before_.legs.empty()) gears_.before = last_driven(before_.legs.back().piece);
   if (!after_.legs.empty()) gears_.after = first_driven(after_.legs.front().piece);
   rule.initial_gear = gears_.before.gear;

@@ -34,7 +34,9 @@ Shortener::Place Shortener::random_place() {
 }
 
 Pose Shortener::pose_at(const Place& place) const {
-  return end_of(route_.begin_of(place.leg), prefix(route_.legs[place.leg].piece, place.s));
+  const Leg& leg = route_.legs[place.leg];
+  if (place.s == leg.piece.length) return leg.end;
+  return end_of(route_.begin_of(place.leg), prefix(leg.piece, place.s));
 }
 
 // In the vehicle's own frame, at a random scale: what is left to gain shrinks as the route settles.

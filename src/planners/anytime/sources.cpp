@@ -30,16 +30,6 @@ CostRule rule_from(const CostRule& rule, Root root) {
   return root == Root::start ? rule : reversed(rule, 0);
 }
 
-/// What is driven before the first end of a search, and after the last one.
-Gears gears_at_ends(const Task& task, const CostRule& rule, Root root) {
-  Gears gears{rule.initial_gear, 0};
-  if (task.steering != Steering::continuous) return gears;
-  gears.before.curvature = task.curvatures.start;
-  gears.after.curvature = task.curvatures.goal;
-  if (root == Root::goal) std::swap(gears.before.curvature, gears.after.curvature);
-  return gears;
-}
-
 }  // namespace
 
 Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
@@ -63,6 +53,13 @@ void Ladder::next_guide() {
   guided_ = false;
 }
 
+// What is driven before and after a search.
+Gears Ladder::gears_from(const CostRule& rule) const {
+  Gears gears = gears_at_ends(task_, rule);
+  if (root_ == Root::goal) std::swap(gears.before.curvature, gears.after.curvature);
+  return gears;
+}
+
 void Ladder::next_search() {
   lattice_.reset();
   if (level_ == searches.size()) {
@@ -70,8 +67,7 @@ void Ladder::next_search() {
     return;
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
-  lattice_.emplace(from_, to_, gears_at_ends(task_, connector.rule(), root_), searches[level_],
-                   *guide_, connector);
+  lattice_.emplace(from_, to_, gears_from(connector.rule()), searches[level_], *guide_, connector);
   ++level_;
 }
 
@@ -115,8 +111,7 @@ bool Ladder::step_rotation() {
       next_guide();
       return false;
     }
-    const Gears gears = gears_at_ends(task_, by_price_.rule(), root_);
-    rotation_.emplace(task_, by_price_.rule(), from_, to_, gears, *guide_);
+    rotation_.emplace(task_, by_price_.rule(), from_, to_, gears_from(by_price_.rule()), *guide_);
   }
   const bool found = rotation_->step(cutoff_);
   finished_ = rotation_->is_finished();

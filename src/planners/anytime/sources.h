@@ -41,6 +41,7 @@ class Ladder {
   [[nodiscard]] bool takes_turns() const;
   [[nodiscard]] bool is_known() const;
   bool step_rotation();
+  [[nodiscard]] Gears gears_from(const CostRule& rule) const;
   void next_search();
   void next_guide();
 

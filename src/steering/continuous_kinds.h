@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which formulas and symmetries do the words of continuous steering have?
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "steering/continuous_families.h"
+#include "steering/continuous_word.h"
+#include "steering/mean_frame.h"
+#include "steering/word.h"
+
+namespace vandplan::steering::families {
+
+using namespace reeds_shepp_formulas;
+
+inline constexpr double full_turn = 2 * std::numbers::pi;
+
+/// What of a formula is needed to make its words.
+struct Kind {
+  Formula formula;
+  Arcs (*arcs)(const Circles&);
+  Symmetry own;  ///< maps the word onto itself; none for a word that has eight images
+};
+
+inline constexpr Symmetry none{false, false, false};
+inline constexpr Symmetry in_x{true, false, false};
+inline constexpr Symmetry in_y{false, true, false};
+inline constexpr Symmetry in_half_turn{false, false, true};
+
+inline constexpr std::array<Kind, 11> kinds = {{
+    {Formula::lsl, lsl, in_y},
+    {Formula::lsr, lsr, in_half_turn},
+    {Formula::l_r_l, l_r_l, in_y},
+    {Formula::r_lr, r_lr, none},
+    {Formula::lr_lr, lr_lr, in_x},
+    {Formula::r_lr_l, r_lr_l, in_half_turn},
+    {Formula::r_lsr, r_lsr, none},
+    {Formula::r_lsl, r_lsl, none},
+    {Formula::r_lsr_l, r_lsr_l, in_half_turn},
+    {Formula::lrl, lrl, in_y},
+    {Formula::r_lr_wide, r_lr_wide, none},
+}};
+
+/// In [-slack, 2 pi - slack): a turn that should be a little less than nothing is a bad guess of a
+/// small one, not of a whole turn.
+inline double in_one_turn(double arc) {
+  constexpr double slack = 0.5;
+  return arc - full_turn * std::floor((arc + slack) / full_turn);
+}
+
+inline Arcs in_one_turn(Arcs arcs) {
+  arcs.first = in_one_turn(arcs.first);
+  arcs.last = in_one_turn(arcs.last);
+  return arcs;
+}
+
+inline WordFrame image_of(WordFrame f, const Symmetry& s) {
+  if (s.x) f.x = -f.x;
+  if (s.y) f.y = -f.y;
+  if (s.half_turn) {
+    f.a = -f.a;
+    f.s = -f.s;
+  }
+  return f;
+}
+
+inline MeanFrame folded(const MeanFrame& f) {
+  return {std::abs(f.x), std::abs(f.y), std::abs(f.half_turn)};
+}
+
+/// What undoes `folded`. For the frame from the other end it differs in all three, zeros included.
+inline Symmetry unfolding(const MeanFrame& f) {
+  const bool backwards = f.x != 0 ? f.x < 0 : f.y != 0 ? f.y < 0 : f.half_turn < 0;
+  const auto is_negative = [&](double v) { return v != 0 ? v < 0 : backwards; };
+  return {backwards, is_negative(f.y), is_negative(f.half_turn)};
+}
+
+inline Symmetry both(const Symmetry& a, const Symmetry& b) {
+  return {a.x != b.x, a.y != b.y, a.half_turn != b.half_turn};
+}
+
+/// The stops of a task as the word sees them that a symmetry makes.
+inline Stops seen_by(const Symmetry& made, const Stops& stops) {
+  return made.swaps_ends() ? stops.swapped() : stops;
+}
+
+/// Whether a word, if its turn is long enough, begins (or ends) by driving a winding back.
+inline bool may_drive_back(const Step& step, const Symmetry& symmetry, const Winding& winding) {
+  return winding.length > 0 && (symmetry.swaps_sides() ? -step.turn : step.turn) == winding.side &&
+         (symmetry.swaps_gears() ? -step.gear : step.gear) == winding.gear;
+}
+
+inline bool may_drive_back(Formula formula, const Symmetry& symmetry, bool at_start,
+                           const Winding& winding) {
+  const Steps& steps = steps_of(formula);
+  return may_drive_back(steps.list[at_start == symmetry.swaps_ends() ? steps.count - 1 : 0],
+                        symmetry, winding);
+}
+
+}  // namespace vandplan::steering::families
