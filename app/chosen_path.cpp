@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "commands.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
@@ -33,7 +35,11 @@ Choice chosen_pair(const ScenarioProblems& read, ResultReader& reader, std::size
   const Problem& pattern = read.problems.front();
   while (const std::optional<PairRecord> pair = reader.next()) {
     if (pair->pair != number) continue;
-    return {make_problem(pattern.world(), pattern.vehicle(), pair->poses.start, pair->poses.goal),
+    Scenario scenario = scenario_at(read.file, 0);
+    scenario.start = pair->poses.start;
+    scenario.goal = pair->poses.goal;
+    return {std::move(scenario),
+            make_problem(pattern.world(), pattern.vehicle(), pair->poses.start, pair->poses.goal),
             pair->record, fmt::format("{} pair {}", read.file.scenario.name, number)};
   }
   throw InputError("--pair", fmt::format("there is no pair {}", number));
@@ -54,7 +60,7 @@ Choice chosen(const ScenarioProblems& read, const PathArguments& arguments) {
   const std::size_t i = goal_of(read.file, records, arguments.goal);
   std::string label = read.file.scenario.name;
   if (read.file.is_row()) label += fmt::format(" goals[{}]", i);
-  return {read.problems[i], std::move(records[i]), std::move(label)};
+  return {scenario_at(read.file, i), read.problems[i], std::move(records[i]), std::move(label)};
 }
 
 }  // namespace
@@ -86,6 +92,15 @@ std::string reason_not_to_drive(const Choice& choice) {
   if (!path) return no_path_text(choice.record.result);
   const PathCheck verdict = check_path(choice.problem, *path, choice.record.claims);
   return verdict.valid ? "" : "invalid: " + verdict.reason;
+}
+
+int refuse(const Choice& choice, const std::string& reason, bool json) {
+  if (json) {
+    print({{"scenario", choice.record.scenario}, {"reason", reason}});
+  } else {
+    fmt::print("{}: {}\n", printable(choice.label), reason);
+  }
+  return exit_status::failed;
 }
 
 }  // namespace vandplan::app

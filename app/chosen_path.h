@@ -9,6 +9,7 @@
 
 #include "vandplan/problem.h"
 #include "vandplan/result_file.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan::app {
 
@@ -22,12 +23,14 @@ struct PathArguments {
 
 /// One path of a result file, with the problem that it solves.
 struct Choice {
+  Scenario scenario;  // with the poses of the problem
   Problem problem;
   ResultRecord record;
   std::string label;  // "yard goals[2]"
 };
 
-/// Adds SCENARIO, RESULT, --goal and --pair to a command; call `add_choice` after its other options.
+/// Adds SCENARIO, RESULT, --goal and --pair to a command; call `add_choice` after its other
+/// options.
 void add_files(CLI::App& command, PathArguments& arguments);
 void add_choice(CLI::App& command, PathArguments& arguments);
 
@@ -37,5 +40,8 @@ void add_choice(CLI::App& command, PathArguments& arguments);
 
 /// Why there is nothing to drive: no path, or one that the judge finds invalid; empty if there is.
 [[nodiscard]] std::string reason_not_to_drive(const Choice& choice);
+
+/// Says why there is nothing to drive; returns the exit status.
+int refuse(const Choice& choice, const std::string& reason, bool json);
 
 }  // namespace vandplan::app

@@ -87,6 +87,14 @@ void write_picture(const PictureWish& wish, const ScenarioFile& scenario,
   write_file(file, one ? draw(sheet.drawings.front(), format, width) : draw(sheet, format, width));
 }
 
+void write_picture(const std::string& file, const Scenario& scenario, const ResultRecord& planned,
+                   const DrivenLine& driven) {
+  Drawing drawing = drawing_of(scenario, &planned);
+  drawing.driven = &driven.poses;
+  drawing.caption = printable(driven.caption);
+  write_file(file, draw(drawing, picture_format(file), width));
+}
+
 DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                          ResultReader& results, std::optional<std::size_t> pair) {
   const auto& [file, has_strip] = wish;

@@ -132,16 +132,6 @@ std::size_t write_drive(const std::string& output, const std::vector<Motion>& mo
   return motions.size();
 }
 
-/// Says why there is nothing to drive.
-int refuse(const Choice& choice, const std::string& text, const SpeedArguments& arguments) {
-  if (arguments.json) {
-    print({{"scenario", choice.record.scenario}, {"reason", text}});
-  } else {
-    fmt::print("{}: {}\n", printable(choice.label), text);
-  }
-  return exit_status::failed;
-}
-
 void check_output(const SpeedArguments& arguments) {
   if (!(arguments.step >= 1e-4 && arguments.step <= 0.05)) {
     throw InputError("--step", fmt::format("is {}, expected 0.0001 to 0.05 s", arguments.step));
@@ -158,7 +148,7 @@ int run(const SpeedArguments& arguments) {
   check_output(arguments);
   const Choice choice = chosen_path(arguments.path);
   const std::string reason = reason_not_to_drive(choice);
-  if (!reason.empty()) return refuse(choice, reason, arguments);
+  if (!reason.empty()) return refuse(choice, reason, arguments.json);
   const std::optional<Path>& path = choice.record.result.path;
   const Vehicle& vehicle = choice.problem.vehicle();
   const SpeedOptions options{.start_curvature = choice.problem.curvatures().start};

@@ -124,14 +124,19 @@ class Drive {
         errors_(vehicle_) {
     expect_drivable(path, vehicle_);
     check_limits(vehicle_.limits);
-    const SpeedProfile profile = speed_profile(path, with_reserve(vehicle_, options.reserve));
+    const double curvature = problem.curvatures().start;
+    const SpeedProfile profile = speed_profile(path, with_reserve(vehicle_, options.reserve),
+                                               {.start_curvature = curvature});
     result_.planned_duration = profile.duration;
     pose_ = to_local(*problem.world(), path.start);
     strokes_ = strokes_of({pose_, path.segments}, profile);
     state_.pose = pose_;
     state_.direction = strokes_.front().direction();
+    state_.steering_angle = steering_angle(vehicle_, curvature);
     const auto periods = static_cast<std::size_t>(std::ceil(options.delay / control_period - 1e-9));
-    under_way_.assign(periods, {.acceleration = -1.0, .direction = state_.direction});
+    under_way_.assign(periods, {.steering_angle = state_.steering_angle,
+                                .acceleration = -1.0,
+                                .direction = state_.direction});
   }
 
   DriveResult run();

@@ -68,7 +68,7 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
     }
   };
   look({}, pose);
-  double wheels = 0.0;
+  double wheels = steering_angle(vehicle, problem.curvatures().start);
   auto gap = left_out.begin();
   for (std::size_t i = 0; i + 1 < motions.size(); ++i) {
     const Motion& now = motions[i];
@@ -103,7 +103,8 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
 
 ExecutableCheck executable(const Problem& problem, const Path& path) {
   const Vehicle& vehicle = problem.vehicle();
-  const SpeedProfile profile = speed_profile(path, vehicle);
+  const SpeedProfile profile =
+      speed_profile(path, vehicle, {.start_curvature = problem.curvatures().start});
   const std::vector<Motion> motions = sampled(path, vehicle, profile, period);
   const std::vector<Stop> jumps = jumps_of(motions, profile);
   ExecutableCheck check;
