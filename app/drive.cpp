@@ -83,11 +83,12 @@ void DriveTotals::add(const DriveResult& drive, std::uint64_t its_seed) {
   worst.clearance = is_first ? drive.clearance : std::min(worst.clearance, drive.clearance);
 }
 
-/// An option of the library, by the name that it has here.
+/// An error of an option of the library, by the name that the option has here.
 InputError renamed(const InputError& error) {
   for (const char* name : {"controller", "noise", "delay", "reserve"}) {
     if (error.where() == name) return {"--" + error.where(), error.problem()};
   }
+  if (error.where() == "spare_steering") return {"--spare-steering", error.problem()};
   return error;
 }
 
@@ -137,6 +138,7 @@ nlohmann::ordered_json json_of(const Choice& choice, const DriveArguments& argum
                                  {"noise", options.noise},
                                  {"delay", options.delay},
                                  {"reserve", options.reserve},
+                                 {"spare_steering", options.spare_steering},
                                  {"seed", options.seed},
                                  {"runs", totals.runs},
                                  {"arrived", totals.arrived},
@@ -303,6 +305,12 @@ void add_options(CLI::App& command, DriveArguments& arguments) {
       .add_option("--reserve", options.reserve,
                   "Share of steering rate, acceleration and braking that the planned speeds leave\n"
                   "for corrections; 0 to 0.5")
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command
+      .add_option("--spare-steering", options.spare_steering,
+                  "The wheels can make a curvature larger by this share than min_turning_radius\n"
+                  "says, to steer against what drives out of the tightest turns; 0 to 0.5")
       ->type_name("SHARE")
       ->capture_default_str();
   command.add_option("--runs", arguments.runs, "Drives, with the seeds from --seed on")

@@ -40,6 +40,9 @@ struct DriveOptions {
   /// Share of steering rate, acceleration and braking that the planned speeds leave for
   /// corrections; 0 to 0.5.
   double reserve = 0.1;
+  /// The wheels can make a curvature larger by this share than `min_turning_radius` says; 0 to 0.5.
+  /// Without it nobody can steer against what drives out of the tightest turn.
+  double spare_steering = 0.0;
   std::uint64_t seed = 1;  ///< of the noise
   bool keep_log = false;   ///< `DriveResult::log` is filled
 };
@@ -90,9 +93,9 @@ struct DriveResult {
 /// Drives a path (in the scenario's frame) from standing to standing with the speeds of
 /// `speed_profile` for limits less the reserve, and looks at everything that footprint and wheels
 /// sweep. At the start the wheels are turned as `Problem::curvatures` says. Repeats bit for bit.
-/// Throws InputError naming "controller", "noise", "delay" or
-/// "reserve", a limit of the vehicle, or a segment that is not finite or turns more sharply than
-/// the vehicle can.
+/// Throws InputError naming "controller", "noise", "delay",
+/// "reserve" or "spare_steering", a limit of the vehicle, or a segment that is not finite or turns
+/// more sharply than the vehicle can.
 [[nodiscard]] DriveResult drive(const Problem& problem, const Path& path,
                                 const DriveOptions& options = {});
 

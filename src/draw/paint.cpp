@@ -230,7 +230,7 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   if (scene.path) paint_path(cairo, scene, view);
   if (!scene.driven.empty()) {
     add_line(cairo, view, scene.driven);
-    stroke(cairo, 1.0, colour::driven, 1.0);
+    stroke(cairo, 1.4, colour::driven, 1.0);
   }
 }
 

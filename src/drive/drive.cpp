@@ -31,6 +31,8 @@ const Controller& checked_controller(const DriveOptions& options, const Path& pa
   require(options.noise >= 0.0 && options.noise <= 10.0, "noise", options.noise, "0 to 10");
   require(options.delay >= 0.0 && options.delay <= 1.0, "delay", options.delay, "0 to 1 s");
   require(options.reserve >= 0.0 && options.reserve <= 0.5, "reserve", options.reserve, "0 to 0.5");
+  require(options.spare_steering >= 0.0 && options.spare_steering <= 0.5, "spare_steering",
+          options.spare_steering, "0 to 0.5");
   const Controller* const controller = find_controller(options.controller);
   if (controller == nullptr) {
     throw InputError("controller", "\"" + options.controller + "\" is unknown, expected " +
@@ -57,6 +59,12 @@ void expect_drivable(const Path& path, const Vehicle& vehicle) {
               "at most 1 / min_turning_radius, " + base::shortest_text(most));
     }
   }
+}
+
+/// The vehicle as its wheels can really be turned.
+Vehicle with_spare(Vehicle vehicle, double spare) {
+  vehicle.min_turning_radius /= 1 + spare;
+  return vehicle;
 }
 
 /// The vehicle whose limits the planned speeds keep.
@@ -116,13 +124,13 @@ class Drive {
   Drive(const Problem& problem, const Path& path, const DriveOptions& options)
       : controller_(checked_controller(options, path)),
         options_(options),
-        vehicle_(problem.vehicle()),
+        vehicle_(with_spare(problem.vehicle(), options.spare_steering)),
         origin_(problem.world()->origin()),
         rng_(options.seed),
         error_(actuator_error(options.noise, rng_)),
         watch_(problem),
         errors_(vehicle_) {
-    expect_drivable(path, vehicle_);
+    expect_drivable(path, problem.vehicle());
     check_limits(vehicle_.limits);
     const double curvature = problem.curvatures().start;
     const SpeedProfile profile = speed_profile(path, with_reserve(vehicle_, options.reserve),
@@ -161,7 +169,7 @@ class Drive {
 
   const Controller& controller_;
   const DriveOptions& options_;
-  const Vehicle& vehicle_;
+  Vehicle vehicle_;
   Point origin_;
   Rng rng_;
   ActuatorError error_;

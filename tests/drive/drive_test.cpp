@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drive/outline.h"
 #include "support/problems.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
@@ -48,6 +49,14 @@ DriveResult driven(const Path& path, const DriveOptions& options = {}, Surroundi
 }
 
 class EveryController : public testing::TestWithParam<std::string> {};
+
+TEST(Outline, TheFurthestCornerCounts) {
+  const Footprint body{.rear = 1, .front = 4, .half_width = 1};
+  EXPECT_EQ(driving::deviation_of(body, {0, 0, 0}), 0);
+  EXPECT_DOUBLE_EQ(driving::deviation_of(body, {0.3, 0.4, 0}), 0.5);
+  // Turned on the spot the corner at (4, 1) comes to (-1, 4), the one at (-1, -1) to (1, -1).
+  EXPECT_DOUBLE_EQ(driving::deviation_of(body, {0, 0, pi / 2}), 3);
+}
 
 INSTANTIATE_TEST_SUITE_P(Drive, EveryController,
                          testing::Values("rear-axle-feedback", "lqr", "pure-pursuit", "stanley"),
@@ -234,6 +243,31 @@ TEST(Drive, AMarginOfTheOutlineDeviationIsEnough) {
   }
 }
 
+TEST(Drive, WithSpareSteeringTheTightestTurnsAreKept) {
+  const double full = 1 / 7.0;
+  const Path path{{0, 0, 0}, {{full, 40}}};
+  double tight = 0;
+  double spare = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    tight = std::max(tight, driven(path, {.noise = 1, .seed = seed}).largest_lateral);
+    const DriveOptions options{.noise = 1, .spare_steering = 0.1, .seed = seed};
+    spare = std::max(spare, driven(path, options).largest_lateral);
+  }
+  EXPECT_GT(tight, 0.2);
+  EXPECT_LT(spare, 0.05);
+}
+
+TEST(Drive, AtTheStartTheWheelsMayBeTurned) {
+  const double full = 1 / 7.0;
+  const Path path{{0, 0, 0}, {{full, 4}}};
+  const std::shared_ptr<const World> world = world_of({.bounds = wide_bounds});
+  const Problem turned = make_problem(world, truck(), path.start, end_pose(path), {full, full});
+  const DriveResult result = drive(turned, path, {.keep_log = true});
+  EXPECT_DOUBLE_EQ(result.log.front().steering_angle, std::atan(4.5 * full));
+  const double pause = std::atan(4.5 * full) / (0.9 * 0.5);
+  EXPECT_NEAR(driven(path).planned_duration - result.planned_duration, pause, 1e-9);
+}
+
 TEST(Drive, TheSeedDecides) {
   const auto with_seed = [](std::uint64_t seed) {
     return driven(there_and_back(), {.noise = 1, .delay = 0.1, .seed = seed, .keep_log = true});
@@ -296,6 +330,7 @@ TEST(Drive, SaysWhatItCannotDo) {
             "stanley");
   EXPECT_EQ(complaint(line, {.noise = -1}), "noise: is -1, expected 0 to 10");
   EXPECT_EQ(complaint(line, {.noise = std::nan("")}), "noise: is nan, expected 0 to 10");
+  EXPECT_EQ(complaint(line, {.spare_steering = -1}), "spare_steering: is -1, expected 0 to 0.5");
   EXPECT_EQ(complaint(line, {.reserve = 1}), "reserve: is 1, expected 0 to 0.5");
   EXPECT_EQ(complaint(line, {.delay = 2}), "delay: is 2, expected 0 to 1 s");
   EXPECT_EQ(complaint({{0, 0, 0}, {{0, 2}, {0.2, 1}}}, {}),
