@@ -84,7 +84,7 @@ Offset Stroke::offset_of(const Pose& pose, double guess) const noexcept {
 }
 
 double Stroke::speed_at(double s) const noexcept {
-  if (s >= length() || knots_.empty()) return 0.0;
+  if (knots_.empty()) return 0.0;
   const double on_path = begin_ + std::max(s, 0.0);
   const auto later =
       std::ranges::upper_bound(knots_, on_path, {}, [](const Knot& each) { return each.knot.s; });

@@ -216,12 +216,30 @@ TEST(Drive, WhatIsPassedNearlyIsNoContact) {
   EXPECT_TRUE(std::isinf(driven(path).clearance));
 }
 
+TEST(Drive, TheLeastClearanceIsSeen) {
+  // The outer corner of the front passes a post at half a metre, and nothing else comes near it.
+  const double full = 1 / 7.0;
+  const Path path{{0, 0, 0}, {{full, 20}}};
+  const double corner = std::hypot(5.9, 7 + 1.275);
+  const Surroundings post{.obstacles = {box(corner + 0.5, 6.99, corner + 0.7, 7.01)}};
+  EXPECT_NEAR(driven(path, {}, post).clearance, 0.5, 1e-3);
+}
+
 TEST(Drive, OutOfBoundsNothingIsTouched) {
   const Path path{{0, 0, 0}, {{0, 20}}};
-  const Problem problem = problem_of_path({.bounds = {-1, 19, -1, 1}}, path);
+  const Surroundings beside{.bounds = {-1, 19, -1, 1}, .obstacles = {box(10, 1.276, 40, 3)}};
+  const Problem problem = problem_of_path(beside, path);
   const DriveResult result = drive(problem, path);
   EXPECT_FALSE(result.contact);
   EXPECT_NEAR(result.out_of_bounds, 1, 1e-6);
+}
+
+TEST(Drive, GearChangesAreMadeWhereverNoiseStopsTheVehicle) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const DriveResult result = driven(there_and_back(), {.noise = 3, .delay = 0.1, .seed = seed});
+    EXPECT_TRUE(result.has_arrived) << seed;
+    EXPECT_LT(result.duration, result.planned_duration + 10) << seed;
+  }
 }
 
 TEST(Drive, AMarginOfTheOutlineDeviationIsEnough) {
