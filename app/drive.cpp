@@ -207,8 +207,9 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
              metres_text(worst.largest_lateral), degrees_text(worst.largest_heading),
              metres_text(totals.rms_lateral()), degrees_text(totals.rms_heading()),
              metres_text(worst.end_distance), degrees_text(worst.end_heading));
-  fmt::print("  outline: at most {} beyond the plan, so a margin of {:.3f} m is enough\n",
-             metres_text(worst.outline_deviation), std::ceil(worst.outline_deviation * 1e3) / 1e3);
+  fmt::print(
+      "  outline: at most {} beyond the plan, so a margin of {:.3f} m is enough on this path\n",
+      metres_text(worst.outline_deviation), std::ceil(worst.outline_deviation * 1e3) / 1e3);
   fmt::print("  {}\n", clearance_text(worst.clearance));
   if (worst.out_of_bounds > 0.0) {
     fmt::print("  rear axle: at most {} out of bounds\n", metres_text(worst.out_of_bounds));

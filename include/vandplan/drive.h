@@ -93,9 +93,8 @@ struct DriveResult {
 /// Drives a path (in the scenario's frame) from standing to standing with the speeds of
 /// `speed_profile` for limits less the reserve, and looks at everything that footprint and wheels
 /// sweep. At the start the wheels are turned as `Problem::curvatures` says. Repeats bit for bit.
-/// Throws InputError naming "controller", "noise", "delay",
-/// "reserve" or "spare_steering", a limit of the vehicle, or a segment that is not finite or turns
-/// more sharply than the vehicle can.
+/// Throws InputError naming "controller", "noise", "delay", "reserve" or "spare_steering", a limit
+/// of the vehicle, or a segment that is not finite or turns more sharply than the vehicle can.
 [[nodiscard]] DriveResult drive(const Problem& problem, const Path& path,
                                 const DriveOptions& options = {});
 
