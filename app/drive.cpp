@@ -23,6 +23,8 @@ namespace vandplan::app {
 namespace {
 
 constexpr int most_runs = 1'000'000;
+constexpr double most_rows = 2e6;
+constexpr double row_duration = 0.02;  // [s]
 constexpr double confidence = 0.95;
 constexpr double degree = std::numbers::pi / 180;
 
@@ -232,6 +234,10 @@ std::string csv_of(const std::vector<DriveMoment>& log) {
 /// Drives once more, and writes how.
 void write_worst(const Choice& choice, const DriveArguments& arguments, const DriveTotals& totals) {
   if (!arguments.output && !arguments.picture) return;
+  if (totals.worst.duration / row_duration > most_rows) {
+    throw InputError(arguments.output ? "--output" : "--draw",
+                     fmt::format("would have more than {} rows", most_rows));
+  }
   DriveOptions options = arguments.options;
   options.seed = totals.seed;
   options.keep_log = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -15,7 +16,8 @@ namespace {
 
 using namespace driving;
 
-constexpr double period = 1e-3;                                // between two moments [s]
+constexpr double period = 1e-3;  // between two moments [s]
+constexpr double most_moments = 1e6;
 constexpr double relaxed = 1 + 1e-3;                           // limits are
 constexpr double end_tolerance = 0.01;                         // [m]
 constexpr double end_turn_tolerance = std::numbers::pi / 180;  // [rad]
@@ -105,7 +107,9 @@ ExecutableCheck executable(const Problem& problem, const Path& path) {
   const Vehicle& vehicle = problem.vehicle();
   const SpeedProfile profile =
       speed_profile(path, vehicle, {.start_curvature = problem.curvatures().start});
-  const std::vector<Motion> motions = sampled(path, vehicle, profile, period);
+  // Drives of more than a quarter of an hour would not fit into memory.
+  const double step = std::max(period, profile.duration / most_moments);
+  const std::vector<Motion> motions = sampled(path, vehicle, profile, step);
   const std::vector<Stop> jumps = jumps_of(motions, profile);
   ExecutableCheck check;
   check.jumps = static_cast<int>(jumps.size());

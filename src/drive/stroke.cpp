@@ -10,7 +10,9 @@
 namespace vandplan::driving {
 namespace {
 
-constexpr double spacing = 0.05;  // of the samples [m]; in between an arc takes their place
+/// How far apart the samples of a clothoid are [m]: an arc that takes its place for so long is off
+/// by rate * spacing^3 / 12, some micrometres.
+double spacing_of(double rate) { return 0.05 * std::sqrt(std::sqrt(0.1 / std::abs(rate))); }
 
 /// Where a knot's stretch has the place `s`: how long after the knot [s].
 double time_at(const SpeedKnot& knot, double duration, double s) {
@@ -34,11 +36,12 @@ void Stroke::add(const Segment& segment) {
   direction_ = segment.length < 0.0 ? -1 : 1;
   const double s = length();
   samples_.pop_back();
-  const double count = segment.curvature_rate == 0.0 ? 1.0 : std::ceil(size / spacing);
+  const double rate = segment.curvature_rate;
+  const double count = rate == 0.0 ? 1.0 : std::max(std::ceil(size / spacing_of(rate)), 1.0);
   for (double i = 0.0; i < count; ++i) {
     const double driven = size * (i / count);
     samples_.push_back({s + driven, advance(end_, part_of(segment, 0.0, driven)),
-                        vandplan::curvature_at(segment, driven), segment.curvature_rate});
+                        vandplan::curvature_at(segment, driven), rate});
   }
   end_ = advance(end_, segment);
   samples_.push_back({s + size, end_, vandplan::curvature_at(segment, size), 0.0});
