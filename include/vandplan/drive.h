@@ -98,9 +98,9 @@ struct DriveResult {
 [[nodiscard]] DriveResult drive(const Problem& problem, const Path& path,
                                 const DriveOptions& options = {});
 
-/// How a path is driven without looking: every millisecond, or every millionth of a drive that takes
-/// longer than 1000 s, the speed is that of the fastest drive, and the wheels turn as fast as they
-/// may to where they should be.
+/// How a path is driven without looking: every millisecond, or every millionth of a drive that
+/// takes longer than 1000 s, the speed is that of the fastest drive, and the wheels turn as fast as
+/// they may to where they should be.
 struct Execution {
   bool passes = false;        ///< it touches nothing and ends within 1 cm and 1 degree
   std::string reason = {};    ///< why it does not pass, one line
