@@ -35,7 +35,7 @@ Verdict judge(const Problem& problem, const ResultRecord& record) {
   return check_path(problem, *record.result.path, record.claims);
 }
 
-nlohmann::ordered_json json_of(const ResultRecord& record, const Verdict& verdict) {
+nlohmann::ordered_json verdict_json(const ResultRecord& record, const Verdict& verdict) {
   nlohmann::ordered_json json;
   if (record.distance) json["distance"] = *record.distance;
   json["status"] = name_of(record.result.status);
@@ -57,7 +57,7 @@ nlohmann::ordered_json json_of(const ResultRecord& record, const Verdict& verdic
   return json;
 }
 
-std::string text_of(const ResultRecord& record, const Verdict& verdict) {
+std::string verdict_text(const ResultRecord& record, const Verdict& verdict) {
   if (!verdict) return no_path_text(record.result);
   if (verdict->valid) return "valid: " + path_text(*verdict);
   if (!verdict->at) return fmt::format("invalid: {}", verdict->reason);
@@ -66,7 +66,7 @@ std::string text_of(const ResultRecord& record, const Verdict& verdict) {
                      verdict->reason, s, pose.x, pose.y, pose.heading);
 }
 
-nlohmann::ordered_json json_of(const PathMetrics& metrics, const DrivingStyle& style) {
+nlohmann::ordered_json metrics_json(const PathMetrics& metrics, const DrivingStyle& style) {
   return {{"length", metrics.length},
           {"gear_changes", metrics.gear_changes},
           {"reverse_share", metrics.reverse_share},
@@ -77,7 +77,7 @@ nlohmann::ordered_json json_of(const PathMetrics& metrics, const DrivingStyle& s
           {"pause", style.pause}};
 }
 
-std::string text_of(const PathMetrics& metrics, const DrivingStyle& style) {
+std::string metrics_text(const PathMetrics& metrics, const DrivingStyle& style) {
   return fmt::format(
       "in reverse {:.1f} %, turning {:.3f} rad, curvature changes {}, "
       "driven in {:.1f} s (at {} m/s, {} s for each gear change)",
@@ -85,7 +85,7 @@ std::string text_of(const PathMetrics& metrics, const DrivingStyle& style) {
       metrics.driving_time, style.speed, style.pause);
 }
 
-std::string text_of(const std::optional<double>& distance) {
+std::string distance_text(const std::optional<double>& distance) {
   return distance ? fmt::format("{} m", *distance) : "none";
 }
 
@@ -96,7 +96,7 @@ std::string false_furthest(const std::vector<ResultRecord>& records) {
   const std::optional<double> reached = furthest_reached(records);
   if (stated->distance == reached) return "";
   return fmt::format("the stated furthest is {}, the furthest goal reached is {}",
-                     text_of(stated->distance), text_of(reached));
+                     distance_text(stated->distance), distance_text(reached));
 }
 
 /// How many paths there were, and how many of them are good.
@@ -119,11 +119,11 @@ struct Statement {
 
 Statement statement_on(const ResultRecord& record, const Verdict& verdict,
                        const CheckArguments& arguments) {
-  Statement statement{text_of(record, verdict), json_of(record, verdict)};
+  Statement statement{verdict_text(record, verdict), verdict_json(record, verdict)};
   if (!arguments.metrics || !record.result.path) return statement;
   const PathMetrics metrics = metrics_of(*record.result.path, arguments.style);
-  statement.json["metrics"] = json_of(metrics, arguments.style);
-  statement.text += "\n  " + text_of(metrics, arguments.style);
+  statement.json["metrics"] = metrics_json(metrics, arguments.style);
+  statement.text += "\n  " + metrics_text(metrics, arguments.style);
   return statement;
 }
 
@@ -203,9 +203,7 @@ void add_check(CLI::App& vandplan, int& status) {
       "Exit status: 0 valid (in a row or of many: one at least, and none is invalid), 1 invalid\n"
       "or no path, 2 bad input or usage.");
   const auto arguments = std::make_shared<CheckArguments>();
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
-      ->required();
-  command->add_option("RESULT", arguments->result, "Result file (JSON or JSON Lines)")->required();
+  add_scenario_and_result(*command, arguments->scenario, arguments->result);
   CLI::Option* const metrics = command->add_flag(
       "--metrics", arguments->metrics,
       "Also what the path is like to drive: share in reverse, turning, curvature changes, time");

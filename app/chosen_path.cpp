@@ -65,12 +65,6 @@ Choice chosen(const ScenarioProblems& read, const PathArguments& arguments) {
 
 }  // namespace
 
-void add_files(CLI::App& command, PathArguments& arguments) {
-  command.add_option("SCENARIO", arguments.scenario, "Scenario file (YAML), - is standard input")
-      ->required();
-  command.add_option("RESULT", arguments.result, "Result file (JSON or JSON Lines)")->required();
-}
-
 void add_choice(CLI::App& command, PathArguments& arguments) {
   command
       .add_option("--goal", arguments.goal,

@@ -28,9 +28,16 @@ void add_drive(CLI::App& vandplan, int& status);
 void add_evaluate(CLI::App& vandplan, int& status);
 void add_plan(CLI::App& vandplan, int& status);
 void add_planners(CLI::App& vandplan, int& status);
+void add_smooth(CLI::App& vandplan, int& status);
 void add_speed(CLI::App& vandplan, int& status);
 void add_study(CLI::App& vandplan, int& status);
 void add_table(CLI::App& vandplan, int& status);
+
+/// Adds the argument SCENARIO, which has to be given.
+void add_scenario(CLI::App& command, std::string& scenario);
+
+/// Adds the arguments SCENARIO and RESULT, which have to be given.
+void add_scenario_and_result(CLI::App& command, std::string& scenario, std::string& result);
 
 /// What `--json` prints instead of a summary.
 void print(const nlohmann::ordered_json& object);

@@ -65,8 +65,7 @@ void add_draw(CLI::App& vandplan, int&) {
       "along its path, and its tree if it holds one (plan --set keep_tree=true). Many results\n"
       "(plan --poses) become a sheet of pictures.");
   const auto arguments = std::make_shared<DrawArguments>();
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
-      ->required();
+  add_scenario(*command, arguments->scenario);
   command->add_option("RESULT", arguments->result, "Result file (JSON or JSON Lines)");
   command
       ->add_option("--pair", arguments->pair, "Of many results draw the one of this number, from 1")

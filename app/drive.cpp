@@ -352,7 +352,7 @@ void add_drive(CLI::App& vandplan, int& status) {
       "only, it touches nothing and ends within 1 cm and 1 degree; limits relaxed by 0.1 %.\n"
       "Exit status: 0 done, 1 no path, an invalid one, a contact or no arrival, 2 bad input.");
   const auto arguments = std::make_shared<DriveArguments>();
-  add_files(*command, arguments->path);
+  add_scenario_and_result(*command, arguments->path.scenario, arguments->path.result);
   add_options(*command, *arguments);
   add_choice(*command, arguments->path);
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");

@@ -7,11 +7,11 @@
 namespace vandplan::app {
 namespace {
 
-std::atomic<bool> stop = false;
+std::atomic<bool> stop_wanted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);  // so that a handler may set it
 
 extern "C" void request_stop(int) {
-  stop = true;
+  stop_wanted = true;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
 }
@@ -21,7 +21,7 @@ extern "C" void request_stop(int) {
 const std::atomic<bool>* stop_on_signal() {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
-  return &stop;
+  return &stop_wanted;
 }
 
 }  // namespace vandplan::app

@@ -19,8 +19,9 @@
 namespace vandplan::app {
 namespace {
 
-constexpr AddCommand commands[] = {add_plan,     add_check, add_draw,  add_speed,   add_drive,
-                                   add_evaluate, add_table, add_study, add_convert, add_planners};
+constexpr AddCommand commands[] = {add_plan,  add_check,   add_draw,     add_speed,
+                                   add_drive, add_smooth,  add_evaluate, add_table,
+                                   add_study, add_convert, add_planners};
 
 /// Says on one line what is wrong.
 int complain(std::string problem, int status) {
@@ -56,6 +57,15 @@ int run(int argc, char** argv) {
 }  // namespace
 
 constexpr auto replace_bad_text = nlohmann::ordered_json::error_handler_t::replace;
+
+void add_scenario(CLI::App& command, std::string& scenario) {
+  command.add_option("SCENARIO", scenario, "Scenario file (YAML), - is standard input")->required();
+}
+
+void add_scenario_and_result(CLI::App& command, std::string& scenario, std::string& result) {
+  add_scenario(command, scenario);
+  command.add_option("RESULT", result, "Result file (JSON or JSON Lines)")->required();
+}
 
 void print(const nlohmann::ordered_json& object) {
   fmt::print("{}\n", base::json_text(object.dump(2, ' ', false, replace_bad_text)));

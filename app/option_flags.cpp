@@ -31,7 +31,8 @@ std::string typed_text(std::string json) {
 
 std::string default_of(const CommonOption& option) {
   if (option.name == "time_limit") return fmt::format("{}", default_time_limit);
-  return typed_text(option.get(usual_options(default_planner())));
+  const Planner& planner = default_planner();
+  return typed_text(option.get(complete(planner, usual_options(planner))));
 }
 
 /// An option as the help shows it.
@@ -41,22 +42,24 @@ struct OptionText {
   std::string summary;
 };
 
-OptionText text_of(const CommonOption& option) {
+OptionText option_text(const CommonOption& option) {
   return {std::string(option.name), default_of(option), std::string(option.summary)};
 }
 
-OptionText text_of(const OptionInfo& info) {
-  return {info.name, typed_text(json_of(info.standard)), info.summary + "; " + info.range()};
+OptionText option_text(const OptionInfo& info) {
+  const char* const only = info.reeds_shepp_only ? "; for steering=reeds-shepp" : "";
+  return {info.name, typed_text(vandplan::json_of(info.standard)),
+          info.summary + "; " + info.range() + only};
 }
 
 /// The option of that name, of all planners or of the first that has one of its own.
-OptionText text_of(std::string_view name) {
+OptionText option_text(std::string_view name) {
   for (const CommonOption& option : common_options()) {
-    if (option.name == name) return text_of(option);
+    if (option.name == name) return option_text(option);
   }
   for (const Planner& planner : planners()) {
     const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
-    if (found != planner.options.end()) return text_of(*found);
+    if (found != planner.options.end()) return option_text(*found);
   }
   return {std::string(name), "", ""};
 }
@@ -84,7 +87,7 @@ std::string help_on_family(const std::string& family) {
   for (const Planner& planner : planners()) {
     if (planner.properties.family != family) continue;
     ++members;
-    for (const OptionInfo& info : planner.options) add_to(texts, text_of(info));
+    for (const OptionInfo& info : planner.options) add_to(texts, option_text(info));
   }
   const std::string who =
       members > 1 ? fmt::format("the {} planners {}-...", members, family) : family;
@@ -106,7 +109,7 @@ TypedOption typed_setting(const std::string& setting) {
 
 void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
   for (const Flag& flag : flags) {
-    const OptionText text = text_of(flag.option);
+    const OptionText text = option_text(flag.option);
     const auto add = [&typed, flag](const std::string& value) {
       typed.push_back({flag.flag, flag.option, value});
     };
@@ -146,13 +149,13 @@ std::string help_on_common_options() {
       line_of({"style", "driver",
                "driver: the prices and the steering below; shortest: the length alone; what is set "
                "beside it wins"});
-  for (const CommonOption& option : common_options()) help += line_of(text_of(option));
+  for (const CommonOption& option : common_options()) help += line_of(option_text(option));
   return help;
 }
 
 std::string help_on_options_of(const Planner& planner) {
   std::string help;
-  for (const OptionInfo& info : planner.options) help += line_of(text_of(info));
+  for (const OptionInfo& info : planner.options) help += line_of(option_text(info));
   return help;
 }
 

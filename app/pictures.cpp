@@ -15,11 +15,11 @@
 namespace vandplan::app {
 namespace {
 
-constexpr int width = 1200;  // pixels or points
+constexpr int picture_width = 1200;  // pixels or points
 constexpr const char* strip_flag = "--curvature-strip";
 constexpr std::size_t room = 48;  // pictures on a sheet of pairs
 
-std::string outcome_of(const PlanResult& result) {
+std::string captioned_outcome(const PlanResult& result) {
   if (!result.path) return std::string(name_of(result.status));
   const std::vector<Segment>& segments = result.path->segments;
   return fmt::format("{:.2f} m, gear changes {}", length(segments), gear_changes(segments));
@@ -31,7 +31,7 @@ std::string caption_of(const Scenario& scenario, const ResultRecord& record) {
   if (!record.planner.empty()) {
     caption += fmt::format(", {}, seed {}", record.planner, record.options.budget.seed);
   }
-  return printable(caption + ": " + outcome_of(record.result));
+  return printable(caption + ": " + captioned_outcome(record.result));
 }
 
 Drawing drawing_of(const Scenario& scenario, const ResultRecord* record) {
@@ -84,7 +84,8 @@ void write_picture(const PictureWish& wish, const ScenarioFile& scenario,
     sheet.drawings.back().curvature_strip = has_strip;
   }
   const bool one = sheet.drawings.size() == 1;
-  write_file(file, one ? draw(sheet.drawings.front(), format, width) : draw(sheet, format, width));
+  write_file(file, one ? draw(sheet.drawings.front(), format, picture_width)
+                       : draw(sheet, format, picture_width));
 }
 
 void write_picture(const std::string& file, const Scenario& scenario, const ResultRecord& planned,
@@ -92,7 +93,7 @@ void write_picture(const std::string& file, const Scenario& scenario, const Resu
   Drawing drawing = drawing_of(scenario, &planned);
   drawing.driven = &driven.poses;
   drawing.caption = printable(driven.caption);
-  write_file(file, draw(drawing, picture_format(file), width));
+  write_file(file, draw(drawing, picture_format(file), picture_width));
 }
 
 DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
@@ -111,18 +112,18 @@ DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
     Drawing drawing = drawing_of(picture.scenario, &picture.pair.record);
     if (pair) {
       drawing.curvature_strip = has_strip;
-      write_file(file, draw(drawing, format, width));
+      write_file(file, draw(drawing, format, picture_width));
       return {1, true};
     }
     drawing.caption =
-        fmt::format("{}: {}", picture.pair.pair, outcome_of(picture.pair.record.result));
+        fmt::format("{}: {}", picture.pair.pair, captioned_outcome(picture.pair.record.result));
     sheet.drawings.push_back(std::move(drawing));
   }
   if (pair) throw InputError("--pair", fmt::format("there is no pair {}", *pair));
   drawn.drawn = sheet.drawings.size();
   sheet.caption = printable(scenario.scenario.name);
   if (!drawn.is_all) sheet.caption += fmt::format(": the first {} of more pairs", drawn.drawn);
-  write_file(file, draw(sheet, format, width));
+  write_file(file, draw(sheet, format, picture_width));
   return drawn;
 }
 

@@ -79,14 +79,6 @@ void check_outputs(const PlanArguments& arguments) {
   if (arguments.picture) expect_picture(*arguments.picture);
 }
 
-/// Piece by piece: the poses of a long path are many.
-void write_results(const std::string& output, const ScenarioFile& file,
-                   const std::vector<ResultRecord>& records) {
-  FileWriter writer(output);
-  vandplan::write_results(file, records, [&](std::string_view piece) { writer.write(piece); });
-  writer.commit();
-}
-
 void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted,
                      const Planner& planner) {
   for (const Setting& setting : wanted) {
@@ -147,8 +139,7 @@ std::string help_on_keys() {
 void add_plan(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand("plan", "Plan a path for a scenario.");
   const auto arguments = std::make_shared<PlanArguments>();
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML), - is standard input")
-      ->required();
+  add_scenario(*command, arguments->scenario);
   command
       ->add_option("--planner", arguments->planner, "One of those that `vandplan planners` lists")
       ->type_name("NAME")

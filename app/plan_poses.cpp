@@ -57,7 +57,7 @@ void plan_all(const Problem& pattern, std::span<const PosePair> pairs, const Man
   }
 }
 
-std::string summary_of(const PlanResult& result) {
+std::string outcome_text(const PlanResult& result) {
   const std::string time = seconds_text(result.time_total);
   if (!result.path) return no_path_text(result) + ", " + time;
   return "solved: " + path_text(*result.check) + ", " + time;
@@ -74,7 +74,7 @@ class Results {
 
   void take(std::size_t pair, const Problem& problem, PlanResult result) {
     solved_ += result.path ? 1U : 0U;
-    if (!job_.json) summaries_ += fmt::format("{}: {}\n", pair, summary_of(result));
+    if (!job_.json) summaries_ += fmt::format("{}: {}\n", pair, outcome_text(result));
     if (outputs_.empty()) return;
     ResultRecord record = pattern_;
     record.result = std::move(result);

@@ -12,11 +12,11 @@
 namespace vandplan::app {
 namespace {
 
-constexpr int width = 30;
+constexpr int bar_width = 30;
 constexpr double redraw_interval = 0.1;  // [s], on a terminal
 constexpr double line_interval = 15.0;   // [s], elsewhere
 
-std::string text_of(const Progress& progress) {
+std::string progress_text(const Progress& progress) {
   const int finished = progress.kept + progress.done;
   const int percent = static_cast<int>(100LL * finished / progress.total);  // 100: all of them
   return fmt::format("{:3} %  {} of {} runs, {} left", percent, finished, progress.total,
@@ -37,12 +37,12 @@ void ProgressBar::show(const Progress& progress) {
   if (progress.elapsed < next_ && !finished_) return;
   next_ = progress.elapsed + (terminal_ ? redraw_interval : line_interval);
   if (!terminal_) {
-    say(text_of(progress) + "\n");
+    say(progress_text(progress) + "\n");
     return;
   }
-  const int filled = width * (progress.kept + progress.done) / progress.total;
-  say(fmt::format("\r[{:#<{}}{:.<{}}] {}\033[K", "", filled, "", width - filled,
-                  text_of(progress)));
+  const int filled = bar_width * (progress.kept + progress.done) / progress.total;
+  say(fmt::format("\r[{:#<{}}{:.<{}}] {}\033[K", "", filled, "", bar_width - filled,
+                  progress_text(progress)));
   drawn_ = true;
 }
 

@@ -76,7 +76,7 @@ double highest_speed(const SpeedProfile& profile) {
   return highest;
 }
 
-nlohmann::ordered_json json_of(const Choice& choice, const SpeedProfile& profile) {
+nlohmann::ordered_json speed_json(const Choice& choice, const SpeedProfile& profile) {
   const Stretch longest = longest_stretch(profile);
   nlohmann::ordered_json json = {
       {"scenario", choice.record.scenario},
@@ -153,7 +153,7 @@ int run(const SpeedArguments& arguments) {
   const Vehicle& vehicle = choice.problem.vehicle();
   const SpeedOptions options{.start_curvature = choice.problem.curvatures().start};
   const SpeedProfile profile = speed_profile(*path, vehicle, options);
-  nlohmann::ordered_json json = json_of(choice, profile);
+  nlohmann::ordered_json json = speed_json(choice, profile);
   if (arguments.output) {
     if (profile.duration / arguments.step > most_rows) {
       throw InputError("--output", fmt::format("would have more than {} rows", most_rows));
@@ -187,7 +187,7 @@ void add_speed(CLI::App& vandplan, int& status) {
       "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse, a is its change.\n"
       "Exit status: 0 done, 1 no path or an invalid one, 2 bad input or usage.");
   const auto arguments = std::make_shared<SpeedArguments>();
-  add_files(*command, arguments->path);
+  add_scenario_and_result(*command, arguments->path.scenario, arguments->path.result);
   command->add_option("-o,--output", arguments->output, "The drive over time (.csv), - prints it")
       ->type_name("FILE");
   command

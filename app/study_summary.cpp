@@ -14,11 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Pose& pose) { return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}}; }
+Json pose_json(const Pose& pose) {
+  return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}};
+}
 
-Json json_of(const Detour& detour) { return {{"mean", detour.mean}, {"largest", detour.largest}}; }
+Json detour_json(const Detour& detour) {
+  return {{"mean", detour.mean}, {"largest", detour.largest}};
+}
 
-Json json_of(const Spread& spread) {
+Json spread_json(const Spread& spread) {
   Json json = {{"least", spread.least}, {"largest", spread.largest}, {"mean", spread.mean}};
   for (std::size_t i = 0; i < percents.size(); ++i) {
     json[fmt::format("p{}", percents[i])] = spread.percentiles[i];
@@ -52,8 +56,8 @@ Json json_of(const RangeStudy& study) {
   Json rings = Json::array();
   for (const auto& [distance, dubins, reeds_shepp] : study.rings) {
     rings.push_back({{"distance", distance},
-                     {"dubins", json_of(dubins)},
-                     {"reeds_shepp", json_of(reeds_shepp)}});
+                     {"dubins", detour_json(dubins)},
+                     {"reeds_shepp", detour_json(reeds_shepp)}});
   }
   return {{"turning_radius", study.options.turning_radius},
           {"reach", study.options.reach},
@@ -92,8 +96,8 @@ Json json_of(const AccuracyStudy& study) {
     estimates.push_back({{"estimate", estimate.name},
                          {"within_10_percent", estimate.within_a_tenth},
                          {"over_estimates", estimate.over},
-                         {"relative", json_of(estimate.relative)},
-                         {"metres", json_of(estimate.metres)}});
+                         {"relative", spread_json(estimate.relative)},
+                         {"metres", spread_json(estimate.metres)}});
   }
   return {{"pairs", study.options.pairs},
           {"reach", study.options.reach},
@@ -150,8 +154,8 @@ Json json_of(const SymmetryStudy& study) {
   for (const auto& [images, lengths] : study.examples) {
     Json pairs = Json::array();
     for (std::size_t i = 0; i < images.size(); ++i) {
-      pairs.push_back({{"node", json_of(images[i].node)},
-                       {"sample", json_of(Pose{0.0, 0.0, images[i].sample_heading})},
+      pairs.push_back({{"node", pose_json(images[i].node)},
+                       {"sample", pose_json(Pose{0.0, 0.0, images[i].sample_heading})},
                        {"length", lengths[i]}});
     }
     examples.push_back(pairs);
@@ -188,7 +192,7 @@ Json json_of(const SteeringStudy& study) {
       return Json{{"length", piece.length}, {"word", word_of(piece.view())}};
     };
     examples.push_back({{"name", name},
-                        {"goal", json_of(goal)},
+                        {"goal", pose_json(goal)},
                         {"euclid", std::hypot(goal.x, goal.y)},
                         {"dubins", steered(dubins)},
                         {"reeds_shepp", steered(reeds_shepp)}});

@@ -91,7 +91,7 @@ void build(const BuildArguments& arguments) {
 
 // ---- check ----
 
-struct CheckArguments {
+struct TableCheckArguments {
   std::string table;
   EntryCheckOptions options;
   bool json = false;
@@ -99,7 +99,7 @@ struct CheckArguments {
 
 constexpr std::int64_t default_pairs = 1'000'000;
 
-int check_of_lengths(const TableSource& source, const CheckArguments& arguments) {
+int check_of_lengths(const TableSource& source, const TableCheckArguments& arguments) {
   const HeuristicTable table = table_from_bytes(source.bytes, source.name);
   const EntryCheck check = check_entries(table, arguments.options);
   const Pose node = table.node_of(check.worst);
@@ -128,7 +128,7 @@ int check_of_lengths(const TableSource& source, const CheckArguments& arguments)
   return good ? exit_status::done : exit_status::failed;
 }
 
-int check_of_bounds(const TableSource& source, const CheckArguments& arguments) {
+int check_of_bounds(const TableSource& source, const TableCheckArguments& arguments) {
   const bool same = source.bytes == bound_table_to_bytes();
   const BoundCheck check =
       check_bounds(arguments.options.sample.value_or(default_pairs), arguments.options.seed);
@@ -154,7 +154,7 @@ int check_of_bounds(const TableSource& source, const CheckArguments& arguments) 
   return good ? exit_status::done : exit_status::failed;
 }
 
-int check(const CheckArguments& arguments) {
+int check(const TableCheckArguments& arguments) {
   const TableSource source = table_source(arguments.table);
   return source.head.content == Content::bounds ? check_of_bounds(source, arguments)
                                                 : check_of_lengths(source, arguments);
@@ -276,7 +276,7 @@ void add_table_check(CLI::App& table, int& status) {
       "check",
       "Recompute the entries of a table and say how far the worst one is off;\n"
       "of bounds: look for exact lengths that are outside.");
-  const auto arguments = std::make_shared<CheckArguments>();
+  const auto arguments = std::make_shared<TableCheckArguments>();
   command->add_option("TABLE", arguments->table, table_help)->required()->type_name("");
   command
       ->add_option("--sample", arguments->options.sample,

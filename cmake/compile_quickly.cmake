@@ -1,5 +1,5 @@
-# What is compiled quickly because it runs but shortly?
-#
+# What makes compiling quicker, and where is it used?
+
 # Tests, and code that mostly includes large headers of others (JSON, CLI11): compiling it takes
 # minutes at full optimisation, which nobody would notice when it runs: at -O1, or at the level named. Builds with sanitizers stay
 # at the -O1 of their presets: without any optimisation JSON takes minutes there.
@@ -9,4 +9,37 @@ function(vandplan_compile_quickly target)
     set(level ${ARGV1})
   endif()
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
+endfunction()
+
+# With VANDPLAN_UNITY, the files of a target are compiled a dozen at a time, so that what they take
+# from large headers of others is made once. It needs names that differ within the target, those of
+# unnamed namespaces too.
+function(vandplan_compile_together target)
+  if(VANDPLAN_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+    # g++ takes the sources for headers, in which classes should not hold types of unnamed namespaces.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+endfunction()
+
+# With VANDPLAN_PCH, these headers of the standard library are read once for all files of a target,
+# and further ones that are named.
+function(vandplan_precompile_headers target)
+  if(VANDPLAN_PCH)
+    target_precompile_headers(
+      ${target}
+      PRIVATE
+      <algorithm>
+      <array>
+      <cmath>
+      <functional>
+      <limits>
+      <memory>
+      <numbers>
+      <optional>
+      <span>
+      <string>
+      <vector>
+      ${ARGN})
+  endif()
 endfunction()

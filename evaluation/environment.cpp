@@ -5,7 +5,8 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
-#include <iterator>
+#include <sstream>
+#include <string>
 #include <thread>
 
 #include "base/hash.h"
@@ -28,19 +29,22 @@ std::string value_of(const char* file, const std::string& key) {
 }
 
 std::string fingerprint(const char* file) {
-  std::ifstream input(file, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(input), {});
-  return fmt::format("{:016x}", base::hash_of(bytes));
+  const std::ifstream input(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << input.rdbuf();
+  return fmt::format("{:016x}", base::hash_of(bytes.str()));
 }
 
 }  // namespace
 
 Environment this_environment() {
   const BuildInfo build = build_info();
+  // Tens of megabytes, the same as long as the program runs.
+  static const std::string executable = fingerprint("/proc/self/exe");
   return {.version = std::string(build.version),
           .compiler = std::string(build.compiler),
           .build_type = std::string(build.build_type),
-          .executable = fingerprint("/proc/self/exe"),
+          .executable = executable,
           .processor = value_of("/proc/cpuinfo", "model name"),
           .cores = static_cast<int>(std::thread::hardware_concurrency()),
           .system = value_of("/etc/os-release", "PRETTY_NAME")};

@@ -11,7 +11,7 @@ namespace vandplan::evaluation {
 namespace {
 
 std::string typed_json_of(const OptionValue& value) {
-  std::string text = json_of(value);
+  std::string text = vandplan::json_of(value);
   const bool looks_whole = text.find_first_of(".en") == std::string::npos;
   return std::holds_alternative<double>(value) && looks_whole ? text + ".0" : text;
 }

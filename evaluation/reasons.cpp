@@ -11,7 +11,7 @@
 namespace vandplan::evaluation {
 namespace {
 
-constexpr int tables = 4;
+constexpr int number_of_tables = 4;
 
 std::string upper(std::string text) {
   for (char& letter : text)
@@ -31,7 +31,7 @@ std::vector<std::string> strategies_of(const Summary& summary) {
   return found;
 }
 
-const MethodSummary* method_named(const ScenarioSummary& scenario, const std::string& planner) {
+const MethodSummary* method_of(const ScenarioSummary& scenario, const std::string& planner) {
   const auto found = std::ranges::find(scenario.methods, planner, &MethodSummary::planner);
   return found == scenario.methods.end() ? nullptr : &*found;
 }
@@ -68,7 +68,7 @@ void add(const ScenarioSummary& scenario, const TwinComparison& twins, Effect& e
     effect.better += ratio < 1.0;
     effect.worse += ratio > 1.0;
   }
-  add(*method_named(scenario, twins.planner), *method_named(scenario, twins.twin), effect);
+  add(*method_of(scenario, twins.planner), *method_of(scenario, twins.twin), effect);
 }
 
 Effect effect_of(const Summary& summary, const Circumstances& where, const std::string& strategy) {
@@ -126,7 +126,7 @@ std::string reason_for_paths(const Summary& summary, const std::vector<ScenarioF
     if (scenario.region != where.region) continue;
     const Problem problem = make_problem(scenario_at(scenarios[scenario.scenario], 0));
     std::vector<double> shares;
-    for (int number = 1; number <= tables; ++number)
+    for (int number = 1; number <= number_of_tables; ++number)
       shares.push_back(table_coverage(problem, where.region, number));
     least.push_back(std::ranges::min(shares));
     most.push_back(std::ranges::max(shares));

@@ -19,7 +19,7 @@ namespace {
 constexpr int application_id = 0x56504c4e;  // "VPLN"
 
 // Ids count from 1 in the order of insertion and nothing is ever deleted: index = id - 1.
-constexpr const char* tables = R"(
+constexpr const char* schema = R"(
 CREATE TABLE environments(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, compiler TEXT NOT NULL, build_type TEXT NOT NULL,
   executable TEXT NOT NULL, processor TEXT NOT NULL, cores INTEGER NOT NULL, system TEXT NOT NULL)
@@ -198,7 +198,7 @@ Store Store::create(const std::string& file) {
     Database database(unfinished, Database::Mode::create);
     Transaction transaction(database);
     database.execute(tables_of_scenarios);
-    database.execute(tables);
+    database.execute(schema);
     database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}",
                                  application_id, format));
     transaction.commit();

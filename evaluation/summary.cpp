@@ -13,7 +13,7 @@
 namespace vandplan::evaluation {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unreached = std::numeric_limits<double>::infinity();
 constexpr int curve_points = 60;
 
 using Runs = std::vector<const RunRecord*>;
@@ -80,8 +80,8 @@ std::vector<CurvePoint> curve_of(const Runs& runs, const CostUnit& unit,
   for (const double time : times) {
     const std::vector<double> costs =
         values_of(runs, [&](const RunRecord& run) { return cost_at(run, time) / unit(run); });
-    const auto solved =
-        static_cast<int>(std::ranges::count_if(costs, [](double cost) { return cost < infinity; }));
+    const auto solved = static_cast<int>(
+        std::ranges::count_if(costs, [](double cost) { return cost < unreached; }));
     curve.push_back({median_of(costs, confidence), static_cast<double>(solved) / count,
                      share_interval(solved, count, confidence)});
   }
@@ -264,18 +264,18 @@ Summary summarize(const std::vector<ScenarioFile>& scenarios, const std::vector<
 }
 
 double first_solution_time(const RunRecord& run) noexcept {
-  return run.result.anytime.empty() ? infinity : run.result.anytime.front().time;
+  return run.result.anytime.empty() ? unreached : run.result.anytime.front().time;
 }
 
 double cost_at(const RunRecord& run, double time) noexcept {
-  double cost = infinity;
+  double cost = unreached;
   for (const CostSample& sample : run.result.anytime)
     if (sample.time <= time) cost = sample.cost;
   return cost;
 }
 
 double final_cost(const RunRecord& run) noexcept {
-  return run.result.path ? run.result.cost : infinity;
+  return run.result.path ? run.result.cost : unreached;
 }
 
 }  // namespace vandplan::evaluation

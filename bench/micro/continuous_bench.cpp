@@ -6,15 +6,17 @@
 
 #include <vector>
 
+#include "steering/continuous_wanted.h"
 #include "support/pose_pairs.h"
 #include "vandplan/continuous_steering.h"
+#include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {
 
 constexpr double radius = 7;
 
-enum class Call { steer, length, length_of_bent_ends };
+enum class Call { steer, length, length_of_bent_ends, length_of_leg };
 
 template <Continuity continuity, Call call>
 void BM_continuous(benchmark::State& state) {
@@ -24,6 +26,8 @@ void BM_continuous(benchmark::State& state) {
   const double ramp = static_cast<double>(state.range(1)) / 100;
   const ContinuousSteering steering(radius, 1 / (radius * ramp), continuity);
   const ContinuousQuery bent{0.5 / radius, -0.3 / radius};
+  ContinuousQuery leg;
+  leg.goal_stands = false;
   std::size_t i = 0;
   for (auto _ : state) {
     const DrawnPair& pair = pairs[i++ % pairs.size()];
@@ -31,9 +35,31 @@ void BM_continuous(benchmark::State& state) {
       benchmark::DoNotOptimize(steering.steer(pair.from, pair.to));
     } else if constexpr (call == Call::length) {
       benchmark::DoNotOptimize(steering.length(pair.from, pair.to));
+    } else if constexpr (call == Call::length_of_leg) {
+      benchmark::DoNotOptimize(steering.length(pair.from, pair.to, leg));
     } else {
       benchmark::DoNotOptimize(steering.length(pair.from, pair.to, bent));
     }
+  }
+}
+
+/// The words with up to twice the length of Reeds and Shepp's; the third argument is how many gear
+/// changes they have.
+void BM_words(benchmark::State& state) {
+  Rng rng(1);
+  std::vector<DrawnPair> pairs(4096);
+  for (DrawnPair& pair : pairs) pair = near_pair(static_cast<double>(state.range(0)), rng);
+  std::vector<double> longest;
+  for (const DrawnPair& p : pairs) longest.push_back(2 * reeds_shepp_length(p.from, p.to, radius));
+  const double ramp = static_cast<double>(state.range(1)) / 100;
+  const ContinuousSteering steering(radius, 1 / (radius * ramp), Continuity::between_stops);
+  std::vector<Piece> words;
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const std::size_t n = i++ % pairs.size();
+    steering::find_continuous_words(steering, pairs[n].from, pairs[n].to, {},
+                                    {static_cast<int>(state.range(2)), longest[n]}, words);
+    benchmark::DoNotOptimize(words.data());
   }
 }
 
@@ -55,6 +81,10 @@ BENCHMARK(BM_continuous<Continuity::throughout, Call::length>)
 BENCHMARK(BM_continuous<Continuity::throughout, Call::length_of_bent_ends>)
     ->Name("throughout_length_bent")
     ->Apply(sizes);
+BENCHMARK(BM_continuous<Continuity::between_stops, Call::length_of_leg>)
+    ->Name("leg_length")
+    ->Apply(sizes);
+BENCHMARK(BM_words)->Name("words")->ArgsProduct({{10, 200}, {130, 360}, {0, 1, 2}});
 
 }  // namespace
 }  // namespace vandplan

@@ -81,7 +81,7 @@ enum class Steering : std::uint8_t {
 /// A named set of options.
 struct Style {
   CostOptions cost = {};
-  Steering steering = Steering::reeds_shepp;
+  std::optional<Steering> steering = {};  ///< none: as `PlanOptions` says
   bool operator==(const Style&) const = default;
 };
 
@@ -130,8 +130,11 @@ struct PlanOptions {
   BudgetOptions budget = {};
   CostOptions cost = {};
   ClearanceOptions clearance = {};
-  Steering steering = Steering::reeds_shepp;  ///< what the judge holds the path to, too
-  PlannerSettings planner = {};               ///< of the chosen planner alone
+  /// Where the curvature may jump; the judge holds the path to it. None: between stops where
+  /// driving has prices, anywhere where the cost is the length, the planner steers in no other way
+  /// or an option asks for arcs and lines.
+  std::optional<Steering> steering = {};
+  PlannerSettings planner = {};  ///< of the chosen planner alone
   bool operator==(const PlanOptions&) const = default;
 };
 

@@ -54,6 +54,10 @@ using TextSink = std::function<void(std::string_view piece)>;
 /// Hands out the text of `results_to_json` while it is made: a long one is never held as a whole.
 void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& records,
                    const TextSink& sink);
+/// Writes a result file, whole or not at all, piece by piece; "-" is standard output. Throws
+/// InputError naming the file when it cannot be written.
+void write_results(const std::string& output, const ScenarioFile& file,
+                   const std::vector<ResultRecord>& records);
 
 /// One of many results, for the pair of poses with that number, as one line of JSON.
 [[nodiscard]] std::string result_to_json_line(std::size_t pair, const Problem& problem,

@@ -27,7 +27,7 @@ std::vector<double> numbers_from(const Document& file, const Node& node, std::si
   return numbers;
 }
 
-Pose pose_from(const Document& file, const Node& node) {
+Pose listed_pose(const Document& file, const Node& node) {
   if (node.kind == Node::Kind::list && node.items.size() == 4) {
     file.fail(node, "has 4 elements, expected [x, y, heading]: trailers are not covered");
   }
@@ -96,8 +96,8 @@ Scenario read_dynobench(const std::string& name, const std::string& vehicle) {
   const std::vector<double> low = numbers_from(file, file.at(ground, "min"), 2, "[x, y]");
   const std::vector<double> high = numbers_from(file, file.at(ground, "max"), 2, "[x, y]");
   scenario.bounds = {low[0], high[0], low[1], high[1]};
-  scenario.start = pose_from(file, file.at(robot, "start"));
-  scenario.goal = pose_from(file, file.at(robot, "goal"));
+  scenario.start = listed_pose(file, file.at(robot, "start"));
+  scenario.goal = listed_pose(file, file.at(robot, "goal"));
   for (const Node& item : file.list(file.at(ground, "obstacles"), "a list of boxes")) {
     scenario.obstacles.push_back(box_from(file, item));
   }

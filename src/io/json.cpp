@@ -64,9 +64,9 @@ class Characters {
   Cursor* cursor_;
 };
 
-class Events : public nlohmann::json_sax<nlohmann::json> {
+class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
  public:
-  Events(NodeBuilder& builder, const Cursor& cursor) : builder_(builder), cursor_(cursor) {}
+  JsonEvents(NodeBuilder& builder, const Cursor& cursor) : builder_(builder), cursor_(cursor) {}
 
   bool null() override { return builder_.nothing(cursor_.line()), true; }
   bool boolean(bool value) override { return scalar(value ? "true" : "false", cursor_.line()); }
@@ -123,7 +123,7 @@ Document parse_json(const NextPiece& next, const std::string& where, int first_l
                     const TakeElement& take) {
   NodeBuilder builder(where, take);
   Cursor cursor(next, first_line);
-  Events events(builder, cursor);
+  JsonEvents events(builder, cursor);
   (void)nlohmann::json::sax_parse(Characters(&cursor), Characters(), &events);
   return {where, builder.finish()};
 }

@@ -155,7 +155,8 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
                         : word == "reverse" ? InitialGear::reverse
                                             : InitialGear::any;
   }
-  if (const Node* const steering = file.find(node, "steering")) {
+  const Node* const steering = file.find(node, "steering");
+  if (steering != nullptr && steering->kind != Node::Kind::nothing) {
     try {
       options.steering = steering_named(file.text(*steering));
     } catch (const InputError& error) {
@@ -229,7 +230,7 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
     }
     record.claims.cost = cost_from(file, node, record);
     record.claims.clearance = record.options.clearance;
-    record.claims.steering = record.options.steering;
+    record.claims.steering = record.options.steering.value_or(Steering::reeds_shepp);
   }
   read_statistics(file, node, result, lists);
   return record;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/escape.h"
+#include "vandplan/files.h"
 #include "vandplan/result_file.h"
 #include "vandplan/version.h"
 
@@ -323,6 +324,13 @@ void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& re
     json = results.json_of_record(vehicle, records.front());
   }
   Writer(results, Writer::Layout::lines, sink).write_all(json);
+}
+
+void write_results(const std::string& output, const ScenarioFile& file,
+                   const std::vector<ResultRecord>& records) {
+  FileWriter writer(output);
+  write_results(file, records, [&](std::string_view piece) { writer.write(piece); });
+  writer.commit();
 }
 
 std::string results_to_json(const ScenarioFile& file, const std::vector<ResultRecord>& records) {

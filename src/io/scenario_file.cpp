@@ -37,7 +37,7 @@ Bounds bounds_from(const Document& file, const Node& node) {
   return {x.x, x.y, y.x, y.y};
 }
 
-Pose pose_from(const Document& file, const Node& node) {
+Pose lone_pose(const Document& file, const Node& node) {
   file.allow_only(node, {"x", "y", "heading", "curvature"});
   return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
           file.number(file.at(node, "heading"))};
@@ -75,7 +75,7 @@ std::vector<RowGoal> row_from(const Document& file, const Node& node) {
     file.allow_only(item, {"distance", "goal", "obstacles"});
     RowGoal& goal = row.emplace_back();
     goal.distance = file.number(file.at(item, "distance"));
-    goal.goal = pose_from(file, file.at(item, "goal"));
+    goal.goal = lone_pose(file, file.at(item, "goal"));
     goal.curvature = curvature_from(file, file.at(item, "goal"));
     if (const Node* const obstacles = file.find(item, "obstacles")) {
       goal.obstacles = polygons_from(file, *obstacles);
@@ -183,14 +183,14 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     scenario.description = file.text(*description);
   }
   scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"));
-  scenario.start = pose_from(file, file.at(root, "start"));
+  scenario.start = lone_pose(file, file.at(root, "start"));
   scenario.curvatures.start = curvature_from(file, file.at(root, "start"));
   if (goals != nullptr) {
     result.row = row_from(file, *goals);
     scenario.goal = result.row.front().goal;
     scenario.curvatures.goal = result.row.front().curvature;
   } else {
-    scenario.goal = pose_from(file, *goal);
+    scenario.goal = lone_pose(file, *goal);
     scenario.curvatures.goal = curvature_from(file, *goal);
   }
   read_ground(file, where, map, scenario);

@@ -45,9 +45,9 @@ class MisplacedMark : public std::runtime_error {
   MisplacedMark() : std::runtime_error("lists of numbers within a scalar") {}
 };
 
-class Events : public YAML::EventHandler {
+class YamlEvents : public YAML::EventHandler {
  public:
-  Events(NodeBuilder& builder, const std::vector<NumberLists>& lists)
+  YamlEvents(NodeBuilder& builder, const std::vector<NumberLists>& lists)
       : builder_(builder), lists_(lists) {}
 
   void OnDocumentStart(const YAML::Mark&) override {}
@@ -111,10 +111,10 @@ Document parse(const std::string& text, const std::vector<NumberLists>& lists,
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    Events events(builder, lists);
+    YamlEvents events(builder, lists);
     if (!parser.HandleNextDocument(events)) builder.fail(1, "is empty, expected keys and values");
     NodeBuilder rest(where);
-    Events more(rest, lists);
+    YamlEvents more(rest, lists);
     if (parser.HandleNextDocument(more)) {
       rest.fail(rest.finish().line, "begins a second document, expected one");
     }

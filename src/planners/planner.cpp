@@ -47,13 +47,13 @@ const CommonOption* common_option(std::string_view name) {
   throw InputError(std::string(option), "unknown option, expected one of " + base::joined(names));
 }
 
-/// What is no default though the planner takes no notice of it. That it plans by length may be
-/// said.
+/// What is no default though the planner takes no notice of it. That it plans by length, or arcs
+/// and lines, may be said.
 void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   PlanOptions defaults;
   if (is_length(options.cost)) defaults.cost = shortest_style;
   defaults.cost.clearance_distance = options.cost.clearance_distance;
-  defaults.steering = Steering::reeds_shepp;
+  if (options.steering == Steering::reeds_shepp) defaults.steering = options.steering;
   for (const CommonOption& common : common_options()) {
     if (honours(planner, common.name)) continue;
     if (common.get(options) != common.get(defaults)) refuse(planner, common.name);
@@ -63,14 +63,20 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   }
 }
 
-/// What is set though it says nothing of a vehicle that steers like this.
-void refuse_for_steering(const Planner& planner, const PlanOptions& all) {
-  if (all.steering == Steering::reeds_shepp) return;
-  for (const OptionInfo& info : planner.options) {
-    if (!info.reeds_shepp_only || *all.planner.find(info.name) == info.standard) continue;
-    throw InputError(info.name, "is for steering=reeds-shepp, the steering is " +
-                                    std::string(name_of(all.steering)));
+/// Says how the vehicle steers, if nobody did. Throws InputError for an option that says nothing of
+/// a vehicle that steers so.
+void settle_steering(const Planner& planner, PlanOptions& all) {
+  const auto asks_for_arcs = [&](const OptionInfo& info) {
+    return info.reeds_shepp_only && *all.planner.find(info.name) != info.standard;
+  };
+  const auto found = std::ranges::find_if(planner.options, asks_for_arcs);
+  const bool wants_arcs = found != planner.options.end() || is_length(all.cost);
+  if (!all.steering) {
+    all.steering = wants_arcs ? Steering::reeds_shepp : Steering::continuous_between_stops;
   }
+  if (all.steering == Steering::reeds_shepp || found == planner.options.end()) return;
+  throw InputError(found->name, "is for steering=reeds-shepp, the steering is " +
+                                    std::string(name_of(*all.steering)));
 }
 
 /// What the judge says of standing at a pose.
@@ -114,7 +120,7 @@ void set_style(PlanOptions& options, const Planner& planner, std::string_view na
 PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
   StatedCost cost{.cost = result.cost, .rule = all.cost};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
-  return {.cost = cost, .clearance = all.clearance, .steering = all.steering};
+  return {.cost = cost, .clearance = all.clearance, .steering = *all.steering};
 }
 
 /// Lets the judge see the path; takes it away if he rejects it, also for a bound that is above the
@@ -255,11 +261,12 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
   refuse_ignored(planner, options);
   PlanOptions all = options;
   if (!planner.properties.honours_prices) all.cost = shortest_style;
+  if (!planner.properties.honours_steering) all.steering = Steering::reeds_shepp;
   for (const OptionInfo& info : planner.options) {
     const OptionValue* const given = options.planner.find(info.name);
     all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
   }
-  refuse_for_steering(planner, all);
+  settle_steering(planner, all);
   if (!all.budget.time_limit && !all.budget.max_iterations) {
     all.budget.time_limit = default_time_limit;
   }
@@ -269,7 +276,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
 PlanResult plan(const Problem& problem, const Planner& planner, const PlanOptions& options) {
   const PlanOptions all = complete(planner, options);
   const search::Budget clock(all.budget);
-  const Task task = task_of(problem, all.clearance, all.steering);
+  const Task task = task_of(problem, all.clearance, *all.steering);
   std::optional<PlannerAnswer> answer = settled(task);
   if (!answer) answer = planner.function(task, all);
   PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());

@@ -27,6 +27,8 @@ std::string text_of(bool value) { return value ? "true" : "false"; }
 
 std::string text_of(const std::string& value) { return "\"" + value + "\""; }
 
+std::string text_of(Steering steering) { return text_of(std::string(name_of(steering))); }
+
 template <typename Number>
 std::string text_of(const std::optional<Number>& value) {
   return value ? text_of(*value) : "null";
@@ -35,8 +37,6 @@ std::string text_of(const std::optional<Number>& value) {
 std::string text_of(InitialGear gear) {
   return text_of(std::string(gear_names[static_cast<std::size_t>(gear)]));
 }
-
-std::string text_of(Steering steering) { return text_of(std::string(name_of(steering))); }
 
 // The setter throws with an empty place; its caller adds the name of the option.
 [[noreturn]] void reject(std::string_view value, const std::string& expected) {
@@ -74,7 +74,9 @@ void parse(std::string_view value, InitialGear& field) {
   field = static_cast<InitialGear>(name - gear_names.begin());
 }
 
-void parse(std::string_view value, Steering& field) { field = steering_named(value); }
+void parse(std::string_view value, std::optional<Steering>& field) {
+  field = value == "null" ? std::nullopt : std::optional(steering_named(value));
+}
 
 template <auto part, auto field>
 constexpr CommonOption option(std::string_view name, std::string_view summary) {
@@ -204,7 +206,7 @@ Steering steering_named(std::string_view name) {
 }
 
 Style style_named(std::string_view name) {
-  if (name == "driver") return {driver_style, Steering::reeds_shepp};
+  if (name == "driver") return {driver_style, std::nullopt};
   if (name == "shortest") return {shortest_style, Steering::reeds_shepp};
   throw InputError("style", "\"" + std::string(name) + "\" is not driver or shortest");
 }

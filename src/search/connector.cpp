@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "steering/continuous_wanted.h"
 #include "steering/words.h"
 #include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
@@ -114,7 +115,8 @@ void Connector::find_ends(const Pose& pose, const Driven& beside, std::vector<En
 
 std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& to,
                                                  const Gears& gears, double cutoff) {
-  if (from == to || reeds_shepp_length(from, to, radius_) >= cutoff) return std::nullopt;
+  const double shortest = reeds_shepp_length(from, to, radius_);
+  if (from == to || shortest >= cutoff) return std::nullopt;
   find_ends(from, gears.before, starts_);
   find_ends(to, gears.after, goals_);
   std::optional<Piece> best;
@@ -130,7 +132,17 @@ std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& t
     for (const End& goal : goals_) {
       const ContinuousQuery query{start.curvature, goal.curvature, least, start.stands,
                                   goal.stands};
-      if (const auto piece = continuous_->steer(from, to, query)) consider(*piece, start, goal);
+      if (rule_.is_length()) {
+        if (const auto piece = continuous_->steer(from, to, query)) consider(*piece, start, goal);
+        continue;
+      }
+      for (const int changes : {0, 1, 2}) {  // each one more has to be worth its price
+        const double longest = least - changes * rule_.gear_change_cost;
+        if (longest < shortest) break;
+        steering::find_continuous_words(*continuous_, from, to, query,
+                                        {changes, longest, start.gear, goal.gear}, words_);
+        for (const Piece& word : words_) consider(word, start, goal);
+      }
     }
   }
   return best;

@@ -18,31 +18,6 @@
 
 namespace vandplan::steering {
 
-/// Distances between the centres of neighbouring circles.
-struct Joints {
-  Joints(const SharpTurns& turns, const Stops& stops) noexcept
-      : ahead(turns.centre().x),
-        aside(turns.centre().y),
-        start(turns, stops.start),
-        goal(turns, stops.goal),
-        stop(stops.inside ? 1 : aside),
-        reach(turns.reach()),
-        skew(turns.skew()) {}
-
-  /// The centre of the first circle from the start, or of the last from the goal.
-  struct End {
-    End(const SharpTurns& turns, bool stands) noexcept
-        : ahead(stands ? 0 : turns.centre().x), aside(stands ? 1 : turns.centre().y) {}
-    double ahead, aside;
-  };
-
-  double ahead, aside;  ///< centre of a circle from where the wheels are straight
-  End start, goal;
-  double stop;   ///< half of the distance across a gear change
-  double reach;  ///< half of the distance across straight wheels to the other side
-  double skew;   ///< how far that direction is off the perpendicular
-};
-
 /// The frame of a word, with the sine and cosine of half the turn.
 struct WordFrame {
   WordFrame() = default;

@@ -239,14 +239,13 @@ struct Solution {
     answer = answer_of(solver, combinations[0], least, cutoff);
     // Jumps nearly always help. Where the path is much longer than any has to be, look without.
     constexpr double suspicious = 1.2;
-    if (!task.stops.inside || answer.length <= suspicious * least) return;
+    if (!task.stops.inside || std::min(answer.length, cutoff) <= suspicious * least) return;
     const auto fewer = with_fewer(task.stops);
     for (std::size_t i = 0; i < fewer.size(); ++i) {
       if (i > 0 && fewer[i] == task.stops) break;
       combinations[i + 1] = combinations_of(solver, task, fewer[i]);
-      const double most = std::min(answer.length, cutoff);
-      const Answer other = i == 0 ? answer_of(solver, combinations[1], least, most)
-                                  : quick_answer(solver, combinations[i + 1], most);
+      const Answer other = i == 0 ? answer_of(solver, combinations[1], least, cutoff)
+                                  : quick_answer(solver, combinations[i + 1], cutoff);
       if (other.length < answer.length) answer = other;
     }
   }
@@ -288,6 +287,51 @@ std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task) 
     for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
   }
   return paths;
+}
+
+EndsTask ends_task(const ContinuousSteering& steering, const Pose& from, const Pose& to,
+                   const ContinuousQuery& query) {
+  const double radius = steering.radius();
+  const auto bounded = [&](double curvature) { return std::clamp(curvature * radius, -1.0, 1.0); };
+  const bool may_jump = steering.continuity() == Continuity::between_stops;
+  const Stops stops{may_jump && query.start_stands, may_jump, may_jump && query.goal_stands};
+  return {{0, 0, from.heading},
+          {(to.x - from.x) / radius, (to.y - from.y) / radius, to.heading},
+          stops,
+          stops.start ? 0.0 : bounded(query.start_curvature),
+          stops.goal ? 0.0 : bounded(query.goal_curvature),
+          query.cutoff / radius};
+}
+
+void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, const WantedWords& wanted,
+                          const std::function<void(const UnitPath&)>& take) {
+  const Combinations all = combinations_of(solver, task, task.stops);
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const Combination& c = all.list[i];
+    if (is_nothing(c.task.frame)) {
+      const bool changes = c.first.length * c.last.length < 0;
+      if (wanted.gear_changes == (changes ? 1 : 0)) take(without_word(solver, c));
+      continue;
+    }
+    // What a word drives back is part of what was wound.
+    WantedWords words = wanted;
+    words.longest += c.wound;
+    for_each_wanted_word(solver, c.task, words, [&](const FoundWord& found) {
+      const UnitPath path = driven(solver, c, found);
+      if (path.length <= wanted.longest) take(path);
+    });
+  }
+}
+
+Piece scaled(const UnitPath& path, double radius) {
+  Piece piece;
+  for (std::size_t i = 0; i < path.segments.count; ++i) {
+    const Segment& s = path.segments.list[i];
+    piece.segments[piece.count++] = {s.curvature / radius, s.length * radius,
+                                     s.curvature_rate / radius / radius};
+  }
+  piece.length = path.length * radius;
+  return piece;
 }
 
 }  // namespace vandplan::steering

@@ -6,10 +6,12 @@
 // It drives until the wheels are straight, follows a word, and turns them again: in either gear at
 // either end. Where the word would begin by driving back what was just driven, neither is driven.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "steering/continuous_families.h"
+#include "vandplan/continuous_steering.h"
 #include "vandplan/geometry.h"
 
 namespace vandplan::steering {
@@ -22,6 +24,10 @@ struct EndsTask {
   double start_curvature = 0.0, goal_curvature = 0.0;
   double cutoff = 0.0;
 };
+
+/// What a query between two finite poses means.
+[[nodiscard]] EndsTask ends_task(const ContinuousSteering& steering, const Pose& from,
+                                 const Pose& to, const ContinuousQuery& query);
 
 /// What is driven, and how far, in turning radii.
 struct UnitPath {
@@ -37,5 +43,12 @@ struct UnitPath {
 
 /// All paths of the families up to the cutoff.
 [[nodiscard]] std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task);
+
+/// Calls `take` with the paths of the wanted words that are no longer than these may be.
+void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, const WantedWords& wanted,
+                          const std::function<void(const UnitPath&)>& take);
+
+/// The path for a turning radius [m].
+[[nodiscard]] Piece scaled(const UnitPath& path, double radius);
 
 }  // namespace vandplan::steering

@@ -3,6 +3,7 @@
 #pragma once
 // Which words of continuous steering lead from one pose to another?
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -46,5 +47,18 @@ struct WordTask {
 /// The shortest of them, less what it saves, if that is below `cutoff`.
 [[nodiscard]] std::optional<FoundWord> least_word(const WordSolver& solver, const WordTask& task,
                                                   double cutoff);
+
+/// Which words are of interest.
+struct WantedWords {
+  int gear_changes = 0;  ///< of the formula; 0 to 2
+  double longest = 0.0;
+  int first_gear = 0;  ///< of the formula's first step; 0: any
+  int last_gear = 0;   ///< and of its last one
+};
+
+/// Calls `take` with the wanted words: with turns that reach full lock in closed form, others by
+/// Newton's method, if the Reeds-Shepp word of the same letters is short enough.
+void for_each_wanted_word(const WordSolver& solver, const WordTask& task, const WantedWords& wanted,
+                          const std::function<void(const FoundWord&)>& take);
 
 }  // namespace vandplan::steering

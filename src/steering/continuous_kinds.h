@@ -3,6 +3,7 @@
 #pragma once
 // Which formulas and symmetries do the words of continuous steering have?
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -83,6 +84,9 @@ inline Symmetry both(const Symmetry& a, const Symmetry& b) {
   return {a.x != b.x, a.y != b.y, a.half_turn != b.half_turn};
 }
 
+/// Whether the curvature may jump inside, but not at both ends: on a leg of a longer way.
+inline bool is_leg(const Stops& stops) { return stops.inside && !(stops.start && stops.goal); }
+
 /// The stops of a task as the word sees them that a symmetry makes.
 inline Stops seen_by(const Symmetry& made, const Stops& stops) {
   return made.swaps_ends() ? stops.swapped() : stops;
@@ -99,6 +103,21 @@ inline bool may_drive_back(Formula formula, const Symmetry& symmetry, bool at_st
   const Steps& steps = steps_of(formula);
   return may_drive_back(steps.list[at_start == symmetry.swaps_ends() ? steps.count - 1 : 0],
                         symmetry, winding);
+}
+
+/// Whether the goal is straight ahead but for rounding, by so much that turns would be no shorter.
+inline bool is_line(const MeanFrame& f) {
+  constexpr double noise = 1e-13;
+  const bool is_exact = f.y == 0 && f.half_turn == 0;
+  return is_exact || (f.x > 1e-3 && f.y <= noise * (1 + f.x) && f.half_turn <= noise);
+}
+
+/// Length of a word with these arcs, those below nothing left out.
+inline double driven_length(const Steps& steps, const Arcs& arcs) {
+  const double parts[] = {arcs.first, arcs.inner, arcs.line, arcs.last};
+  double sum = 0;
+  for (std::size_t i = 0; i < steps.count; ++i) sum += std::max(0.0, parts[steps.list[i].part]);
+  return sum;
 }
 
 }  // namespace vandplan::steering::families

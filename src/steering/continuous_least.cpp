@@ -43,9 +43,7 @@ constexpr std::array<Likely, 10> likely_words = {{
     {8, none, {0.2, 0.02}, {0.2, 0.02}},
 }};
 
-/// Whether the curvature may jump inside, but not at both ends: on a leg of a longer way.
-bool is_leg(const Stops& stops) { return stops.inside && !(stops.start && stops.goal); }
-
+/// On a leg.
 constexpr std::array<Likely, 16> likely_legs = {{
     {0, none, {0.02, 0.02}, {0.05, 0.02}},
     {1, none, {0.02, 0.02}, {0.02, 0.02}},
@@ -87,13 +85,6 @@ struct Open {
   std::optional<Arcs> circles;  ///< a second guess: the arcs of the word at full lock
   double bound;                 ///< no path of the word is much shorter, less what it may save
 };
-
-/// Whether the goal is straight ahead but for rounding, by so much that turns would be no shorter.
-bool is_line(const MeanFrame& f) {
-  constexpr double noise = 1e-13;
-  const bool is_exact = f.y == 0 && f.half_turn == 0;
-  return is_exact || (f.x > 1e-3 && f.y <= noise * (1 + f.x) && f.half_turn <= noise);
-}
 
 /// The quick search for the least word.
 class Search {
@@ -187,7 +178,7 @@ class Search {
   void add_open(const Kind& kind, const WordFrame& image, const Symmetry& symmetry,
                 const std::optional<Arcs>& circles) {
     Arcs sharp = in_one_turn(kind.arcs(Circles({image.x, image.y, image.a})));
-    const double bound = least_length(steps_of(kind.formula), sharp);
+    const double bound = driven_length(steps_of(kind.formula), sharp);
     // Where an end vanishes, the step beside it may save as much as any.
     constexpr double vanishes = 1e-6;
     const bool is_known = std::min(sharp.first, sharp.last) > vanishes;
@@ -204,13 +195,6 @@ class Search {
     const Windings& w = task_.windings;
     return (may_drive_back(formula, made, true, w.start) ? 2 * w.start.length : 0) +
            (may_drive_back(formula, made, false, w.goal) ? 2 * w.goal.length : 0);
-  }
-
-  static double least_length(const Steps& steps, const Arcs& arcs) {
-    const double parts[] = {arcs.first, arcs.inner, arcs.line, arcs.last};
-    double sum = 0;
-    for (std::size_t i = 0; i < steps.count; ++i) sum += std::max(0.0, parts[steps.list[i].part]);
-    return sum;
   }
 
   /// The open words in the order of their bounds, as long as one may be shorter.

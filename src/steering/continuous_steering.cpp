@@ -40,17 +40,6 @@ void check_curvature(const char* where, double curvature, double radius) {
                               std::to_string(1 / radius));
 }
 
-Piece scaled(const UnitPath& path, double radius) {
-  Piece piece;
-  for (std::size_t i = 0; i < path.segments.count; ++i) {
-    const Segment& s = path.segments.list[i];
-    piece.segments[piece.count++] = {s.curvature / radius, s.length * radius,
-                                     s.curvature_rate / radius / radius};
-  }
-  piece.length = path.length * radius;
-  return piece;
-}
-
 }  // namespace
 
 ContinuousSteering::ContinuousSteering(double radius, double curvature_rate, Continuity continuity)
@@ -84,15 +73,7 @@ EndsTask task_of(const ContinuousSteering& steering, const Pose& from, const Pos
   check_curvature("start_curvature", query.start_curvature, radius);
   check_curvature("goal_curvature", query.goal_curvature, radius);
   if (std::isnan(query.cutoff)) throw InputError("cutoff", "must be a number");
-  const auto bounded = [&](double curvature) { return std::clamp(curvature * radius, -1.0, 1.0); };
-  const bool may_jump = steering.continuity() == Continuity::between_stops;
-  const Stops stops{may_jump && query.start_stands, may_jump, may_jump && query.goal_stands};
-  return {{0, 0, from.heading},
-          {(to.x - from.x) / radius, (to.y - from.y) / radius, to.heading},
-          stops,
-          stops.start ? 0.0 : bounded(query.start_curvature),
-          stops.goal ? 0.0 : bounded(query.goal_curvature),
-          query.cutoff / radius};
+  return ends_task(steering, from, to, query);
 }
 
 }  // namespace

@@ -266,7 +266,8 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
                             std::abs(change[i]) > 0.1 * std::abs(length);
       length = is_small ? by_angle(length, part * change[i]) : next;
     }
-    if (largest <= small_step) return true;
+    // No step at all from far away: the lengths cannot lead there.
+    if (largest <= small_step) return error <= 1e-6 * size;
   }
   word.lengths = best_lengths;
   return best <= 1e-13 * size;

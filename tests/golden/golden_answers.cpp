@@ -64,7 +64,7 @@ void answer_all(const std::string& file) {
   if (scenario.is_row()) name += " goal " + std::to_string(goal);
   for (const Planner& planner : planners()) {
     const bool honours_prices = planner.properties.honours_prices;
-    PlanOptions options{.cost = shortest_style};
+    PlanOptions options{.cost = shortest_style, .steering = Steering::reeds_shepp};
     options.budget.max_iterations = honours_prices ? 2000 : 600;
     answer(name, problems[goal], planner, options, "");
     if (!honours_prices) continue;
@@ -72,7 +72,13 @@ void answer_all(const std::string& file) {
     options.cost.gear_change_cost = 5;
     answer(name, problems[goal], planner, options, " reverse_weight=2 gear_change_cost=5");
     options.cost = driver_style;
+    options.steering.reset();
     answer(name, problems[goal], planner, options, " style=driver");
+    options.cost = shortest_style;
+    options.steering = Steering::continuous_between_stops;
+    answer(name, problems[goal], planner, options, " steering=continuous-between-stops");
+    options.steering = Steering::continuous;
+    answer(name, problems[goal], planner, options, " steering=continuous");
   }
 }
 

@@ -221,8 +221,17 @@ TEST(SteeringOption, IsHonouredByOurPlanners) {
     PlanOptions options;
     set_option(options, planner, "steering", "continuous");
     EXPECT_EQ(complete(planner, options).steering, Steering::continuous) << planner.name;
-    EXPECT_EQ(complete(planner, {}).steering, Steering::reeds_shepp) << planner.name;
+    options = {.cost = shortest_style};
+    EXPECT_EQ(complete(planner, options).steering, Steering::reeds_shepp) << planner.name;
   }
+}
+
+// Who minds prices wants a path that can be driven.
+TEST(SteeringOption, IsBetweenStopsWhereDrivingHasPrices) {
+  const Planner& anytime = planner_named("anytime");
+  EXPECT_EQ(complete(anytime, {}).steering, Steering::continuous_between_stops);
+  EXPECT_EQ(complete(anytime, with("min_stroke", 1.5)).steering, Steering::reeds_shepp);
+  EXPECT_EQ(complete(planner_named("rrt-bsc-euc"), {}).steering, Steering::reeds_shepp);
 }
 
 TEST(SteeringOption, IsRefusedForAPlannerThatDoesNotHonourIt) {
@@ -271,7 +280,7 @@ TEST(Styles, SayHowTheVehicleSteers) {
   for (const char* const name : {"driver", "shortest"}) {
     PlanOptions options{.steering = Steering::continuous};
     set_option(options, planner_named("anytime"), "style", name);
-    EXPECT_EQ(options.steering, style_named(name).steering);
+    EXPECT_EQ(options.steering, style_named(name).steering) << name;
     EXPECT_EQ(options.cost, style_named(name).cost);
     set_honoured(options, planner_named("anytime"),
                  std::vector<Setting>{{"steering", "continuous"}, {"style", name}});
@@ -280,7 +289,7 @@ TEST(Styles, SayHowTheVehicleSteers) {
   EXPECT_EQ(style_named("shortest").steering, Steering::reeds_shepp);
   PlanOptions options;
   set_option(options, {.name = "mine", .summary = ""}, "style", "shortest");
-  EXPECT_EQ(options.steering, Steering::reeds_shepp);
+  EXPECT_EQ(options.steering, std::nullopt);  // it steers as it does
 }
 
 TEST(Styles, AreWhatAPlannerBeginsWith) {

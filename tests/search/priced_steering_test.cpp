@@ -108,7 +108,8 @@ TEST(PricedSteering, CostsNoMoreThanTheWordThatMadeTheGoal) {
 
 TEST(PricedSteering, DrivesATypedArcInOneGo) {
   for (const Pose& goal : {Pose{7, 7, 1.570796}, Pose{4.949747, 2.050253, 0.785398}}) {
-    const PlanResult result = plan(problem_of({}, goal, {}), {.cost = dear});
+    const PlanResult result =
+        plan(problem_of({}, goal, {}), {.cost = dear, .steering = Steering::reeds_shepp});
     ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
     EXPECT_NEAR(result.cost, radius * goal.heading, 1e-5);
     EXPECT_EQ(result.path->segments.size(), 1U);
@@ -126,7 +127,9 @@ TEST(PricedSteering, DrivesAnArcInOneGoFarFromTheOrigin) {
                       .start = start,
                       .goal = end_pose(path)};
     if (rng() % 2 == 0) scenario.goal = typed(scenario.goal);
-    const PlanResult result = plan(scenario, {.budget = {.max_iterations = 100}, .cost = dear});
+    const PlanResult result =
+        plan(scenario,
+             {.budget = {.max_iterations = 100}, .cost = dear, .steering = Steering::reeds_shepp});
     ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
     EXPECT_EQ(result.path->segments.size(), 1U) << as_code(result.path->segments);
     EXPECT_NEAR(result.cost, arc.length, 1e-4);

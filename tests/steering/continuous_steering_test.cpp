@@ -45,6 +45,30 @@ TEST(ContinuousSteering, AnArcIsAnArcWhereTheWheelsMayBeTurnedBefore) {
   EXPECT_NEAR(throughout.length({0, 0, 0}, goal, bent), 5, 1e-9);
 }
 
+TEST(ContinuousSteering, ALegTurnsItsWheelsWhereItStandsAndStraightensThemWhereItRolls) {
+  const double ramp = 1 / radius / rate;
+  const Pose bent = advance({0, 0, 0}, {1 / radius, 5.0});
+  const Pose goal = advance(bent, {1 / radius, ramp, -rate});
+  ContinuousQuery leg;
+  leg.goal_stands = false;
+  const Piece piece = *between.steer({0, 0, 0}, goal, leg);
+  ASSERT_EQ(piece.count, 2);
+  EXPECT_NEAR(piece.segments[0].curvature, 1 / radius, 1e-12);
+  EXPECT_NEAR(piece.segments[0].length, 5, 1e-9);
+  EXPECT_NEAR(piece.segments[1].length, ramp, 1e-9);
+
+  ContinuousQuery back;
+  back.start_stands = false;
+  EXPECT_NEAR(between.length(goal, {0, 0, 0}, back), 5 + ramp, 1e-9);
+  leg.goal_curvature = 1 / radius;
+  EXPECT_NEAR(between.length({0, 0, 0}, bent, leg), 5, 1e-9);
+}
+
+TEST(ContinuousSteering, AStandingEndTakesNoAccountOfItsCurvature) {
+  const ContinuousQuery bent{0.1, -0.1};
+  EXPECT_EQ(between.length({0, 0, 0}, {3, 4, 1}, bent), between.length({0, 0, 0}, {3, 4, 1}));
+}
+
 TEST(ContinuousSteering, ATurnIsTwoClothoidsAndAnArc) {
   const double ramp = 1 / radius / rate;
   Pose goal = advance({0, 0, 0}, {0, ramp, rate});
@@ -86,6 +110,17 @@ TEST(ContinuousSteering, ACutoffKeepsWhatIsNoLonger) {
     }
     EXPECT_GT(steering.candidates({0, 0, 0}, goal, query).size(), 2U);
   }
+}
+
+/// A word of Reeds and Shepp with a part of no length: there Newton's method takes no step,
+/// although the word ends metres away.
+TEST(ContinuousSteering, WhereNoStepHelpsThereIsNoWord) {
+  ContinuousCase c{{radius, 0.0079401916730816747, Continuity::between_stops},
+                   {{58.110609299647251, 36.082516789588055, -2.8445636142154589},
+                    {53.465902022497112, 27.340280559103974, -1.2737672874205623}},
+                   {}};
+  c.query.goal_stands = false;
+  EXPECT_TRUE(is_drivable(*c.steering.steer(c.pair.from, c.pair.to, c.query), c));
 }
 
 TEST(ContinuousSteering, SlowSteeringWindsByMoreThanATurn) {

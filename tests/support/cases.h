@@ -17,8 +17,9 @@
 
 namespace vandplan {
 
-/// Whether sanitizers make every step slow. g++ says so by macros, clang by features.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+/// Whether sanitizers make every step slow. g++ says so by macros, clang by features, CMake where
+/// they watch the command line alone.
+#if defined(VANDPLAN_SANITIZED) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool is_sanitized = true;
 #elif defined(__has_feature)
 inline constexpr bool is_sanitized =
