@@ -24,6 +24,7 @@ using AddCommand = void (*)(CLI::App& vandplan, int& status);
 void add_check(CLI::App& vandplan, int& status);
 void add_convert(CLI::App& vandplan, int& status);
 void add_draw(CLI::App& vandplan, int& status);
+void add_drive(CLI::App& vandplan, int& status);
 void add_evaluate(CLI::App& vandplan, int& status);
 void add_plan(CLI::App& vandplan, int& status);
 void add_planners(CLI::App& vandplan, int& status);

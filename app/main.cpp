@@ -19,8 +19,9 @@
 namespace vandplan::app {
 namespace {
 
-constexpr AddCommand commands[] = {add_plan,     add_check, add_draw,  add_speed,   add_smooth,
-                                   add_evaluate, add_table, add_study, add_convert, add_planners};
+constexpr AddCommand commands[] = {add_plan,  add_check,   add_draw,     add_speed,
+                                   add_drive, add_smooth,  add_evaluate, add_table,
+                                   add_study, add_convert, add_planners};
 
 /// Says on one line what is wrong.
 int complain(std::string problem, int status) {

@@ -88,6 +88,14 @@ void write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                        : draw(sheet, format, picture_width));
 }
 
+void write_picture(const std::string& file, const Scenario& scenario, const ResultRecord& planned,
+                   const DrivenLine& driven) {
+  Drawing drawing = drawing_of(scenario, &planned);
+  drawing.driven = &driven.poses;
+  drawing.caption = printable(driven.caption);
+  write_file(file, draw(drawing, picture_format(file), picture_width));
+}
+
 DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                          ResultReader& results, std::optional<std::size_t> pair) {
   const auto& [file, has_strip] = wish;

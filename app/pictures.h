@@ -28,6 +28,16 @@ void expect_one_path(const PictureWish& wish, const ScenarioFile& scenario);
 void write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                    const std::vector<ResultRecord>& records);
 
+/// How a path was driven.
+struct DrivenLine {
+  const std::vector<Pose>& poses;  ///< of the rear axle
+  std::string caption;
+};
+
+/// Draws a planned path and how it was driven.
+void write_picture(const std::string& file, const Scenario& scenario, const ResultRecord& planned,
+                   const DrivenLine& driven);
+
 /// What was drawn of a file with results of many pairs.
 struct DrawnPairs {
   std::size_t drawn = 0;

@@ -10,12 +10,11 @@
 #include <cmath>
 #include <memory>
 
+#include "chosen_path.h"
 #include "commands.h"
 #include "endings.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
-#include "vandplan/result_file.h"
 #include "wording.h"
 
 namespace vandplan::app {
@@ -24,66 +23,11 @@ namespace {
 constexpr double most_rows = 2e6;
 
 struct SpeedArguments {
-  std::string scenario;
-  std::string result;
+  PathArguments path;
   std::optional<std::string> output;
-  std::optional<std::size_t> goal;
-  std::optional<std::size_t> pair;
   double step = 0.05;  // between rows [s]
   bool json = false;
 };
-
-/// One path of a result file, with the problem that it solves.
-struct Choice {
-  Problem problem;
-  ResultRecord record;
-  std::string label;  // "yard goals[2]"
-};
-
-/// The goal of a row that was asked for, or the furthest one that has a path, or the first one.
-std::size_t goal_of(const ScenarioFile& file, const std::vector<ResultRecord>& records,
-                    std::optional<std::size_t> asked) {
-  if (asked && *asked >= records.size()) {
-    throw InputError("--goal", fmt::format("is {}, expected 0 to {}", *asked, records.size() - 1));
-  }
-  if (asked) return *asked;
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < records.size(); ++i) {
-    const auto reach = [&](std::size_t goal) {
-      return records[goal].result.path ? file.row[goal].distance : -1.0;
-    };
-    if (reach(i) > reach(best)) best = i;
-  }
-  return best;
-}
-
-Choice chosen_pair(const ScenarioProblems& read, ResultReader& reader, std::size_t number) {
-  const Problem& pattern = read.problems.front();
-  while (const std::optional<PairRecord> pair = reader.next()) {
-    if (pair->pair != number) continue;
-    return {make_problem(pattern.world(), pattern.vehicle(), pair->poses.start, pair->poses.goal),
-            pair->record, fmt::format("{} pair {}", read.file.scenario.name, number)};
-  }
-  throw InputError("--pair", fmt::format("there is no pair {}", number));
-}
-
-Choice chosen(const ScenarioProblems& read, const SpeedArguments& arguments) {
-  ResultReader reader(arguments.result, read.file);
-  if (reader.has_pairs()) {
-    if (arguments.goal) throw InputError("--goal", "the results are for pairs: --pair N");
-    if (!arguments.pair) throw InputError(arguments.result, "holds many results: --pair N");
-    return chosen_pair(read, reader, *arguments.pair);
-  }
-  if (arguments.pair) throw InputError("--pair", "the result is one, not many with numbers");
-  if (arguments.goal && !read.file.is_row()) {
-    throw InputError("--goal", "the scenario has one goal, not a row of them");
-  }
-  std::vector<ResultRecord> records = reader.all();
-  const std::size_t i = goal_of(read.file, records, arguments.goal);
-  std::string label = read.file.scenario.name;
-  if (read.file.is_row()) label += fmt::format(" goals[{}]", i);
-  return {read.problems[i], std::move(records[i]), std::move(label)};
-}
 
 /// The longest way from stop to stop.
 struct Stretch {
@@ -188,16 +132,6 @@ std::size_t write_drive(const std::string& output, const std::vector<Motion>& mo
   return motions.size();
 }
 
-/// Says why there is nothing to drive.
-int refuse(const Choice& choice, const std::string& text, const SpeedArguments& arguments) {
-  if (arguments.json) {
-    print({{"scenario", choice.record.scenario}, {"reason", text}});
-  } else {
-    fmt::print("{}: {}\n", printable(choice.label), text);
-  }
-  return exit_status::failed;
-}
-
 void check_output(const SpeedArguments& arguments) {
   if (!(arguments.step >= 1e-4 && arguments.step <= 0.05)) {
     throw InputError("--step", fmt::format("is {}, expected 0.0001 to 0.05 s", arguments.step));
@@ -212,13 +146,10 @@ void check_output(const SpeedArguments& arguments) {
 
 int run(const SpeedArguments& arguments) {
   check_output(arguments);
-  const ScenarioProblems read = read_problems(arguments.scenario);
-  warn(read.file.warnings);
-  const Choice choice = chosen(read, arguments);
+  const Choice choice = chosen_path(arguments.path);
+  const std::string reason = reason_not_to_drive(choice);
+  if (!reason.empty()) return refuse(choice, reason, arguments.json);
   const std::optional<Path>& path = choice.record.result.path;
-  if (!path) return refuse(choice, no_path_text(choice.record.result), arguments);
-  const PathCheck verdict = check_path(choice.problem, *path, choice.record.claims);
-  if (!verdict.valid) return refuse(choice, "invalid: " + verdict.reason, arguments);
   const Vehicle& vehicle = choice.problem.vehicle();
   const SpeedOptions options{.start_curvature = choice.problem.curvatures().start};
   const SpeedProfile profile = speed_profile(*path, vehicle, options);
@@ -256,7 +187,7 @@ void add_speed(CLI::App& vandplan, int& status) {
       "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse, a is its change.\n"
       "Exit status: 0 done, 1 no path or an invalid one, 2 bad input or usage.");
   const auto arguments = std::make_shared<SpeedArguments>();
-  add_scenario_and_result(*command, arguments->scenario, arguments->result);
+  add_scenario_and_result(*command, arguments->path.scenario, arguments->path.result);
   command->add_option("-o,--output", arguments->output, "The drive over time (.csv), - prints it")
       ->type_name("FILE");
   command
@@ -264,13 +195,7 @@ void add_speed(CLI::App& vandplan, int& status) {
                    "Rows are no further apart [s]; 0.0001 to 0.05; all multiples of it have one")
       ->type_name("S")
       ->capture_default_str();
-  command
-      ->add_option("--goal", arguments->goal,
-                   "In a row of goals the one of this number, from 0; unless given the furthest\n"
-                   "that has a path")
-      ->type_name("N");
-  command->add_option("--pair", arguments->pair, "Of many results the one of this number, from 1")
-      ->type_name("N");
+  add_choice(*command, arguments->path);
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->callback([arguments, &status] { status = run(*arguments); });
 }

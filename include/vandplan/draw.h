@@ -23,8 +23,10 @@ struct Drawing {
   const Scenario* scenario = nullptr;
   const Path* path = nullptr;          ///< or none
   const TreeSnapshot* tree = nullptr;  ///< or none
-  double margin = 0.0;                 ///< a band so wide is drawn around all that is swept [m]
-  std::string caption = {};            ///< one line above the picture, UTF-8
+  /// Where the rear axle of a vehicle was that drove the path, as a line over it; or none.
+  const std::vector<Pose>* driven = nullptr;
+  double margin = 0.0;       ///< a band so wide is drawn around all that is swept [m]
+  std::string caption = {};  ///< one line above the picture, UTF-8
   /// Below the picture of a path: how far the wheels are turned along it.
   bool curvature_strip = false;
 };

@@ -67,6 +67,7 @@ std::vector<Entry> entries_of(const LegendContent& content) {
     entries.push_back({"reverse", line, colour::reverse});
     entries.push_back({"gear change", marker, colour::ink});
   }
+  if (content.driven) entries.push_back({"driven", line, colour::driven});
   if (content.tree) entries.push_back({"tree", line, colour::tree});
   if (content.obstacles) entries.push_back({"obstacle", area, colour::obstacle});
   if (content.margin) entries.push_back({"margin", area, colour::margin});
@@ -247,6 +248,7 @@ void paint_small_frame(cairo_t* cairo, const View& view, bool is_cropped) {
 void LegendContent::add(const Scene& scene, const View& view) noexcept {
   const Bounds& seen = view.visible;
   path |= scene.path.has_value();
+  driven |= !scene.driven.empty();
   tree |= !scene.tree.poses.empty();
   obstacles |= !scene.obstacles.empty() || shows(scene.map, Cell::occupied);
   margin |= scene.path && scene.margin > 0.0;

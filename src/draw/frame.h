@@ -65,6 +65,7 @@ void paint_small_frame(cairo_t* cairo, const View& view, bool is_cropped);
 /// What the legend explains beside start and goal.
 struct LegendContent {
   bool path = false;
+  bool driven = false;
   bool tree = false;
   bool obstacles = false;
   bool margin = false;

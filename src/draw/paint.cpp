@@ -228,6 +228,10 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   paint_vehicle(cairo, {body, scene.goal, colour::goal}, view);
   paint_vehicle(cairo, {body, scene.start, colour::start}, view);
   if (scene.path) paint_path(cairo, scene, view);
+  if (!scene.driven.empty()) {
+    add_line(cairo, view, scene.driven);
+    stroke(cairo, 1.4, colour::driven, 1.0);
+  }
 }
 
 }  // namespace vandplan::drawing

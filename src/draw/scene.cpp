@@ -86,6 +86,7 @@ Bounds surroundings_of_path(const Scene& scene) {
       for (const Pose& pose : stroke.poses) add_vehicle(pose);
     }
   }
+  for (const Pose& pose : scene.driven) points.push_back({pose.x, pose.y});
   return bounding_box(points);
 }
 
@@ -119,6 +120,11 @@ Scene scene_of(const Drawing& drawing) {
   scene.margin = drawing.margin;
   scene.curvature_strip = drawing.curvature_strip && drawing.path != nullptr;
   if (drawing.tree) scene.tree = moved(*drawing.tree, scene.origin);
+  if (drawing.driven) {
+    for (const Pose& pose : *drawing.driven) {
+      scene.driven.push_back(moved(pose, scene.origin, "driven"));
+    }
+  }
   return scene;
 }
 

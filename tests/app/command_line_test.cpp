@@ -30,6 +30,8 @@ TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
                                                           {"plan"},
                                                           {"check"},
                                                           {"draw"},
+                                                          {"speed"},
+                                                          {"drive"},
                                                           {"evaluate"},
                                                           {"table", "build"},
                                                           {"table", "info"},

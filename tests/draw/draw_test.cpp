@@ -187,6 +187,20 @@ TEST(Draw, EverythingHasItsColourAtItsPlace) {
   EXPECT_TRUE(looks(page.at({3.3, 10.4}), drawing::colour::paper));
 }
 
+TEST(Draw, WhatWasDrivenIsALineOverThePath) {
+  const Scenario scenario = yard();
+  const Path path = yard_path();
+  const std::vector<Pose> driven = {{0, 3, 0}, {20, 3, 0}};
+  const Page page({.scenario = &scenario, .path = &path, .driven = &driven});
+  int dark = 0;
+  for (const double y : {2.95, 2.975, 3.0, 3.025, 3.05}) dark += page.at({15, y})[0] < 60;
+  EXPECT_GE(dark, 1);
+  EXPECT_TRUE(looks(page.at({9, 0}), drawing::colour::forward));
+  const std::vector<Pose> nowhere = {{std::nan(""), 0, 0}};
+  EXPECT_THROW((void)draw({.scenario = &scenario, .driven = &nowhere}, PictureFormat::png, 300),
+               InputError);
+}
+
 // Ahead 20 m straight, back a quarter of a circle to the right.
 TEST(Draw, TheStripShowsHowFarTheWheelsAreTurned) {
   const Scenario scenario = yard();

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// vandplan drive: what happens when a simulated vehicle drives a path?
+#include "vandplan/drive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "chosen_path.h"
+#include "commands.h"
+#include "endings.h"
+#include "evaluation/statistics.h"
+#include "pictures.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
+#include "wording.h"
+
+namespace vandplan::app {
+namespace {
+
+constexpr int most_runs = 1'000'000;
+constexpr double most_rows = 2e6;
+constexpr double row_duration = 0.02;  // [s]
+constexpr double confidence = 0.95;
+constexpr double degree = std::numbers::pi / 180;
+
+struct DriveArguments {
+  PathArguments path;
+  DriveOptions options;
+  int runs = 1;
+  std::optional<std::string> output;
+  std::optional<std::string> picture;
+  bool json = false;
+};
+
+/// The worst and the mean of many drives of one path.
+struct DriveTotals {
+  int runs = 0;
+  int arrived = 0;
+  int contacts = 0;
+  DriveResult worst = {};  ///< each figure is the worst one, but for the means; no contact, no log
+  double lateral_squares = 0.0;
+  double heading_squares = 0.0;
+  double durations = 0.0;               ///< sum [s]
+  std::optional<Contact> contact = {};  ///< the earliest one
+  std::uint64_t seed = 0;               ///< of its drive, else of the largest deviation
+
+  void add(const DriveResult& drive, std::uint64_t its_seed);
+  [[nodiscard]] double rms_lateral() const { return std::sqrt(lateral_squares / runs); }
+  [[nodiscard]] double rms_heading() const { return std::sqrt(heading_squares / runs); }
+  [[nodiscard]] double duration() const { return durations / runs; }
+  [[nodiscard]] evaluation::Interval contact_rate() const {
+    return evaluation::share_interval(contacts, runs, confidence);
+  }
+};
+
+void DriveTotals::add(const DriveResult& drive, std::uint64_t its_seed) {
+  const bool is_first = runs++ == 0;
+  arrived += drive.has_arrived ? 1 : 0;
+  contacts += drive.contact ? 1 : 0;
+  lateral_squares += drive.rms_lateral * drive.rms_lateral;
+  heading_squares += drive.rms_heading * drive.rms_heading;
+  durations += drive.duration;
+  if (drive.contact && (!contact || drive.contact->t < contact->t)) {
+    contact = drive.contact;
+    seed = its_seed;
+  } else if (is_first || (!contact && drive.outline_deviation > worst.outline_deviation)) {
+    seed = its_seed;
+  }
+  const auto raise = [&](double DriveResult::*figure) {
+    worst.*figure = std::max(worst.*figure, drive.*figure);
+  };
+  raise(&DriveResult::duration);
+  raise(&DriveResult::planned_duration);
+  raise(&DriveResult::largest_lateral);
+  raise(&DriveResult::largest_heading);
+  raise(&DriveResult::end_distance);
+  raise(&DriveResult::end_heading);
+  raise(&DriveResult::outline_deviation);
+  raise(&DriveResult::out_of_bounds);
+  worst.clearance = is_first ? drive.clearance : std::min(worst.clearance, drive.clearance);
+}
+
+/// An error of an option of the library, by the name that the option has here.
+InputError renamed(const InputError& error) {
+  for (const char* name : {"controller", "noise", "delay", "reserve"}) {
+    if (error.where() == name) return {"--" + error.where(), error.problem()};
+  }
+  if (error.where() == "spare_steering") return {"--spare-steering", error.problem()};
+  return error;
+}
+
+DriveResult driven(const Choice& choice, const DriveOptions& options) {
+  try {
+    return drive(choice.problem, *choice.record.result.path, options);
+  } catch (const InputError& error) {
+    throw renamed(error);
+  }
+}
+
+DriveTotals all_driven(const Choice& choice, const DriveArguments& arguments) {
+  DriveTotals totals;
+  DriveOptions options = arguments.options;
+  for (int i = 0; i < arguments.runs; ++i) {
+    totals.add(driven(choice, options), options.seed);
+    ++options.seed;
+  }
+  return totals;
+}
+
+nlohmann::ordered_json json_of(const Execution& execution) {
+  nlohmann::ordered_json json = {{"passes", execution.passes},
+                                 {"duration", execution.duration},
+                                 {"end_distance", execution.end_distance},
+                                 {"end_heading", execution.end_heading}};
+  if (!execution.passes) json["reason"] = execution.reason;
+  return json;
+}
+
+nlohmann::ordered_json json_of(const Contact& contact, std::uint64_t seed) {
+  const Pose& pose = contact.pose;
+  return {{"t", contact.t},
+          {"s", contact.s},
+          {"pose", {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}}},
+          {"what", contact.what},
+          {"seed", seed}};
+}
+
+nlohmann::ordered_json json_of(const Choice& choice, const DriveArguments& arguments,
+                               const DriveTotals& totals, const ExecutableCheck& check) {
+  const auto [low, high] = totals.contact_rate();
+  const DriveOptions& options = arguments.options;
+  const DriveResult& worst = totals.worst;
+  nlohmann::ordered_json json = {{"scenario", choice.record.scenario},
+                                 {"controller", options.controller},
+                                 {"noise", options.noise},
+                                 {"delay", options.delay},
+                                 {"reserve", options.reserve},
+                                 {"spare_steering", options.spare_steering},
+                                 {"seed", options.seed},
+                                 {"runs", totals.runs},
+                                 {"arrived", totals.arrived},
+                                 {"contacts", totals.contacts},
+                                 {"contact_rate",
+                                  {{"share", static_cast<double>(totals.contacts) / totals.runs},
+                                   {"low", low},
+                                   {"high", high}}},
+                                 {"duration", totals.duration()},
+                                 {"planned_duration", worst.planned_duration},
+                                 {"largest_lateral", worst.largest_lateral},
+                                 {"rms_lateral", totals.rms_lateral()},
+                                 {"largest_heading", worst.largest_heading},
+                                 {"rms_heading", totals.rms_heading()},
+                                 {"end_distance", worst.end_distance},
+                                 {"end_heading", worst.end_heading},
+                                 {"outline_deviation", worst.outline_deviation},
+                                 {"out_of_bounds", worst.out_of_bounds}};
+  json["clearance"] = nullptr;
+  if (std::isfinite(worst.clearance)) json["clearance"] = worst.clearance;
+  if (totals.contact) json["first_contact"] = json_of(*totals.contact, totals.seed);
+  json["executable"] = {{"jumps", check.jumps},
+                        {"flowing", json_of(check.flowing)},
+                        {"pausing", json_of(check.pausing)}};
+  return json;
+}
+
+std::string degrees_text(double angle) { return fmt::format("{:.2f} degrees", angle / degree); }
+
+std::string contacts_text(const DriveTotals& totals) {
+  std::string text = totals.contacts == 0 ? "no contact"
+                                          : fmt::format("{} contact{}", totals.contacts,
+                                                        totals.contacts == 1 ? "" : "s");
+  if (totals.runs > 1) {
+    const auto [low, high] = totals.contact_rate();
+    text += fmt::format(" in {} drives, {:.2f} % (95 %: {:.2f} to {:.2f} %)", totals.runs,
+                        100.0 * totals.contacts / totals.runs, 100 * low, 100 * high);
+  }
+  if (totals.arrived < totals.runs) {
+    text += fmt::format("; {} did not arrive", totals.runs - totals.arrived);
+  }
+  return text;
+}
+
+std::string executable_text(const ExecutableCheck& check) {
+  if (check.flowing.passes) return "yes";
+  const std::string no = "no, " + check.flowing.reason;
+  if (check.jumps == 0) return no;
+  return fmt::format("{}; with pauses at {} jump{} of the curvature: {}", no, check.jumps,
+                     check.jumps == 1 ? "" : "s",
+                     check.pausing.passes ? "yes" : "no, " + check.pausing.reason);
+}
+
+void print_summary(const Choice& choice, const DriveArguments& arguments, const DriveTotals& totals,
+                   const ExecutableCheck& check) {
+  const DriveResult& worst = totals.worst;
+  fmt::print("{}: {}: {}\n", printable(choice.label), arguments.options.controller,
+             contacts_text(totals));
+  if (totals.contact) {
+    fmt::print("  first contact: after {} at {}, seed {}: {}\n", seconds_text(totals.contact->t),
+               metres_text(totals.contact->s), totals.seed, printable(totals.contact->what));
+  }
+  fmt::print("  time: {}, planned {}\n", seconds_text(totals.duration()),
+             seconds_text(worst.planned_duration));
+  fmt::print("  deviation: at most {} and {}, RMS {} and {}; at the end {} and {}\n",
+             metres_text(worst.largest_lateral), degrees_text(worst.largest_heading),
+             metres_text(totals.rms_lateral()), degrees_text(totals.rms_heading()),
+             metres_text(worst.end_distance), degrees_text(worst.end_heading));
+  fmt::print(
+      "  outline: at most {} beyond the plan, so a margin of {:.3f} m is enough on this path\n",
+      metres_text(worst.outline_deviation), std::ceil(worst.outline_deviation * 1e3) / 1e3);
+  fmt::print("  {}\n", clearance_text(worst.clearance));
+  if (worst.out_of_bounds > 0.0) {
+    fmt::print("  rear axle: at most {} out of bounds\n", metres_text(worst.out_of_bounds));
+  }
+  fmt::print("  executable: {}\n", executable_text(check));
+}
+
+std::string csv_of(const std::vector<DriveMoment>& log) {
+  std::string text =
+      "t,s,x,y,heading,direction,v,steering_angle,wanted_steering,wanted_acceleration,"
+      "lateral_error,heading_error\n";
+  for (const DriveMoment& m : log) {
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", m.t, m.s, m.pose.x, m.pose.y,
+                        m.pose.heading, m.direction, m.v, m.steering_angle, m.wanted_steering,
+                        m.wanted_acceleration, m.lateral_error, m.heading_error);
+  }
+  return text;
+}
+
+/// Drives once more, and writes how.
+void write_worst(const Choice& choice, const DriveArguments& arguments, const DriveTotals& totals) {
+  if (!arguments.output && !arguments.picture) return;
+  if (totals.worst.duration / row_duration > most_rows) {
+    throw InputError(arguments.output ? "--output" : "--draw",
+                     fmt::format("would have more than {} rows", most_rows));
+  }
+  DriveOptions options = arguments.options;
+  options.seed = totals.seed;
+  options.keep_log = true;
+  const DriveResult result = driven(choice, options);
+  if (arguments.picture) {
+    std::vector<Pose> poses;
+    for (const DriveMoment& moment : result.log) poses.push_back(moment.pose);
+    const std::string caption =
+        fmt::format("{}: {}, {}", choice.label, options.controller, contacts_text(totals));
+    write_picture(*arguments.picture, choice.scenario, choice.record, {poses, caption});
+  }
+  if (arguments.output) write_file(*arguments.output, csv_of(result.log));
+}
+
+void check_arguments(const DriveArguments& arguments) {
+  if (arguments.runs < 1 || arguments.runs > most_runs) {
+    throw InputError("--runs", fmt::format("is {}, expected 1 to {}", arguments.runs, most_runs));
+  }
+  if (arguments.picture) expect_picture(*arguments.picture);
+  if (!arguments.output) return;
+  if (arguments.json && *arguments.output == "-") {
+    throw InputError("--json", "and --output - both print, expected one of them");
+  }
+  expect_ending(*arguments.output, {"a log is CSV", {".csv"}});
+  expect_writable(*arguments.output);
+}
+
+int run(const DriveArguments& arguments) {
+  check_arguments(arguments);
+  const Choice choice = chosen_path(arguments.path);
+  const std::string reason = reason_not_to_drive(choice);
+  if (!reason.empty()) return refuse(choice, reason, arguments.json);
+  const DriveTotals totals = all_driven(choice, arguments);
+  const ExecutableCheck check = executable(choice.problem, *choice.record.result.path);
+  write_worst(choice, arguments, totals);
+  if (arguments.json) {
+    print(json_of(choice, arguments, totals, check));
+  } else if (arguments.output != "-") {
+    print_summary(choice, arguments, totals, check);
+  }
+  const bool is_good = totals.contacts == 0 && totals.arrived == totals.runs;
+  return is_good ? exit_status::done : exit_status::failed;
+}
+
+std::string controllers_text() {
+  std::string text = "How it steers:";
+  for (const ControllerInfo& info : controllers()) {
+    text += fmt::format("\n{}: {}", info.name, info.summary);
+  }
+  return text;
+}
+
+void add_options(CLI::App& command, DriveArguments& arguments) {
+  DriveOptions& options = arguments.options;
+  command.add_option("--controller", options.controller, controllers_text())
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--noise", options.noise,
+          "0 to 10; 1: positions are measured 2 cm, headings 0.2 degrees wrong, 50 times a\n"
+          "second; all through a drive the wheels are off by 0.2 degrees and 1 %, the\n"
+          "speed by 1 % (standard deviations)")
+      ->type_name("X")
+      ->capture_default_str();
+  command
+      .add_option("--delay", options.delay,
+                  "From a measurement to what follows from it [s]; 0 to 1")
+      ->type_name("S")
+      ->capture_default_str();
+  command
+      .add_option("--reserve", options.reserve,
+                  "Share of steering rate, acceleration and braking that the planned speeds leave\n"
+                  "for corrections; 0 to 0.5")
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command
+      .add_option("--spare-steering", options.spare_steering,
+                  "The wheels can make a curvature larger by this share than min_turning_radius\n"
+                  "says, to steer against what drives out of the tightest turns; 0 to 0.5")
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command.add_option("--runs", arguments.runs, "Drives, with the seeds from --seed on")
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Of the noise of the first drive")
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option(
+          "-o,--output", arguments.output,
+          "The drive with the first contact, or else the one furthest from the plan (.csv),\n"
+          "- prints it")
+      ->type_name("FILE");
+  command.add_option("--draw", arguments.picture, "That drive and the plan (.svg, .png or .pdf)")
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+void add_drive(CLI::App& vandplan, int& status) {
+  CLI::App* const command = vandplan.add_subcommand(
+      "drive",
+      "Drive the path of a result with a simulated vehicle: wheels, engine and brakes within the\n"
+      "limits of the scenario's vehicle, a controller, delay and noise. All that footprint and\n"
+      "wheels sweep is looked at. The judge sees the path first.");
+  command->footer(
+      "Columns: t [s], s [m], x, y [m], heading [rad], direction (1 or -1), v [m/s],\n"
+      "steering_angle [rad], wanted_steering [rad], wanted_acceleration [m/s^2],\n"
+      "lateral_error [m], heading_error [rad]; every 0.02 s.\n"
+      "Executable: driven by its speeds without looking, standing at start, goal and gear changes\n"
+      "only, it touches nothing and ends within 1 cm and 1 degree; limits relaxed by 0.1 %.\n"
+      "Exit status: 0 done, 1 no path, an invalid one, a contact or no arrival, 2 bad input.");
+  const auto arguments = std::make_shared<DriveArguments>();
+  add_scenario_and_result(*command, arguments->path.scenario, arguments->path.result);
+  add_options(*command, *arguments);
+  add_choice(*command, arguments->path);
+  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace vandplan::app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "drive/controllers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/trigonometry.h"
+#include "drive/preview.h"
+
+namespace vandplan::driving {
+namespace {
+
+/// What the vehicle drives until the end of the control period [m].
+double way_ahead(const Sight& sight) { return sight.state.v * control_period; }
+
+/// The heading's error as the way sees it: with it the error of the place grows by its sine for
+/// each driven metre, in either gear.
+double slant(const Sight& sight) { return sight.stroke.direction() * sight.offset.heading; }
+
+/// The distance within which errors fade [m].
+double fading(const Vehicle& vehicle) { return vehicle.wheelbase / 2; }
+
+/// Paden et al. 2016, section V-A: the yaw rate divided by the speed.
+double rear_axle_feedback(const Sight& sight) noexcept {
+  const double a = fading(sight.vehicle);
+  const double e = sight.offset.lateral;
+  const double h = slant(sight);
+  const auto [sin, cos] = base::sin_cos(h);
+  const double curvature = sight.stroke.curvature_at(sight.offset.place.s + way_ahead(sight));
+  const double sin_ratio = std::abs(h) < 1e-6 ? 1.0 : sin / h;
+  // A place on the inside of a turn meets a tighter one.
+  const double along = curvature * cos / std::max(1 - curvature * e, 0.2);
+  const double wanted = along - 2 / a * h - 1 / (a * a) * e * sin_ratio;
+  return steering_angle(sight.vehicle, wanted);
+}
+
+double lqr(const Sight& sight) noexcept {
+  const PreviewGains& gains = preview_gains();
+  const double a = fading(sight.vehicle);
+  const auto [sin, cos] = base::sin_cos(sight.state.steering_angle);
+  const double curvature = sin / cos / sight.vehicle.wheelbase;
+  // Everything in units of the fading distance.
+  double change = -(gains.lateral * sight.offset.lateral / a + gains.heading * slant(sight) +
+                    gains.curvature * curvature * a);
+  double s = sight.offset.place.s + preview_step * a / 2;
+  for (const double gain : gains.ahead) {
+    change += gain * a * sight.stroke.curvature_at(s);
+    s += preview_step * a;
+  }
+  return steering_angle(sight.vehicle, curvature + change / (a * a) * way_ahead(sight));
+}
+
+/// Coulter 1992: the circle through the rear axle, along the vehicle, to a place ahead on the path.
+double pure_pursuit(const Sight& sight) noexcept {
+  const double ahead = sight.vehicle.wheelbase / 2 + 0.5 * sight.state.v;
+  const Place target = sight.stroke.at(sight.offset.place.s + ahead);
+  const Pose seen = relative(sight.state.pose, target.pose);
+  const double square = seen.x * seen.x + seen.y * seen.y;
+  return steering_angle(sight.vehicle, square > 0.0 ? 2 * seen.y / square : 0.0);
+}
+
+/// Hoffmann et al. 2007, with the way of the front axle as the path that it follows.
+double stanley(const Sight& sight) noexcept {
+  constexpr double gain = 1.0;     // [1/s]
+  constexpr double slowest = 0.5;  // [m/s]
+  const double wheelbase = sight.vehicle.wheelbase;
+  const Place& rear = sight.offset.place;
+  const double planned = steering_angle(sight.vehicle, rear.curvature);
+  const auto front_of = [&](const Pose& pose) {
+    const auto [sin, cos] = base::sin_cos(pose.heading);
+    return Point{pose.x + wheelbase * cos, pose.y + wheelbase * sin};
+  };
+  const Point front = front_of(rear.pose);
+  const Point real = front_of(sight.state.pose);
+  const auto [sin, cos] = base::sin_cos(rear.pose.heading + planned);
+  const double left = (real.y - front.y) * cos - (real.x - front.x) * sin;
+  const double ahead =
+      steering_angle(sight.vehicle, sight.stroke.curvature_at(rear.s + way_ahead(sight)));
+  return ahead - sight.offset.heading - base::atan_2(gain * left, slowest + sight.state.v);
+}
+
+/// The planned speed at a place, or, where the vehicle began before the stroke, half of the planned
+/// acceleration on twice the way.
+double planned_speed(const Sight& sight, double s) {
+  return sight.stroke.speed_at(s < sight.behind ? (s + sight.behind) / 2 : s);
+}
+
+constexpr std::array all = {
+    Controller{{"rear-axle-feedback", "error of the rear axle and its heading, both gears", true},
+               rear_axle_feedback},
+    Controller{{"lqr", "linear-quadratic, looks ahead along the path, both gears", true}, lqr},
+    Controller{{"pure-pursuit", "an arc to a place ahead on the path, both gears", true},
+               pure_pursuit},
+    Controller{{"stanley", "error of the front axle, forward only", false}, stanley},
+};
+
+constexpr auto infos = [] {
+  std::array<ControllerInfo, all.size()> result{};
+  for (std::size_t i = 0; i < all.size(); ++i) result[i] = all[i].info;
+  return result;
+}();
+
+}  // namespace
+
+const Controller* find_controller(std::string_view name) noexcept {
+  const auto found =
+      std::ranges::find_if(all, [&](const Controller& each) { return each.info.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+double acceleration(const Sight& sight) noexcept {
+  const DrivingLimits& limits = sight.vehicle.limits;
+  const double braking = limits.max_braking.value_or(limits.max_acceleration);
+  const double v = sight.state.v;
+  const double s = sight.offset.place.s;
+  const double left = sight.stroke.length() - s;
+  if (left <= 0.0) return -braking;
+  // 1. Does it come to stand within the period?
+  if (2 * left <= v * control_period) return std::max(-v * v / (2 * left), -braking);
+  // 2. The highest speed at the end of the period that the place there allows.
+  double low = std::max(v - braking * control_period, 0.0);
+  double high = v + limits.max_acceleration * control_period;
+  const auto is_allowed = [&](double next) {
+    return next <= planned_speed(sight, s + (v + next) / 2 * control_period);
+  };
+  if (is_allowed(high)) return limits.max_acceleration;
+  constexpr int halvings = 40;
+  for (int i = 0; i < halvings; ++i) {
+    const double next = (low + high) / 2;
+    (is_allowed(next) ? low : high) = next;
+  }
+  return (low - v) / control_period;
+}
+
+}  // namespace vandplan::driving
+
+namespace vandplan {
+
+std::span<const ControllerInfo> controllers() noexcept { return driving::infos; }
+
+}  // namespace vandplan

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "base/trigonometry.h"
+#include "drive/watch.h"
+#include "vandplan/drive.h"
+#include "vandplan/speed.h"
+
+namespace vandplan {
+namespace {
+
+using namespace driving;
+
+constexpr double period = 1e-3;  // between two moments [s]
+constexpr double most_moments = 1e6;
+constexpr double relaxed = 1 + 1e-3;                           // limits are
+constexpr double end_tolerance = 0.01;                         // [m]
+constexpr double end_turn_tolerance = std::numbers::pi / 180;  // [rad]
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  std::array<char, 160> buffer;
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+/// The stops at which the curvature jumps, and no gear changes.
+std::vector<Stop> jumps_of(const std::vector<Motion>& motions, const SpeedProfile& profile) {
+  std::vector<Stop> jumps;
+  for (const Stop& stop : profile.stops) {
+    if (stop.s == 0.0) continue;
+    const auto after = std::ranges::upper_bound(motions, stop.s, {}, &Motion::s);
+    const auto begin = std::ranges::lower_bound(motions, stop.s, {}, &Motion::s);
+    if (begin == motions.begin() || after == motions.end()) continue;
+    if (std::prev(begin)->direction == after->direction) jumps.push_back(stop);
+  }
+  return jumps;
+}
+
+/// The sharpest turn beyond what the vehicle can.
+std::string too_sharp(const Path& path, const Vehicle& vehicle) {
+  for (const Segment& segment : path.segments) {
+    for (const double driven : {0.0, std::abs(segment.length)}) {
+      const double curvature = curvature_at(segment, driven);
+      if (std::abs(curvature) <= relaxed / vehicle.min_turning_radius) continue;
+      return text("curvature %.6g is tighter than the turning radius of %.6g m allows", curvature,
+                  vehicle.min_turning_radius);
+    }
+  }
+  return {};
+}
+
+/// Drives through the moments of a drive, but not through those that are left out.
+Execution executed(const Problem& problem, const Path& path, const std::vector<Motion>& motions,
+                   const std::vector<Stop>& left_out) {
+  const Vehicle& vehicle = problem.vehicle();
+  const double rate = relaxed * vehicle.limits.max_steering_rate;
+  Watch watch(problem);
+  Execution result{.passes = true, .reason = too_sharp(path, vehicle)};
+  Pose pose = to_local(*problem.world(), path.start);
+  const auto look = [&](const Segment& arc, const Pose& to) {
+    const auto what = watch.look(pose, arc, to);
+    if (what && result.reason.empty()) {
+      result.reason = text("after %.2f s %s", result.duration, what->c_str());
+    }
+  };
+  look({}, pose);
+  double wheels = steering_angle(vehicle, problem.curvatures().start);
+  auto gap = left_out.begin();
+  for (std::size_t i = 0; i + 1 < motions.size(); ++i) {
+    const Motion& now = motions[i];
+    const Motion& next = motions[i + 1];
+    while (gap != left_out.end() && now.t >= gap->t + gap->pause) ++gap;
+    if (gap != left_out.end() && now.t >= gap->t) continue;
+    const double most = rate * (next.t - now.t);
+    const double turned = std::clamp(next.steering_angle - wheels, -most, most);
+    const auto [sin, cos] = base::sin_cos(wheels + turned / 2);
+    const double way = next.s - now.s;
+    const Segment arc{sin / cos / vehicle.wheelbase, way > 0.0 ? now.direction * way : 0.0};
+    const Pose to = advance(pose, arc);
+    result.duration += next.t - now.t;
+    wheels += turned;
+    if (way > 0.0) look(arc, to);
+    pose = to;
+  }
+  const Pose end = relative(to_local(*problem.world(), end_pose(path)), pose);
+  result.end_distance = std::sqrt(end.x * end.x + end.y * end.y);
+  result.end_heading = std::abs(end.heading);
+  const bool ends =
+      result.end_distance <= end_tolerance && result.end_heading <= end_turn_tolerance;
+  if (result.reason.empty() && !ends) {
+    result.reason = text("ends %.3g m and %.3g degrees away", result.end_distance,
+                         result.end_heading * 180 / std::numbers::pi);
+  }
+  result.passes = result.reason.empty();
+  return result;
+}
+
+}  // namespace
+
+ExecutableCheck executable(const Problem& problem, const Path& path) {
+  const Vehicle& vehicle = problem.vehicle();
+  const SpeedProfile profile =
+      speed_profile(path, vehicle, {.start_curvature = problem.curvatures().start});
+  // Drives of more than a quarter of an hour would not fit into memory.
+  const double step = std::max(period, profile.duration / most_moments);
+  const std::vector<Motion> motions = sampled(path, vehicle, profile, step);
+  const std::vector<Stop> jumps = jumps_of(motions, profile);
+  ExecutableCheck check;
+  check.jumps = static_cast<int>(jumps.size());
+  check.pausing = executed(problem, path, motions, {});
+  check.flowing = jumps.empty() ? check.pausing : executed(problem, path, motions, jumps);
+  return check;
+}
+
+}  // namespace vandplan

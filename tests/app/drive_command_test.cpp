@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/process.h"
+#include "support/yard.h"
+
+namespace vandplan {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The yard with a goal three metres behind the start.
+std::string scenario() { return replaced(yard(), "goal: {x: 20, y: 5,", "goal: {x: -3, y: 0,"); }
+
+/// Two metres ahead and five back.
+Json result() {
+  return Json::parse(R"({"format": "vandplan-result/1", "status": "solved",
+    "path": {"start": {"x": 0, "y": 0, "heading": 0},
+             "segments": [{"turn": "straight", "length": 2}, {"turn": "straight", "length": -5}]}})");
+}
+
+class DriveCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_content(scenario_, scenario());
+    write_content(result_, result().dump());
+  }
+
+  Outcome drive(const std::vector<std::string>& options = {}) {
+    std::vector<std::string> arguments = {"drive", scenario_, result_};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_vandplan(arguments);
+  }
+
+  TemporaryFolder folder_;
+  const std::string scenario_ = folder_ / "yard.yaml";
+  const std::string result_ = folder_ / "result.json";
+  const std::string csv_ = folder_ / "log.csv";
+  const std::string picture_ = folder_ / "drive.svg";
+};
+
+TEST_F(DriveCommand, SaysHowItWent) {
+  const Outcome outcome = drive();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("yard: rear-axle-feedback: no contact\n"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("  deviation: at most 0 m and 0.00 degrees"), std::string::npos);
+  EXPECT_NE(outcome.out.find("so a margin of 0.0"), std::string::npos);
+  EXPECT_NE(outcome.out.find("  executable: yes\n"), std::string::npos);
+}
+
+TEST_F(DriveCommand, WritesALog) {
+  EXPECT_EQ(drive({"--output", csv_}).status, 0);
+  std::istringstream stream(content_of(csv_));
+  std::string line;
+  std::getline(stream, line);
+  EXPECT_EQ(line,
+            "t,s,x,y,heading,direction,v,steering_angle,wanted_steering,wanted_acceleration,"
+            "lateral_error,heading_error");
+  std::string last;
+  int rows = 0;
+  for (; std::getline(stream, line); ++rows) last = line;
+  EXPECT_GT(rows, 300);
+  std::istringstream cells(last);
+  std::vector<double> row;
+  for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+  ASSERT_EQ(row.size(), 12U);
+  EXPECT_NEAR(row[0], (rows - 1) * 0.02, 1e-9);
+  EXPECT_NEAR(row[1], 7, 1e-3);
+  EXPECT_NEAR(row[2], -3, 1e-3);
+  EXPECT_EQ(row[5], -1);
+  EXPECT_EQ(row[6], 0);
+  EXPECT_EQ(drive({"--output", "-"}).out, content_of(csv_));
+  EXPECT_EQ(drive({"--output", "-", "--json"}).status, 2);
+}
+
+TEST_F(DriveCommand, DrawsPlanAndDrive) {
+  EXPECT_EQ(drive({"--draw", picture_, "--noise", "3"}).status, 0);
+  const std::string svg = content_of(picture_);
+  EXPECT_NE(svg.find("<svg"), std::string::npos);
+  EXPECT_GT(svg.size(), 10000U);
+}
+
+TEST_F(DriveCommand, JsonHoldsAllOfManyRuns) {
+  const Outcome outcome = drive({"--runs", "5", "--noise", "1", "--delay", "0.1", "--seed", "7",
+                                 "--controller", "lqr", "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json.at("runs"), 5);
+  EXPECT_EQ(json.at("arrived"), 5);
+  EXPECT_EQ(json.at("contacts"), 0);
+  EXPECT_EQ(json.at("contact_rate").at("low"), 0);
+  // Wilson's interval of 0 out of 5: z^2 / (n + z^2).
+  EXPECT_NEAR(json.at("contact_rate").at("high").get<double>(), 3.8415 / 8.8415, 1e-4);
+  EXPECT_EQ(json.at("controller"), "lqr");
+  EXPECT_GT(json.at("outline_deviation").get<double>(), 0.005);
+  EXPECT_LE(json.at("rms_lateral"), json.at("largest_lateral"));
+  EXPECT_TRUE(json.at("executable").at("flowing").at("passes").get<bool>());
+  EXPECT_FALSE(json.contains("first_contact"));
+  // The runs have the seeds from 7 on.
+  double largest = 0;
+  for (const char* seed : {"7", "8", "9", "10", "11"}) {
+    const Outcome one =
+        drive({"--noise", "1", "--delay", "0.1", "--seed", seed, "--controller", "lqr", "--json"});
+    largest = std::max(largest, Json::parse(one.out).at("outline_deviation").get<double>());
+  }
+  EXPECT_EQ(json.at("outline_deviation"), largest);
+}
+
+TEST_F(DriveCommand, AContactFailsAndIsSaid) {
+  // The wall is 2 mm away from the bumper when the vehicle turns back.
+  write_content(scenario_, replaced(scenario(), "[12, -9], [13, -9], [13, 9], [12, 9]",
+                                    "[7.902, -9], [13, -9], [13, 9], [7.902, 9]"));
+  EXPECT_EQ(drive().status, 0);
+  const std::vector<std::string> noisy = {"--noise", "2", "--runs", "20", "--json"};
+  const Outcome outcome = drive(noisy);
+  EXPECT_EQ(outcome.status, 1);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_GT(json.at("contacts"), 2);
+  EXPECT_LT(json.at("contacts"), 20);
+  const Json& contact = json.at("first_contact");
+  EXPECT_EQ(contact.at("what"), "the footprint hits obstacles[0]");
+  EXPECT_NEAR(contact.at("pose").at("x").get<double>(), 2.002, 0.02);
+  EXPECT_EQ(json.at("clearance"), 0);
+  const std::string seed = std::to_string(contact.at("seed").get<int>());
+  const Outcome again = drive({"--noise", "2", "--seed", seed, "--output", csv_});
+  EXPECT_EQ(again.status, 1);
+  EXPECT_NE(again.out.find("first contact: after "), std::string::npos) << again.out;
+  EXPECT_NE(content_of(csv_), "");
+}
+
+TEST_F(DriveCommand, ThereIsNothingToDriveWithoutAGoodPath) {
+  write_content(csv_, "what was there");
+  Json wrong = result();
+  wrong["path"]["segments"][1]["length"] = -4;
+  write_content(result_, wrong.dump());
+  const Outcome outcome = drive({"--output", csv_});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out, "yard: invalid: the path ends 1 m and 0 rad away\n");
+  write_content(result_, R"({"format": "vandplan-result/1", "status": "time_limit"})");
+  EXPECT_EQ(Json::parse(drive({"--json"}).out).at("reason"), "no path: time_limit");
+  EXPECT_EQ(content_of(csv_), "what was there");
+}
+
+TEST_F(DriveCommand, SaysWhatItCannotDo) {
+  write_content(csv_, "what was there");
+  const auto complaint = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--output", csv_});
+    const Outcome outcome = drive(options);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    return outcome.err;
+  };
+  EXPECT_EQ(complaint({"--controller", "stanley"}),
+            "vandplan: --controller: stanley drives forward only, the path has 5 m in reverse\n");
+  EXPECT_EQ(complaint({"--controller", "hope"}),
+            "vandplan: --controller: \"hope\" is unknown, expected rear-axle-feedback, lqr, "
+            "pure-pursuit, stanley\n");
+  EXPECT_EQ(complaint({"--noise", "11"}), "vandplan: --noise: is 11, expected 0 to 10\n");
+  EXPECT_EQ(complaint({"--delay", "-1"}), "vandplan: --delay: is -1, expected 0 to 1 s\n");
+  EXPECT_EQ(complaint({"--reserve", "0.6"}), "vandplan: --reserve: is 0.6, expected 0 to 0.5\n");
+  EXPECT_EQ(complaint({"--spare-steering", "nan"}),
+            "vandplan: --spare-steering: is nan, expected 0 to 0.5\n");
+  EXPECT_EQ(complaint({"--runs", "0"}), "vandplan: --runs: is 0, expected 1 to 1000000\n");
+  EXPECT_EQ(drive({"--draw", folder_ / "drive.gif"}).status, 2);
+  EXPECT_EQ(drive({"--output", folder_ / "log.json"}).status, 2);
+  EXPECT_EQ(drive({"--output", folder_ / "none/log.csv"}).status, 2);
+  EXPECT_EQ(content_of(csv_), "what was there");
+}
+
+TEST_F(DriveCommand, JumpsAndClothoidsAreDriven) {
+  // A jump into an arc, and out of it on a clothoid.
+  Json turn = result();
+  turn["path"]["segments"] =
+      Json::parse(R"([{"turn": "straight", "length": 3}, {"turn": "left", "length": 3}])");
+  write_content(result_, turn.dump());
+  const double angle = 3.0 / 7;
+  const double x = 3 + 7 * std::sin(angle);
+  const double y = 7 * (1 - std::cos(angle));
+  std::ostringstream goal;
+  goal.precision(17);
+  goal << "goal: {x: " << x << ", y: " << y << ", heading: " << angle;
+  write_content(scenario_, replaced(scenario(), "goal: {x: -3, y: 0, heading: 0", goal.str()));
+  const Outcome outcome = drive();
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("with pauses at 1 jump of the curvature: yes"), std::string::npos)
+      << outcome.out;
+}
+
+}  // namespace
+}  // namespace vandplan
