@@ -36,13 +36,21 @@ struct ContinuousQuery {
   bool goal_stands = true;
 };
 
+/// curvature_rate * radius^2 of `ContinuousSteering`: below, no vehicle gets to full lock; above,
+/// turning the wheels takes next to no way.
+inline constexpr struct {
+  double least = 1e-4;
+  double most = 1e9;
+} supported_sharpness;
+
 /// Short paths on open ground in either gear with |curvature| <= 1/radius and |change of curvature
 /// per metre| <= curvature_rate. Between any two poses there is one. It is the least of the
 /// families that the document names; no path is shorter than `reeds_shepp_length`. A small value:
 /// make it once, call it often, from any thread.
 class ContinuousSteering {
  public:
-  /// `radius` > 0 [m], `curvature_rate` > 0 [1/m^2], both finite, else InputError.
+  /// `radius` > 0 [m], `curvature_rate` > 0 [1/m^2], both finite, and their sharpness supported,
+  /// else InputError.
   ContinuousSteering(double radius, double curvature_rate, Continuity continuity);
 
   /// The least path. It begins and ends with the wheels straight or, between stops, as it wants.

@@ -22,8 +22,14 @@ void append(Piece& piece, const Segment& segment) {
 
 std::optional<ContinuousSteering> continuous_steering(const Task& task) {
   if (task.steering == Steering::reeds_shepp) return std::nullopt;
+  // A vehicle beyond what is supported turns its wheels more slowly than it could, or less far.
+  const auto& [least, most] = supported_sharpness;
+  const double turning = task.vehicle.min_turning_radius;
+  const double rate =
+      std::min(max_curvature_rate(task.vehicle), most / turning / turning * (1 - 1e-12));
+  const double radius = std::max(turning, std::sqrt(least / rate) * (1 + 1e-12));
   return ContinuousSteering(
-      task.vehicle.min_turning_radius, max_curvature_rate(task.vehicle),
+      radius, rate,
       task.steering == Steering::continuous ? Continuity::throughout : Continuity::between_stops);
 }
 

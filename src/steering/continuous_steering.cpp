@@ -18,10 +18,6 @@ namespace {
 
 using namespace steering;
 
-/// Sharpness [1/radius^2] beyond which nothing is gained or nothing is driven.
-constexpr double least_sharpness = 1e-4;
-constexpr double most_sharpness = 1e9;
-
 double checked(const char* where, double value) {
   if (!(value > 0) || !std::isfinite(value)) {
     throw InputError(where, "must be finite and more than 0");
@@ -47,7 +43,8 @@ ContinuousSteering::ContinuousSteering(double radius, double curvature_rate, Con
       curvature_rate_(checked("curvature_rate", curvature_rate)),
       continuity_(continuity) {
   const double sharpness = curvature_rate * radius * radius;
-  if (!(sharpness >= least_sharpness && sharpness <= most_sharpness)) {
+  const auto& [least, most] = supported_sharpness;
+  if (!(sharpness >= least && sharpness <= most)) {
     throw InputError("curvature_rate", "times radius^2 is " + std::to_string(sharpness) +
                                            ", must be from 0.0001 to 1e9");
   }

@@ -64,6 +64,9 @@ class Judgement {
     options.budget.max_iterations = static_cast<std::int64_t>(any_size(30, 300, rng_));
     options.budget.seed = rng_();
     if (honours(planner, "region") && chance(0.7, rng_)) options.planner.set("region", "scene");
+    constexpr Steering kinds[] = {Steering::reeds_shepp, Steering::continuous_between_stops,
+                                  Steering::continuous};
+    if (honours(planner, "steering") && chance(0.7, rng_)) options.steering = kinds[rng_() % 3];
     if (!planner.properties.honours_prices || chance(0.3, rng_)) return options;
     options.cost = shortest_style;
     if (chance(0.5, rng_)) return options;
