@@ -187,7 +187,7 @@ std::string contacts_text(const DriveTotals& totals) {
 
 std::string executable_text(const ExecutableCheck& check) {
   if (check.flowing.passes) return "yes";
-  const std::string no = "no, " + check.flowing.reason;
+  std::string no = "no, " + check.flowing.reason;
   if (check.jumps == 0) return no;
   return fmt::format("{}; with pauses at {} jump{} of the curvature: {}", no, check.jumps,
                      check.jumps == 1 ? "" : "s",
