@@ -22,8 +22,11 @@ void append(Piece& piece, const Segment& segment) {
 
 std::optional<ContinuousSteering> continuous_steering(const Task& task) {
   if (task.steering == Steering::reeds_shepp) return std::nullopt;
-  // A vehicle beyond what is supported turns its wheels more slowly than it could, or less far.
-  const auto& [least, most] = supported_sharpness;
+  // Who turns his wheels so slowly that he has turned around before they are at full lock turns
+  // them less far: nothing is gained by winding on.
+  constexpr double least = 0.1;
+  static_assert(least > supported_sharpness.least);
+  const double most = supported_sharpness.most;
   const double turning = task.vehicle.min_turning_radius;
   const double rate =
       std::min(max_curvature_rate(task.vehicle), most / turning / turning * (1 - 1e-12));
