@@ -278,7 +278,8 @@ inline constexpr double straight_wheels = 1e-9;
 using NodeId = std::int32_t;
 
 /// Nodes as structure of arrays. What decides is double; the float copies are for kernels that
-/// rank. An edge is not stored: it is the Reeds-Shepp path from the parent's pose to the node's.
+/// rank. An edge is not stored: it is what `Connector::steer` gives from the parent's pose to the
+/// node's.
 class Tree {
  public:
   /// Reserves room for `capacity` nodes, so that `add` does not allocate.

@@ -89,9 +89,12 @@ class Run {
 
   // The edge from a node to a pose, if it is free and reaches the pose below the cutoff of cost.
   std::optional<Adoption> try_edge(NodeId node, const Pose& to, double cutoff) {
+    // An edge is steered again in the end: a continuous piece is the same one if both times nothing
+    // cuts the search for it short.
+    const double limit = connector_.continuous() != nullptr ? infinity : cutoff;
     const std::optional<Connection> edge =
-        connector_.connect(tree_.pose(node), to, {tree_.cost_to_come(node), cutoff, {}});
-    if (!edge) return std::nullopt;
+        connector_.connect(tree_.pose(node), to, {tree_.cost_to_come(node), limit, {}});
+    if (!edge || edge->cost >= cutoff) return std::nullopt;
     return Adoption{node, edge->cost};
   }
 
