@@ -3,7 +3,9 @@
 #pragma once
 // What does a drivable path consist of, and where is it after s metres?
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,12 +32,40 @@ struct Segment {
 /// What of a segment is driven from `begin` to `end` [m], 0 <= begin <= end <= its length.
 [[nodiscard]] Segment part_of(const Segment& segment, double begin, double end) noexcept;
 
+/// Room for segments that costs nothing until it is used: whoever holds it knows which are there.
+class SegmentRoom {
+ public:
+  [[nodiscard]] static constexpr std::size_t size() noexcept { return 16; }
+
+  [[nodiscard]] Segment* data() noexcept { return reinterpret_cast<Segment*>(bytes_.data()); }
+  [[nodiscard]] const Segment* data() const noexcept {
+    return reinterpret_cast<const Segment*>(bytes_.data());
+  }
+  [[nodiscard]] Segment& operator[](std::size_t i) noexcept { return data()[i]; }
+  [[nodiscard]] const Segment& operator[](std::size_t i) const noexcept { return data()[i]; }
+
+ private:
+  // A segment is a plain value, so bytes become one as soon as one is written there.
+  alignas(Segment) std::array<std::byte, 16 * sizeof(Segment)> bytes_;
+};
+
 /// The result of one steering call, held in place so that a planner's loop allocates nothing.
 /// Segments of length zero do not occur; equal poses give none.
 struct Piece {
-  std::array<Segment, 16> segments{};
-  std::uint8_t count = 0;
-  double length = 0.0;  ///< sum of the absolute segment lengths [m]
+  SegmentRoom segments;    ///< the first `count` are there
+  std::uint8_t count = 0;  ///< at most `SegmentRoom::size()`
+  double length = 0.0;     ///< sum of the absolute segment lengths [m]
+
+  Piece() noexcept = default;
+  Piece(const Piece& other) noexcept : count(other.count), length(other.length) {
+    std::copy_n(other.segments.data(), count, segments.data());
+  }
+  Piece& operator=(const Piece& other) noexcept {
+    count = other.count;
+    length = other.length;
+    if (this != &other) std::copy_n(other.segments.data(), count, segments.data());
+    return *this;
+  }
 
   [[nodiscard]] std::span<const Segment> view() const noexcept { return {segments.data(), count}; }
 };

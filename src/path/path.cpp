@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/trigonometry.h"
 #include "path/clothoid.h"
@@ -47,8 +48,9 @@ Segment part_of(const Segment& segment, double begin, double end) noexcept {
 
 Piece reversed(const Piece& piece) noexcept {
   Piece result = piece;
-  std::reverse(result.segments.begin(), result.segments.begin() + result.count);
-  for (Segment& segment : result.segments) {
+  const std::span<Segment> segments(result.segments.data(), result.count);
+  std::reverse(segments.begin(), segments.end());
+  for (Segment& segment : segments) {
     if (segment.curvature_rate != 0.0) {
       segment.curvature = curvature_at(segment, std::abs(segment.length));
       segment.curvature_rate = -segment.curvature_rate;

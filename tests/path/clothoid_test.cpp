@@ -128,7 +128,8 @@ TEST(ClothoidLaw, TheWayBackLeadsBack) {
 
 TEST(ClothoidLaw, PrefixAndSuffixAreTheWhole) {
   for_each_case(5, 10000, [&](Rng& rng) {
-    Piece piece{.segments = {any_clothoid(60, rng)}, .count = 1};
+    Piece piece;
+    piece.segments[piece.count++] = any_clothoid(60, rng);
     piece.length = std::abs(piece.segments[0].length);
     const double s = piece.length * uniform01(rng);
     const Pose start = uniform_pose(around, rng);

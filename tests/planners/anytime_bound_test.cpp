@@ -195,7 +195,7 @@ TEST(AnytimeBound, DoesNotJumpWhereAnArcVanishes) {
       EXPECT_NEAR(bound_of(problem, rules[0]), 10.9956, 1e-3);
     }
   }
-  const Pose lane = search::end_of({}, Piece{{Segment{1 / radius, 5}, {-1 / radius, 5}}, 2, 10});
+  const Pose lane = end_pose({{}, {{1 / radius, 5}, {-1 / radius, 5}}});
   for (const double off : {-1e-7, 0.0, 1e-7}) {
     const Problem problem = problem_of({}, {lane.x + off, lane.y, lane.heading}, {});
     EXPECT_NEAR(bound_of(problem, rules[0]), 10, 0.02);

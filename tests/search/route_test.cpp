@@ -71,8 +71,8 @@ TEST(Route, APartOfNoLengthIsEmpty) {
 // Two places of a route may be one, and what is cut there has no length.
 TEST(Route, APartGoesOnBehindASegmentOfNoLength) {
   Piece piece;
-  piece.segments = {Segment{0.1, 0.0}, Segment{0.0, 5.0}};
-  piece.count = 2;
+  piece.segments[piece.count++] = {0.1, 0.0};
+  piece.segments[piece.count++] = {0.0, 5.0};
   piece.length = 5.0;
   EXPECT_EQ(search::prefix(piece, 3.0).length, 3.0);
   EXPECT_EQ(search::suffix(piece, 3.0).length, 2.0);

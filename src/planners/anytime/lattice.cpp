@@ -126,7 +126,7 @@ void Lattice::append(const Segment& step, const Pose& end) {
     last->length += step.length;
   } else {
     const bool is_continuous = connector_.continuous() != nullptr;
-    const std::size_t most = is_continuous ? Piece{}.segments.size() : segments_of_leg;
+    const std::size_t most = is_continuous ? SegmentRoom::size() : segments_of_leg;
     const bool is_whole =
         leg == nullptr || leg->piece.count == most ||
         (is_continuous &&

@@ -61,7 +61,8 @@ double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) co
 
 // The legs that a trial would replace, and what it has to undercut.
 Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const {
-  const Gears gears = gears_around(connector_.rule(), route_, first, last);
+  const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
+  const Gears gears = needs_gears ? gears_around(connector_.rule(), route_, first, last) : Gears{};
   return {first, last, gears,
           cost_of_legs(std::span(route_.legs).subspan(first, last - first), gears)};
 }
