@@ -37,6 +37,7 @@ std::vector<Via> vias_of(const Path& path) {
   double s = 0.0;
   const Segment* before = nullptr;
   for (const Segment& segment : path.segments) {
+    if (segment.length == 0.0) continue;  // two places would be one
     const double length = std::abs(segment.length);
     const double end = curvature_at(segment, length);
     if (before != nullptr) {
@@ -221,8 +222,10 @@ PlannerAnswer smoothed(const Task& task, const PlanOptions& options, const Path&
   };
   if (kept) take(path.segments, *kept);
   Chain chain(task, connector, old, stream_seed(options.budget.seed, 0));
-  bool is_free = chain.join() && chain.is_free();                                 // [2]
-  for (std::int64_t i = 0; i < most_repairs && !is_free && budget.next(); ++i) {  // [3]
+  const bool is_joined = chain.join();  // [2]
+  bool is_free = is_joined && chain.is_free();
+  const std::int64_t repairs = is_joined ? most_repairs : 0;
+  for (std::int64_t i = 0; i < repairs && !is_free && budget.next(); ++i) {  // [3]
     chain.repair();
     is_free = chain.is_free();
   }

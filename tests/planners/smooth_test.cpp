@@ -122,6 +122,24 @@ TEST(Smooth, SaysWhenItCannot) {
   EXPECT_NE(result.reason, "");
 }
 
+// Files of others may have segments of no length, and a path may come back to where it was.
+TEST(Smooth, TakesSegmentsOfNoLengthAndPlacesThatAreOne) {
+  const Problem problem = problem_of({0, 0, 0}, {40, 0, 0}, {});
+  const std::vector<std::vector<Segment>> paths = {{{0, 20}, {0, 0}, {0, 0}, {0, 20}},
+                                                   {{0, 0}, {0, 40}},
+                                                   {{0, 40}, {0.1, 0}},
+                                                   {{0, 10}, {0, -10}, {0, 40}},
+                                                   {}};
+  for (const auto& segments : paths) {
+    for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
+      const PlanResult result = plan(problem, smoother({problem.start(), segments}, method),
+                                     iterations(300, Steering::continuous));
+      EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
+      if (result.path) expect_continuous(*result.path, problem, Steering::continuous);
+    }
+  }
+}
+
 TEST(Smooth, MethodsHaveNames) {
   EXPECT_EQ(smooth_method_named("clothoids"), SmoothMethod::clothoids);
   EXPECT_EQ(smooth_method_named("optimised"), SmoothMethod::optimised);
