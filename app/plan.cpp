@@ -88,7 +88,7 @@ void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted
 }
 
 int run(const PlanArguments& arguments) {
-  const Planner& planner = planner_named(arguments.planner);
+  const Planner planner = planner_named(arguments.planner);
   (void)complete(planner, options_for(planner, {}, arguments.options));  // before a long read
   const std::atomic<bool>* const stop = stop_on_signal();
   check_outputs(arguments);

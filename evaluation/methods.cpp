@@ -63,7 +63,9 @@ std::vector<Planner> planners_of(const std::vector<RunRecord>& runs,
     take(own == nullptr ? planner : *own);
   }
   for (const Planner& planner : known) take(planner);
-  for (const std::string& name : names) found.push_back({.name = name, .summary = ""});
+  for (const std::string& name : names) {
+    found.push_back(find_planner(name).value_or(Planner{.name = name, .summary = ""}));
+  }
   return found;
 }
 

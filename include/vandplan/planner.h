@@ -78,8 +78,13 @@ struct PlanResult {
 /// The planner that is used when none is named.
 [[nodiscard]] const Planner& default_planner();
 
-/// The planner of that name. Throws InputError that lists them all when there is none.
-[[nodiscard]] const Planner& planner_named(std::string_view name);
+/// The planner of that name; none if there is none. A search that is guided by an estimate may be
+/// named with one behind a colon, or with the larger of two: "hrrt:hlut-4", "hrrt:max-hlut-4-bound".
+[[nodiscard]] std::optional<Planner> find_planner(std::string_view name);
+
+/// The planner of that name, as `find_planner` knows it. Throws InputError that lists all planners,
+/// or all estimates, when there is none.
+[[nodiscard]] Planner planner_named(std::string_view name);
 
 /// Options with the planner's own filled in. Throws InputError naming the first option that is out
 /// of range, or that the planner does not honour (and which planners of the library do).

@@ -168,9 +168,8 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
 
 /// Whether the planner's cost is the length, whatever the options say.
 bool goes_by_length(const std::string& planner) {
-  return std::any_of(planners().begin(), planners().end(), [&](const Planner& known) {
-    return known.name == planner && !known.properties.honours_prices;
-  });
+  const std::optional<Planner> known = find_planner(planner);
+  return known && !known->properties.honours_prices;
 }
 
 std::optional<StatedCost> cost_from(const Document& file, const Node& node,

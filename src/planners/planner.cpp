@@ -7,6 +7,8 @@
 
 #include "base/text.h"
 #include "planners/registered.h"
+#include "planners/shared_options.h"
+#include "vandplan/goal_estimate.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
@@ -196,9 +198,24 @@ std::span<const Planner> planners() {
 
 const Planner& default_planner() { return planners().front(); }
 
-const Planner& planner_named(std::string_view name) {
-  const auto found = std::ranges::find(planners(), name, &Planner::name);
-  if (found != planners().end()) return *found;
+std::optional<Planner> find_planner(std::string_view name) {
+  const std::size_t colon = std::min(name.find(':'), name.size());
+  const auto found = std::ranges::find(planners(), name.substr(0, colon), &Planner::name);
+  if (found == planners().end()) return std::nullopt;
+  if (colon == name.size()) return *found;
+  return planning::with_estimate(*found, name.substr(colon + 1));
+}
+
+Planner planner_named(std::string_view name) {
+  if (std::optional<Planner> found = find_planner(name)) return *std::move(found);
+  if (const std::size_t colon = name.find(':'); colon != std::string_view::npos) {
+    const std::optional<Planner> search = find_planner(name.substr(0, colon));
+    if (search && honours(*search, planning::estimate_key)) {
+      throw InputError("planner", "\"" + std::string(name.substr(colon + 1)) +
+                                      "\" is no estimate, expected max-A-B or one of " +
+                                      base::joined(search::goal_estimate_names()));
+    }
+  }
   throw InputError("planner", "\"" + std::string(name) + "\" is unknown, expected one of " +
                                   base::joined(planners(), &Planner::name));
 }

@@ -2,7 +2,47 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/shared_options.h"
 
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
 namespace vandplan::planning {
+namespace {
+
+constexpr std::string_view none = "none";
+constexpr std::string_view max_prefix = "max-";
+
+bool is_estimate(std::string_view name) {
+  const auto names = search::goal_estimate_names();
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// One estimate, or two of which the larger counts.
+struct Wanted {
+  std::string_view first;
+  std::string_view second = none;
+};
+
+std::optional<Wanted> parsed(std::string_view text) {
+  if (is_estimate(text)) return Wanted{text};
+  if (!text.starts_with(max_prefix)) return std::nullopt;
+  const std::string_view both = text.substr(max_prefix.size());
+  for (const std::string_view first : search::goal_estimate_names()) {
+    if (!both.starts_with(first) || both.size() <= first.size()) continue;
+    if (both[first.size()] != '-') continue;
+    const std::string_view second = both.substr(first.size() + 1);
+    if (is_estimate(second)) return Wanted{first, second};
+  }
+  return std::nullopt;
+}
+
+OptionInfo* find_option(Planner& planner, std::string_view name) {
+  const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
+  return found == planner.options.end() ? nullptr : &*found;
+}
+
+}  // namespace
 
 OptionInfo region_option() {
   return {.name = "region",
@@ -13,6 +53,38 @@ OptionInfo region_option() {
 
 Region region_of(const PlanOptions& options) {
   return options.planner.word("region") == "scene" ? Region::scene : Region::bounds;
+}
+
+std::vector<OptionInfo> estimate_options(std::string_view standard, std::string_view max_with) {
+  const auto names = search::goal_estimate_names();
+  OptionInfo first{.name = std::string(estimate_key),
+                   .summary = "of the way to the goal",
+                   .standard = std::string(standard),
+                   .words = {names.begin(), names.end()}};
+  OptionInfo second = first;
+  second.name = max_with_key;
+  second.summary = "another estimate; the larger one of both counts";
+  second.standard = std::string(max_with);
+  second.words.insert(second.words.begin(), std::string(none));
+  return {std::move(first), std::move(second)};
+}
+
+search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task) {
+  search::GoalEstimate first = search::make_goal_estimate(options.planner.word(estimate_key), task);
+  const std::string& second = options.planner.word(max_with_key);
+  if (second == none) return first;
+  return search::max_of(std::move(first), search::make_goal_estimate(second, task));
+}
+
+std::optional<Planner> with_estimate(Planner planner, std::string_view estimate) {
+  const std::optional<Wanted> wanted = parsed(estimate);
+  OptionInfo* const first = find_option(planner, estimate_key);
+  if (!wanted || first == nullptr) return std::nullopt;
+  first->standard = std::string(wanted->first);
+  find_option(planner, max_with_key)->standard = std::string(wanted->second);
+  planner.name += ":" + std::string(estimate);
+  planner.properties.estimate = estimate;
+  return planner;
 }
 
 }  // namespace vandplan::planning

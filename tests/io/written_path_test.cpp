@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 
 /// Plans the first goal and returns what would be in the file.
 Json planned(const Scenario& scenario, const std::string& name) {
-  const Planner& planner = planner_named(name);
+  const Planner planner = planner_named(name);
   ResultRecord record;
   record.scenario = scenario.name;
   record.planner = name;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -53,7 +54,7 @@ void expect_moved(const Pose& there, const Pose& here, double tolerance = 1e-6) 
 class OneFrame : public testing::TestWithParam<const char*> {};
 
 TEST_P(OneFrame, APlanFarAwayIsTheSamePlanMoved) {
-  const Planner& planner = planner_named(GetParam());
+  const Planner planner = planner_named(GetParam());
   PlanOptions options = iterations(800);
   if (honours(planner, "keep_tree")) options.planner.set("keep_tree", true);
   const Problem here = make_problem(yard());
@@ -443,8 +444,14 @@ TEST(RejectedPath, IsNotThere) {
 // ---- finding planners ----
 
 TEST(Planners, HaveNamesOfTheirOwn) {
-  for (const Planner& planner : planners()) EXPECT_EQ(&planner_named(planner.name), &planner);
+  for (const Planner& planner : planners()) {
+    const auto is_it = [&](const Planner& other) { return other.name == planner.name; };
+    EXPECT_EQ(std::ranges::count_if(planners(), is_it), 1) << planner.name;
+    EXPECT_EQ(planner_named(planner.name).name, planner.name);
+  }
+  EXPECT_FALSE(find_planner("anytim"));
   EXPECT_THROW((void)planner_named("anytim"), InputError);
+  EXPECT_THROW((void)planner_named("anytime:euclid"), InputError);  // it takes no estimate
 }
 
 TEST(Planners, PropertiesSayWhatNamesWouldMean) {

@@ -42,7 +42,7 @@ class ThesisMethod : public testing::TestWithParam<std::string> {};
 TEST_P(ThesisMethod, FindsOnlyPathsThatTheJudgeAccepts) {
   const std::vector<ScenarioProblems> scenarios = thesis_problems();
   ASSERT_EQ(scenarios.size(), 9U);
-  const Planner& planner = planner_named(GetParam());
+  const Planner planner = planner_named(GetParam());
   int solved = 0;
   for (const auto& [file, problems] : scenarios) {
     // The nearest, a middle and the furthest goal of a row.

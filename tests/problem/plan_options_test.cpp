@@ -264,7 +264,7 @@ TEST(SteeringOption, TakesMinStrokeAway) {
 // ---- styles ----
 
 TEST(Styles, AreSetsOfPrices) {
-  const Planner& planner = planner_named("anytime");
+  const Planner planner = planner_named("anytime");
   PlanOptions options;
   EXPECT_EQ(options.cost, driver_style);
   EXPECT_FALSE(is_length(driver_style));
@@ -308,7 +308,7 @@ TEST(Styles, GiveWayToWhatIsSetBesideThem) {
 }
 
 TEST(Styles, OfThoseWhoKnowNoPricesAreTheShortest) {
-  const Planner& planner = planner_named("rrt-opt-rs");
+  const Planner planner = planner_named("rrt-opt-rs");
   PlanOptions options;
   set_option(options, planner, "style", "shortest");
   EXPECT_EQ(complete(planner, options).cost, shortest_style);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How far is it to the goal, about?
+//
+// Estimates guide searches: docs/algorithms/estimates.md says what each of them knows and leaves
+// out. All poses are in the frame of the task.
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "vandplan/problem.h"
+
+namespace vandplan::search {
+
+/// What driving from a pose to the goal of one task is estimated to take. Made for one run: a call
+/// may fill a cache, so threads do not share it.
+struct GoalEstimate {
+  std::string name = {};
+  /// Whether it is never above the length of the shortest path among the obstacles, but for
+  /// rounding (1e-9, relative): a search that proves what it finds needs that.
+  bool is_admissible = false;
+  /// Length from a pose to the goal [m]; infinite where the goal cannot be reached.
+  std::function<double(const Pose&)> length = {};
+};
+
+/// Names of the estimates, the simplest one first: "euclid", "hlut-1", ..., "reeds-shepp".
+[[nodiscard]] std::span<const std::string_view> goal_estimate_names() noexcept;
+
+/// The estimate of that name for a task, which outlives it. Throws InputError listing the names
+/// when there is none of that name.
+[[nodiscard]] GoalEstimate make_goal_estimate(std::string_view name, const Task& task);
+
+/// The larger one of two estimates; admissible if both are.
+[[nodiscard]] GoalEstimate max_of(GoalEstimate a, GoalEstimate b);
+
+}  // namespace vandplan::search
