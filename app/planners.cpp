@@ -29,6 +29,7 @@ Json json_of_planner(const Planner& planner) {
   json["properties"] = {{"family", properties.family},
                         {"strategy", properties.strategy},
                         {"estimate", properties.estimate},
+                        {"search", properties.search},
                         {"tries_goal", properties.tries_goal},
                         {"honours_prices", properties.honours_prices},
                         {"honours_threads", properties.honours_threads},

@@ -195,6 +195,9 @@ std::string claims_text(const std::vector<Finding>& findings, GoalSetting settin
 // "BSC" and the like; nothing of planners that have no strategy.
 bool is_random_tree(const MethodSummary& method) { return !method.properties.strategy.empty(); }
 
+// The trees of the thesis, in either setting; other searches may be guided by its tables as well.
+constexpr std::string_view thesis_family = "rrt";
+
 }  // namespace
 
 const char* name_of(GoalSetting setting) noexcept {
@@ -202,7 +205,8 @@ const char* name_of(GoalSetting setting) noexcept {
 }
 
 bool is_table_under(const PlannerProperties& properties, GoalSetting setting) noexcept {
-  return table_number(properties) && properties.tries_goal == (setting == GoalSetting::tried);
+  return properties.family == thesis_family && table_number(properties) &&
+         properties.tries_goal == (setting == GoalSetting::tried);
 }
 
 std::string headline(const Summary& summary, Region region) {

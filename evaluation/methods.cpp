@@ -13,10 +13,29 @@ namespace {
 
 constexpr std::string_view euclid = "euclid";
 constexpr std::array<std::string_view, 4> tables = {"hlut-1", "hlut-2", "hlut-3", "hlut-4"};
+// The planners of the literature that the thesis builds on: compared with each estimate.
+constexpr std::string_view family_group = "family";
+// Beside each single estimate.
+constexpr std::array<std::string_view, 2> combined = {"max-hlut-4-grid", "max-hlut-4-any-angle"};
 
 const Planner* named(std::string_view name, std::span<const Planner> planners) {
   const auto found = std::ranges::find(planners, name, &Planner::name);
   return found == planners.end() ? nullptr : &*found;
+}
+
+// A search that takes an estimate, once with each that needs nothing else; empty for another one.
+std::vector<Planner> with_each_estimate(const Planner& planner) {
+  const auto option = std::ranges::find(planner.options, "estimate", &OptionInfo::name);
+  if (option == planner.options.end()) return {};
+  std::vector<std::string> estimates = option->words;
+  estimates.insert(estimates.end(), combined.begin(), combined.end());
+  std::vector<Planner> found;
+  for (const std::string& estimate : estimates) {
+    if (auto guided = find_planner(planner.name + ":" + estimate)) {
+      found.push_back(*std::move(guided));
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -71,8 +90,15 @@ std::vector<Planner> planners_of(const std::vector<RunRecord>& runs,
 
 std::vector<Planner> planners_called(const std::string& word) {
   std::vector<Planner> found;
-  for (const Planner& planner : planners())
-    if (word == "all" || is_in_group(planner, word)) found.push_back(planner);
+  for (const Planner& planner : planners()) {
+    if (word != "all" && !is_in_group(planner, word)) continue;
+    const std::vector<Planner> guided = with_each_estimate(planner);
+    if (word == family_group && !guided.empty()) {
+      found.insert(found.end(), guided.begin(), guided.end());
+    } else {
+      found.push_back(planner);
+    }
+  }
   if (found.empty()) found = {planner_named(word)};
   return found;
 }

@@ -17,6 +17,7 @@ extern const std::string_view js_data;
 extern const std::string_view js_methods;
 extern const std::string_view js_tables;
 extern const std::string_view js_overview;
+extern const std::string_view js_searches;
 extern const std::string_view js_scenario;
 extern const std::string_view js_charts;
 extern const std::string_view js_motion;

@@ -115,8 +115,8 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   PlanOptions shown = run.options;
   shown.budget.time_limit.reset();
   shown.budget.max_iterations = run.result.iterations;
-  const auto planner = std::ranges::find(planners(), run.planner, &Planner::name);
-  const bool is_ours = planner != planners().end();
+  const std::optional<Planner> planner = find_planner(run.planner);
+  const bool is_ours = planner.has_value();
   PlanOptions usual = is_ours ? complete(*planner, usual_options(*planner)) : PlanOptions{};
   usual.budget = {};
   const bool has_style = is_ours && planner->properties.honours_prices && is_length(shown.cost);

@@ -46,7 +46,11 @@ struct Report {
 /// The figures of the headline as a JSON object; times [s], costs as in `MethodSummary`.
 [[nodiscard]] std::string headline_json(const Report& report);
 
-/// The headline and a table for each scenario and region.
+/// Every search with every estimate, and what the literature says of them; empty if no search was
+/// run with more than one estimate.
+[[nodiscard]] std::string search_matrix_markdown(const Report& report);
+
+/// The headline, the searches and a table for each scenario and region.
 [[nodiscard]] std::string report_markdown(const Report& report);
 
 /// A picture (PNG) with a cell for each scenario: the best path, whoever found it.

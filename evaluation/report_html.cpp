@@ -222,6 +222,8 @@ Json data_of(const Report& report) {
           {"verdicts", verdicts_json(report.findings)},
           {"rejected", rejected_json(report.runs)},
           {"pooled", pooled_json(report.summary)},
+          {"searches", search_matrix_json(report)},
+          {"literature", literature_json(report)},
           {"headlines", headlines_json(report.summary)},
           {"runs", runs_json(report)}};
 }
@@ -230,9 +232,9 @@ Json data_of(const Report& report) {
 std::string program() {
   std::string text = "(function () {\n'use strict';\n";
   for (const std::string_view part :
-       {page::js_data, page::js_methods, page::js_tables, page::js_overview, page::js_scenario,
-        page::js_charts, page::js_motion, page::js_pictures, page::js_runs, page::js_frame,
-        page::js_page})
+       {page::js_data, page::js_methods, page::js_tables, page::js_overview, page::js_searches,
+        page::js_scenario, page::js_charts, page::js_motion, page::js_pictures, page::js_runs,
+        page::js_frame, page::js_page})
     text += part;
   return text + "})();\n";
 }

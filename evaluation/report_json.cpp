@@ -165,6 +165,7 @@ OrderedJson planners_json(const std::vector<Planner>& planners) {
                     {"family", planner.properties.family},
                     {"strategy", planner.properties.strategy},
                     {"estimate", planner.properties.estimate},
+                    {"search", planner.properties.search},
                     {"tries_goal", planner.properties.tries_goal}});
   }
   return list;
@@ -203,6 +204,8 @@ std::string headline_json(const Report& report) {
                            {"scenarios", scenarios},
                            {"against_euclid", pooled_json(report.summary)},
                            {"claims", claims_json(report.findings)},
+                           {"searches", search_matrix_json(report)},
+                           {"literature", literature_json(report)},
                            {"rejected", rejected_json(report.runs)},
                            {"planners", planners_json(report.planners)}};
   return all.dump(2);

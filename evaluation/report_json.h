@@ -47,6 +47,12 @@ using OrderedJson = nlohmann::ordered_json;
 /// What differs: name, value and the planners that have it.
 [[nodiscard]] OrderedJson differing_options_json(const ReportOptions& options);
 
+/// Every search with every estimate, by region.
+[[nodiscard]] OrderedJson search_matrix_json(const Report& report);
+
+/// What the literature says of two planners, and what pairs of runs say.
+[[nodiscard]] OrderedJson literature_json(const Report& report);
+
 /// What tells planners apart.
 [[nodiscard]] OrderedJson planners_json(const std::vector<Planner>& planners);
 

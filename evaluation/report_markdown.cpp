@@ -321,7 +321,7 @@ std::string headline_markdown(const Report& report) {
 }
 
 std::string report_markdown(const Report& report) {
-  std::string text = headline_markdown(report);
+  std::string text = headline_markdown(report) + search_matrix_markdown(report);
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     const bool row = is_row(report, scenario);
     text += fmt::format(

@@ -7,6 +7,7 @@ const state = {
   region: data.cells[0].region,
   scenario: data.cells[0].scenario,
   measure: 'end',
+  search: 'first',
   example: 'typical',
 };
 const $ = (id) => document.getElementById(id);

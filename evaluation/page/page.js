@@ -16,6 +16,7 @@ function render() {
   $('scenario-description').textContent = scenarioOf(c).description;
   renderMatrix();
   renderPooled();
+  renderSearches();
   renderMethods(c);
   renderCostCharts(c);
   renderSuccessCharts(c);

@@ -29,6 +29,7 @@ struct PlannerProperties {
   std::string family = {};               ///< planners that are built alike: "rrt"
   std::string strategy = {};             ///< which node becomes a parent: "bsc", "opt"; or empty
   std::string estimate = {};             ///< what ranks nodes: "euclid", "hlut-2", ...; or empty
+  std::string search = {};               ///< its name without the estimate; empty if it takes none
   bool tries_goal = false;               ///< tries the goal from every new node
   bool honours_prices = false;           ///< CostOptions; else its cost is the length
   bool honours_threads = false;          ///< BudgetOptions::threads

@@ -61,11 +61,13 @@ constexpr std::array rankings = {
 
 Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goal) {
   const rrt::Variant variant{choice.strategy, ranking.estimate};
-  Planner planner{.name = std::string("rrt-") + choice.name + "-" + ranking.name,
+  const std::string search = std::string("rrt-") + choice.name;
+  Planner planner{.name = search + "-" + ranking.name,
                   .summary = std::string(choice.summary) + ranking.summary,
                   .properties = {.family = "rrt",
                                  .strategy = choice.name,
                                  .estimate = ranking.property,
+                                 .search = search,
                                  .tries_goal = tries_goal,
                                  .honours_steering = true,
                                  .anytime = true},
@@ -75,6 +77,7 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
                   }};
   if (tries_goal) {
     planner.name += "-goal";
+    planner.properties.search += "-goal";
     planner.summary += ", goal tried from every node";
   }
   if (ranking.in_thesis) planner.properties.groups = {tries_goal ? "thesis-goal" : "thesis"};
@@ -92,6 +95,7 @@ std::vector<Planner> registered_planners() {
       }
     }
   }
+  for (Planner& planner : planners) name_estimate(planner);
   return planners;
 }
 

@@ -69,6 +69,16 @@ std::vector<OptionInfo> estimate_options(std::string_view standard, std::string_
   return {std::move(first), std::move(second)};
 }
 
+void name_estimate(Planner& planner) {
+  const OptionInfo* const first = find_option(planner, estimate_key);
+  if (first == nullptr) return;
+  const auto word = [](const OptionInfo& info) { return std::get<std::string>(info.standard); };
+  const std::string second = word(*find_option(planner, max_with_key));
+  planner.properties.search = planner.name;
+  planner.properties.estimate =
+      second == none ? word(*first) : std::string(max_prefix) + word(*first) + "-" + second;
+}
+
 search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task) {
   search::GoalEstimate first = search::make_goal_estimate(options.planner.word(estimate_key), task);
   const std::string& second = options.planner.word(max_with_key);
