@@ -10,6 +10,7 @@ namespace {
 
 constexpr double looks = 64;           // for each `clearance_distance`
 constexpr double most_looks = 1e6;     // for a path
+constexpr double usual_swing = 3;      // corners that move faster than the axle need more looks
 constexpr Real most_at_once = 1000.0;  // metres that one look may show to be far from everything
 
 class Integral {
@@ -51,10 +52,13 @@ double near_cost(const Track& track, const Ground& ground, const Outlines& outli
   if (rule.clearance_weight == 0.0 || ground.is_empty()) return 0.0;
   const double distance = rule.clearance_distance;
   if (!(distance > 0.0)) return 0.0;
-  const Real step = std::max<Real>(distance / looks, track.length / most_looks);
-  Integral integral(ground, outlines, distance, step);
+  const double reach = reach_of(outlines.body);
   Real sum = 0;
   for (const Stretch& stretch : track.stretches) {
+    const Real swing = 1 + steepest(stretch) * reach;
+    const Real step = std::max<Real>(distance / looks / std::max<Real>(1, swing / usual_swing),
+                                     track.length / most_looks);
+    Integral integral(ground, outlines, distance, step);
     const Real weight = stretch.direction > 0 ? 1.0 : rule.reverse_weight;
     sum += weight * integral.over(stretch, 0, stretch.length);
   }

@@ -15,6 +15,8 @@ constexpr double looks_of_search = 4;
 constexpr double looks_of_answer = 50;
 constexpr double most_looks_of_search = 2e4;  // at a path of any length
 constexpr double most_looks_of_answer = 1e6;
+// Points of a body that is long for its turning radius move faster than that and need more looks.
+constexpr double usual_swing = 3;
 constexpr double looks_ahead = 4;  // that one look may save at first, and twice as many if it does
 
 /// The furthest point of the body from its rear axle [m].
@@ -23,15 +25,23 @@ double reach_of(const Vehicle& vehicle) {
   return std::hypot(std::max(body.front, body.rear), body.half_width);
 }
 
+/// How far the axle drives from one look to the next [m].
+struct LookSteps {
+  double usual;
+  double least;  ///< so that a long path does not take too many
+};
+
 /// The integral of 1 - clearance / distance along a segment where that is above 0 [m].
-double nearness(const CollisionChecker& checker, double reach, double distance, double step,
-                const Pose& from, const Segment& segment, double most) {
+double nearness(const CollisionChecker& checker, double reach, double distance,
+                const LookSteps& steps, const Pose& from, const Segment& segment, double most) {
   const double length = std::abs(segment.length);
-  const double count = std::ceil(length / step);
-  const double h = length / count;
   const double tightest =
       std::max(std::abs(segment.curvature), std::abs(curvature_at(segment, length)));
-  const double moved = (1 + reach * tightest) * h;  // any point of the body, from look to look
+  const double swing = 1 + reach * tightest;  // how fast any point of the body moves
+  const double step = std::max(steps.least, steps.usual / std::max(1.0, swing / usual_swing));
+  const double count = std::ceil(length / step);
+  const double h = length / count;
+  const double moved = swing * h;  // any point of the body, from look to look
   double sum = 0.0;
   double ahead = looks_ahead;
   for (double i = 0; i < count && sum <= most;) {
@@ -113,9 +123,9 @@ double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
   const bool is_answer = looks == Looks::answer;
-  const double step =
-      std::max(distance / (is_answer ? looks_of_answer : looks_of_search),
-               length(segments) / (is_answer ? most_looks_of_answer : most_looks_of_search));
+  const LookSteps steps{
+      distance / (is_answer ? looks_of_answer : looks_of_search),
+      length(segments) / (is_answer ? most_looks_of_answer : most_looks_of_search)};
   const double reach = reach_of(task.vehicle);
   double sum = 0.0;
   Pose pose = from;
@@ -125,7 +135,7 @@ double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
     const double price =
         rule.clearance_weight * (segment.length > 0.0 ? rule.forward_weight : rule.reverse_weight);
     sum += price *
-           nearness(*task.checker, reach, distance, step, pose, segment, (cutoff - sum) / price);
+           nearness(*task.checker, reach, distance, steps, pose, segment, (cutoff - sum) / price);
     pose = advance(pose, segment);
   }
   return sum;

@@ -35,12 +35,13 @@ double price_of(const Problem& problem, const CostRule& rule, const Path& path, 
 }
 
 /// The sum of midpoints, a millimetre each, without any short cut.
-double slow_price_of(const Problem& problem, const CostRule& rule, const Path& path) {
+double slow_price_of(const Problem& problem, const CostRule& rule, const Path& path,
+                     double step = 1e-3) {
   double sum = 0.0;
   Pose pose = path.start;
   for (const Segment& segment : path.segments) {
     const double length = std::abs(segment.length);
-    const double count = std::ceil(length / 1e-3);
+    const double count = std::ceil(length / step);
     const double weight = segment.length > 0 ? rule.forward_weight : rule.reverse_weight;
     for (double i = 0.5; i < count; ++i) {
       const Pose there = advance(pose, part_of(segment, 0, length * i / count));
@@ -123,6 +124,25 @@ TEST(ClearanceCost, OfAnAnswerIsWithinAThousandthOfTheCost) {
     worst_search = std::max(worst_search, std::abs(rough - slow) / cost);
   });
   EXPECT_LT(worst_search, 0.06);
+}
+
+// Turning on the spot, all but: corners sweep past a box that is just out of their reach.
+TEST(ClearanceCost, OfABodyThatSwingsAboutItsAxleIsAsExact) {
+  for_each_case(5, 100, [&](Rng& rng) {
+    const Path path{uniform_pose({-20, 20, -20, 20}, rng),
+                    {{uniform(20, 100, rng), uniform(0.05, 0.3, rng)}}};
+    const double beside = path.start.x + 6.2 + uniform(0, 0.3, rng);
+    const Problem problem = problem_of_path(
+        {.bounds = wide_bounds,
+         .obstacles = {box(beside, path.start.y - 1, beside + 2, path.start.y + 1)}},
+        path, Vehicle{.min_turning_radius = 0.01});
+    const CostRule rule{.clearance_weight = 2, .clearance_distance = 2};
+    const double slow = slow_price_of(problem, rule, path, 2e-5);
+    const double cost = slow + length(path);
+    EXPECT_NEAR(price_of(problem, rule, path, Looks::answer), slow, 1e-3 * cost);
+    const PathCheck check = check_path(problem, path, {.cost = StatedCost{cost, options_of(rule)}});
+    EXPECT_TRUE(check.valid) << check.reason;
+  });
 }
 
 TEST(ClearanceCost, EndsTheSumAboveTheCutoff) {
