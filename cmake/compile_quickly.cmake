@@ -22,6 +22,21 @@ function(vandplan_compile_together target)
   endif()
 endfunction()
 
+# With VANDPLAN_UNITY, the files of each of these folders of a target are compiled together. Names in
+# unnamed namespaces must differ within such a folder.
+function(vandplan_compile_folders_together target)
+  if(VANDPLAN_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    get_target_property(sources ${target} SOURCES)
+    foreach(folder IN LISTS ARGN)
+      set(files ${sources})
+      list(FILTER files INCLUDE REGEX "^${folder}/[a-z_]+[.]cpp$")
+      set_source_files_properties(${files} PROPERTIES UNITY_GROUP ${folder})
+    endforeach()
+  endif()
+endfunction()
+
 # With VANDPLAN_PCH, these headers of the standard library are read once for all files of a target,
 # and further ones that are named.
 function(vandplan_precompile_headers target)

@@ -34,7 +34,7 @@ std::optional<SteeringFault> false_steering(const Track& track, const Task& task
                                             Steering claimed) {
   if (claimed == Steering::reeds_shepp) return std::nullopt;
   const bool is_throughout = claimed == Steering::continuous;
-  const Real slack = rounding / task.vehicle.min_turning_radius;
+  const Real allowed_jump = rounding / task.vehicle.min_turning_radius;
   const Real fastest = fastest_change(task.vehicle);
   const bool drives = track.length > 0;  // otherwise its one stretch is none
   Real before = task.curvatures.start;
@@ -46,7 +46,7 @@ std::optional<SteeringFault> false_steering(const Track& track, const Task& task
     const bool stands = i == 0 || changes_gear;
     if (stands) jumped = 0;
     if (!stands || is_throughout) jumped += std::abs(stretch.curvature - before);
-    if (jumped > slack) {
+    if (jumped > allowed_jump) {
       return jump(i == 0         ? "at the start"
                   : changes_gear ? "at a gear change"
                                  : "where the vehicle rolls",
@@ -59,7 +59,7 @@ std::optional<SteeringFault> false_steering(const Track& track, const Task& task
     }
     before = curvature_at(stretch, stretch.length);
   }
-  if (!is_throughout || std::abs(task.curvatures.goal - before) <= slack) return std::nullopt;
+  if (!is_throughout || std::abs(task.curvatures.goal - before) <= allowed_jump) return std::nullopt;
   const std::size_t last = track.stretches.size() - 1;
   return jump("at the goal", before, task.curvatures.goal, {last, track.stretches[last].length});
 }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double least_stretch = 2.0;  // [turning radii]
 constexpr double guide_side = 0.5;     // of a cell of the grid [vehicle widths]
-constexpr double slack = 1.1;          // what shortening may take off a way of another kind
-constexpr std::array<LatticeOptions, 4> searches = {
+constexpr double detour_slack = 1.1;   // what shortening may take off a way of another kind
+constexpr std::array<LatticeOptions, 4> detour_searches = {
     LatticeOptions{24, 0.25, 1.5}, LatticeOptions{24, 0.25, 1.2}, LatticeOptions{36, 0.17, 1.2},
     LatticeOptions{48, 0.125, 1.5}};
 constexpr std::int64_t least_expansions = 256;
@@ -62,7 +62,7 @@ void Detours::choose() {
   old_ = part_of(base_, begin, end);
   after_ = part_of(base_, end, whole);
   backwards_ = uniform01(rng_) < 0.5;
-  options_ = searches[rng_() % searches.size()];
+  options_ = detour_searches[rng_() % detour_searches.size()];
   left_ = least_expansions << (rng_() % doublings);
 }
 
@@ -85,7 +85,7 @@ void Detours::begin() {
   // Arcs and lines may begin with any curvature, and be followed by anything.
   if (task_.steering == Steering::reeds_shepp) gears_ = {rule.initial_gear, 0};
   connector_.emplace(task_, rule);
-  const Bounds box = ellipse_box(first, last, slack * old_.cost, scene_);
+  const Bounds box = ellipse_box(first, last, detour_slack * old_.cost, scene_);
   guide_.emplace(task_, box, guide_side, backwards_ ? first : last, backwards_ ? last : first);
   guided_ = false;
 }
@@ -119,7 +119,7 @@ bool Detours::step() {
     const Pose& last = old_.legs.back().end;
     lattice_.emplace(backwards_ ? last : first, backwards_ ? first : last, gears_, options_,
                      *guide_, *connector_);
-    lattice_->set_cutoff(slack * old_.cost);
+    lattice_->set_cutoff(detour_slack * old_.cost);
   }
   if (left_-- == 0 || lattice_->is_exhausted()) {
     end();

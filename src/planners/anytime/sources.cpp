@@ -17,9 +17,9 @@ constexpr std::array<LatticeOptions, 8> searches = {
     LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
     LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
     LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
-constexpr std::size_t most_nodes = 300'000;  // of one search: some 30 MB
-constexpr double first_guide_side = 1.0;     // [vehicle widths]
-constexpr double fine_guide_side = 0.5;      // of all searches but the first
+constexpr std::size_t most_lattice_nodes = 300'000;  // of one search: some 30 MB
+constexpr double first_guide_side = 1.0;             // [vehicle widths]
+constexpr double fine_guide_side = 0.5;              // of all searches but the first
 constexpr double last_guide_side = 0.25;
 constexpr std::size_t last_coarse_level = 4;
 constexpr double slack = 1.05;                 // what shortening may yet take off a route
@@ -85,7 +85,7 @@ bool Ladder::step() {
     lattice_.reset();
     level_ -= std::min<std::size_t>(level_, 1);
   }
-  if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_nodes) {
+  if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_lattice_nodes) {
     if (level_ == 1 && guide_side_ > fine_guide_side / 2) {
       next_guide();
       return false;

@@ -16,7 +16,7 @@ namespace {
 using search::Connector, search::Driven, search::gear_of;
 
 constexpr double crumb_share = 1.0 / 70;  // of the turning radius: 0.1 m for a truck
-constexpr double slack = 1e-4;            // of the cost: 1 cm of 100 m, less than any search leaves
+constexpr double tidy_slack = 1e-4;       // of the cost: 1 cm of 100 m, less than any search leaves
 constexpr std::size_t reach = 3;          // segments on either side that make up for one left out
 
 using Segments = std::vector<Segment>;
@@ -98,7 +98,7 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
 
 // The shortest one first, until none can go.
 void Tidier::drop_crumbs() {
-  const double limit = (1 + slack) * cost(segments_);
+  const double limit = (1 + tidy_slack) * cost(segments_);
   bool dropped = true;
   while (dropped) {
     std::vector<std::size_t> crumbs;
