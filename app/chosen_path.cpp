@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "commands.h"
+#include "endings.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
 #include "wording.h"
@@ -64,6 +66,14 @@ Choice chosen(const ScenarioProblems& read, const PathArguments& arguments) {
 }
 
 }  // namespace
+
+void expect_drive_output(const std::string& output, bool json) {
+  if (json && output == "-") {
+    throw InputError("--json", "and --output - both print, expected one of them");
+  }
+  expect_ending(output, {"a drive is CSV", {".csv"}});
+  expect_writable(output);
+}
 
 void add_choice(CLI::App& command, PathArguments& arguments) {
   command

@@ -257,12 +257,7 @@ void check_arguments(const DriveArguments& arguments) {
     throw InputError("--runs", fmt::format("is {}, expected 1 to {}", arguments.runs, most_runs));
   }
   if (arguments.picture) expect_picture(*arguments.picture);
-  if (!arguments.output) return;
-  if (arguments.json && *arguments.output == "-") {
-    throw InputError("--json", "and --output - both print, expected one of them");
-  }
-  expect_ending(*arguments.output, {"a log is CSV", {".csv"}});
-  expect_writable(*arguments.output);
+  if (arguments.output) expect_drive_output(*arguments.output, arguments.json);
 }
 
 int run(const DriveArguments& arguments) {

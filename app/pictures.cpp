@@ -60,6 +60,19 @@ PairPicture picture_of(const ScenarioFile& file, PairRecord pair) {
 
 }  // namespace
 
+void add_picture(CLI::App& command, PictureWish& wish) {
+  const auto is_named = [](const std::string& file) {
+    return file.empty() ? std::string("the name of a file is empty") : std::string();
+  };
+  command.add_option("--draw", wish.file, "Draw it here (.svg, .png or .pdf)")
+      ->check(CLI::Validator(is_named, ""))
+      ->type_name("FILE");
+  command
+      .add_flag(strip_flag, wish.curvature_strip,
+                "Below the picture: how far the wheels are turned along the path")
+      ->needs("--draw");
+}
+
 void expect_picture(const std::string& file) {
   (void)picture_format(file);
   expect_writable(file);

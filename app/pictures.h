@@ -3,6 +3,7 @@
 #pragma once
 // How does a result become a picture file?
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,9 +15,12 @@ namespace vandplan::app {
 
 /// Which picture somebody wants.
 struct PictureWish {
-  std::string file;
+  std::string file;  ///< empty: none
   bool curvature_strip = false;
 };
+
+/// Adds --draw and --curvature-strip to a command.
+void add_picture(CLI::App& command, PictureWish& wish);
 
 /// Throws InputError if a picture can surely not be written to this file.
 void expect_picture(const std::string& file);

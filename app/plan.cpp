@@ -25,8 +25,7 @@ struct PlanArguments {
   std::string planner{default_planner().name};
   std::vector<TypedOption> options;
   std::optional<std::string> output;
-  std::optional<std::string> picture;
-  bool curvature_strip = false;
+  PictureWish picture;
   std::optional<std::string> poses;
   int jobs = 0;  // as many as there are processors
   bool json = false;
@@ -76,7 +75,7 @@ void check_outputs(const PlanArguments& arguments) {
   if (arguments.output && arguments.poses) expect_ending(*arguments.output, result_lines_file);
   if (arguments.output && !arguments.poses) expect_ending(*arguments.output, result_file);
   if (arguments.output) expect_writable(*arguments.output);
-  if (arguments.picture) expect_picture(*arguments.picture);
+  if (!arguments.picture.file.empty()) expect_picture(arguments.picture.file);
 }
 
 void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted,
@@ -96,8 +95,7 @@ int run(const PlanArguments& arguments) {
   PlanOptions options =
       complete(planner, options_for(planner, read.file.options, arguments.options));
   options.budget.stop = stop;
-  const PictureWish picture{arguments.picture.value_or(""), arguments.curvature_strip};
-  expect_one_path(picture, read.file);
+  expect_one_path(arguments.picture, read.file);
   warn(read.file.warnings);
   warn_of_ignored(arguments.scenario, read.file.options, planner);
   if (arguments.poses) {
@@ -108,7 +106,7 @@ int run(const PlanArguments& arguments) {
   }
   const std::vector<ResultRecord> records = plan_goals(read, planner, options);
   if (arguments.output) write_results(*arguments.output, read.file, records);
-  if (arguments.picture) write_picture(picture, read.file, records);
+  if (!arguments.picture.file.empty()) write_picture(arguments.picture, read.file, records);
   if (arguments.json) {
     write_results("-", read.file, records);
   } else {
@@ -147,12 +145,7 @@ void add_plan(CLI::App& vandplan, int& status) {
   add_option_flags(*command, arguments->options);
   command->add_option("--output", arguments->output, "Write the result here (JSON)")
       ->type_name("FILE");
-  command->add_option("--draw", arguments->picture, "Draw it here (.svg, .png or .pdf)")
-      ->type_name("FILE");
-  command
-      ->add_flag("--curvature-strip", arguments->curvature_strip,
-                 "Below the picture: how far the wheels are turned along the path")
-      ->needs("--draw");
+  add_picture(*command, arguments->picture);
   command
       ->add_option(
           "--poses", arguments->poses,

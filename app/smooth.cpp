@@ -28,8 +28,7 @@ struct SmoothArguments {
   std::string method = "optimised";
   std::vector<TypedOption> options;
   std::optional<std::string> output;
-  std::optional<std::string> picture;
-  bool curvature_strip = false;
+  PictureWish picture;
   bool json = false;
 };
 
@@ -72,7 +71,7 @@ int run(const SmoothArguments& arguments) {
     expect_ending(*arguments.output, result_file);
     expect_writable(*arguments.output);
   }
-  if (arguments.picture) expect_picture(*arguments.picture);
+  if (!arguments.picture.file.empty()) expect_picture(arguments.picture.file);
   const ScenarioProblems read = read_problems(arguments.scenario);
   warn(read.file.warnings);
   PlanOptions options = options_for(any, read.file.options, arguments.options);
@@ -83,8 +82,7 @@ int run(const SmoothArguments& arguments) {
     options.steering = Steering::continuous_between_stops;  // what smoothing is for
   }
   options.budget.stop = stop;
-  const PictureWish picture{arguments.picture.value_or(""), arguments.curvature_strip};
-  expect_one_path(picture, read.file);
+  expect_one_path(arguments.picture, read.file);
   ResultReader reader(arguments.result, read.file);
   if (reader.has_pairs()) {
     throw InputError(arguments.result, "holds results of many pairs, expected one result");
@@ -95,7 +93,7 @@ int run(const SmoothArguments& arguments) {
     after.push_back(smoothed(read.problems[i], before[i], method, options));
   }
   if (arguments.output) write_results(*arguments.output, read.file, after);
-  if (arguments.picture) write_picture(picture, read.file, after);
+  if (!arguments.picture.file.empty()) write_picture(arguments.picture, read.file, after);
   if (arguments.json) {
     write_results("-", read.file, after);
   } else {
@@ -127,12 +125,7 @@ void add_smooth(CLI::App& vandplan, int& status) {
   add_option_flags(*command, arguments->options);
   command->add_option("--output", arguments->output, "Write the result here (JSON)")
       ->type_name("FILE");
-  command->add_option("--draw", arguments->picture, "Draw it here (.svg, .png or .pdf)")
-      ->type_name("FILE");
-  command
-      ->add_flag("--curvature-strip", arguments->curvature_strip,
-                 "Below the picture: how far the wheels are turned along the path")
-      ->needs("--draw");
+  add_picture(*command, arguments->picture);
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->footer(
       "Keys of --set are those of `vandplan plan` for all planners; steering says where the\n"

@@ -136,12 +136,7 @@ void check_output(const SpeedArguments& arguments) {
   if (!(arguments.step >= 1e-4 && arguments.step <= 0.05)) {
     throw InputError("--step", fmt::format("is {}, expected 0.0001 to 0.05 s", arguments.step));
   }
-  if (!arguments.output) return;
-  if (arguments.json && *arguments.output == "-") {
-    throw InputError("--json", "and --output - both print, expected one of them");
-  }
-  expect_ending(*arguments.output, {"a drive is CSV", {".csv"}});
-  expect_writable(*arguments.output);
+  if (arguments.output) expect_drive_output(*arguments.output, arguments.json);
 }
 
 int run(const SpeedArguments& arguments) {
