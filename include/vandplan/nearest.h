@@ -8,8 +8,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "vandplan/geometry.h"
 
@@ -22,8 +24,22 @@ struct NearestNode {
   std::int64_t exact_solves = 0;  ///< lengths that were computed to find it
 };
 
+/// One of the nodes that a query for several found.
+struct NearNode {
+  std::int32_t node = 0;  ///< counted from 0 in the order of `add`
+  double length = 0.0;    ///< `reeds_shepp_length` between it and the sample [m]
+  bool operator==(const NearNode&) const = default;
+};
+
+/// Which nodes a query for several wants.
+struct NearWanted {
+  std::size_t count = std::numeric_limits<std::size_t>::max();  ///< at most
+  double within = std::numeric_limits<double>::infinity();      ///< no longer than this [m]; >= 0
+};
+
 /// Nodes in a grid over x and y, remade whenever their number has doubled. Copies are independent
-/// of each other. Queries allocate nothing and may run in many threads at once.
+/// of each other. Queries may run in many threads at once; the one for the nearest node allocates
+/// nothing.
 class NearestNodes {
  public:
   /// No nodes yet, for a vehicle whose turning `radius` is > 0 [m].
@@ -38,11 +54,17 @@ class NearestNodes {
   /// Adds a node. Its numbers [m, rad] are finite; its heading may be any angle.
   void add(const Pose& pose);
 
+  /// Takes out a node that is there. The numbers of the others stay; its own is not used again.
+  void remove(std::int32_t node);
+
   /// The node with the least exact length to the sample; ties go to the older node. None if there
   /// are no nodes.
   [[nodiscard]] std::optional<NearestNode> nearest(const Pose& sample) const;
 
-  /// How many nodes were added.
+  /// The nodes with the least exact lengths to the sample, by length; ties go to the older node.
+  [[nodiscard]] std::vector<NearNode> nearest(const Pose& sample, const NearWanted& wanted) const;
+
+  /// How many nodes there are.
   [[nodiscard]] std::size_t size() const noexcept;
 
  private:

@@ -11,110 +11,143 @@
 
 #include "bound_entries.h"
 #include "simd/bound_kernels.h"
+#include "tables/pose_grid.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {
 
+using tables::Block, tables::GridCell;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Measured: 3 and 10 nodes in a cell are slower.
-constexpr double nodes_per_cell = 6.0;
-constexpr std::size_t fewest_nodes_for_a_grid = 32;
-
-/// Column and row of the grid; beyond its edge the outermost cells go on for ever.
-struct GridCell {
-  std::int32_t x, y;
+/// Nodes in a grid, of a vehicle with this turning radius [m].
+struct Nodes : tables::PoseGrid {
+  double radius = 0.0;
 };
 
-/// Some nodes of a cell, and where there are more.
-struct Block {
-  static constexpr std::size_t capacity = 8;
-  double x[capacity], y[capacity];
-  float heading[capacity];
-  std::int32_t node[capacity];
-  std::size_t count = 0;
-  std::int32_t next = -1;
+/// A node that may be wanted, and a lower bound of its length [m].
+struct Candidate {
+  float low;
+  std::int32_t node;
 };
 
-}  // namespace
+// What a query for one node keeps of those that are collected.
+class One {
+ public:
+  One(const Nodes& nodes, const Pose& sample) : all_(nodes), sample_(sample) {}
 
-struct NearestNodes::Grid {
-  class Search;
+  [[nodiscard]] float limit() const { return limit_; }
 
-  [[nodiscard]] GridCell cell_of(const Pose& pose) const noexcept;
-  [[nodiscard]] std::size_t index_of(GridCell cell) const noexcept;
-  void add(const Pose& pose);
-  void remake();
-  void put(std::int32_t node);
+  void take(std::span<const float> low, std::span<const float> high,
+            std::span<const std::int32_t> node) {
+    for (const float bound : high) limit_ = std::min(limit_, bound);
+    for (std::size_t i = 0; i < low.size(); ++i) {
+      if (low[i] > limit_) continue;
+      if (candidates_ == candidate_.size()) decide();
+      candidate_[candidates_++] = {low[i], node[i]};
+    }
+  }
 
-  double radius;  // of turning [m]
-  std::vector<Pose> poses = {};
-  std::size_t limit = 0;  // number of nodes from which on it is too coarse
-  double x_min = 0.0, y_min = 0.0, cell_size = 1.0;  // [m]
-  std::int32_t columns = 0, rows = 0;
-  std::vector<std::int32_t> first_block = {};  // of each cell, or -1
-  std::vector<Block> blocks = {};
+  NearestNode result() {
+    decide();
+    return best_;
+  }
+
+ private:
+  void decide() {
+    const auto begin = candidate_.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(candidates_);
+    std::sort(begin, end, [](const Candidate& a, const Candidate& b) { return a.low < b.low; });
+    for (auto it = begin; it != end && static_cast<double>(it->low) <= best_.length; ++it) {
+      const double length = reeds_shepp_length(all_.pose(it->node), sample_, all_.radius);
+      ++best_.exact_solves;
+      if (length > best_.length || (length == best_.length && it->node > best_.node)) continue;
+      best_.length = length;
+      best_.node = it->node;
+    }
+    candidates_ = 0;
+  }
+
+  const Nodes& all_;
+  const Pose& sample_;
+  float limit_ = std::numeric_limits<float>::infinity();
+  NearestNode best_{.length = infinity};
+  std::size_t candidates_ = 0;
+  std::array<Candidate, 64> candidate_;
 };
 
-GridCell NearestNodes::Grid::cell_of(const Pose& pose) const noexcept {
-  const double x = std::clamp((pose.x - x_min) / cell_size, 0.0, columns - 0.5);
-  const double y = std::clamp((pose.y - y_min) / cell_size, 0.0, rows - 0.5);
-  return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
-}
-
-std::size_t NearestNodes::Grid::index_of(GridCell cell) const noexcept {
-  return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(columns) +
-         static_cast<std::size_t>(cell.x);
-}
-
-void NearestNodes::Grid::add(const Pose& pose) {
-  poses.push_back(pose);
-  if (poses.size() > limit) {
-    remake();
-  } else {
-    put(static_cast<std::int32_t>(poses.size()) - 1);
+// What a query for several nodes keeps. The limit is the greatest of the least upper bounds, as
+// many as nodes are wanted.
+class Several {
+ public:
+  Several(const Nodes& nodes, const Pose& sample, const NearWanted& wanted)
+      : all_(nodes),
+        sample_(sample),
+        within_(wanted.within),
+        count_(std::min(wanted.count, nodes.count)),
+        limit_(std::nextafter(static_cast<float>(wanted.within),
+                              std::numeric_limits<float>::infinity())) {
+    if (count_ < nodes.count) bounds_.reserve(count_);
   }
-}
 
-void NearestNodes::Grid::remake() {
-  limit = std::max(fewest_nodes_for_a_grid, 2 * poses.size());
-  x_min = y_min = infinity;
-  double x_max = -infinity;
-  double y_max = -infinity;
-  for (const Pose& pose : poses) {
-    x_min = std::min(x_min, pose.x);
-    y_min = std::min(y_min, pose.y);
-    x_max = std::max(x_max, pose.x);
-    y_max = std::max(y_max, pose.y);
-  }
-  const double width = x_max - x_min;
-  const double height = y_max - y_min;
-  const double cells = 0.75 * static_cast<double>(limit) / nodes_per_cell;
-  cell_size = std::max(std::sqrt(width / cells) * std::sqrt(height), width / cells);
-  cell_size = std::max(cell_size, height / cells);
-  if (cell_size == 0.0) cell_size = 1.0;
-  columns = static_cast<std::int32_t>(width / cell_size) + 1;
-  rows = static_cast<std::int32_t>(height / cell_size) + 1;
-  first_block.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), -1);
-  blocks.clear();
-  for (std::size_t i = 0; i < poses.size(); ++i) put(static_cast<std::int32_t>(i));
-}
+  [[nodiscard]] float limit() const { return limit_; }
 
-void NearestNodes::Grid::put(std::int32_t node) {
-  const Pose& pose = poses[static_cast<std::size_t>(node)];
-  std::int32_t& first = first_block[index_of(cell_of(pose))];
-  if (first < 0 || blocks[static_cast<std::size_t>(first)].count == Block::capacity) {
-    blocks.emplace_back().next = first;
-    first = static_cast<std::int32_t>(blocks.size()) - 1;
+  void take(std::span<const float> low, std::span<const float> high,
+            std::span<const std::int32_t> node) {
+    if (count_ < all_.count) {
+      for (const float bound : high) take_bound(bound);
+    }
+    for (std::size_t i = 0; i < low.size(); ++i) {
+      if (low[i] <= limit_) candidates_.push_back({low[i], node[i]});
+    }
   }
-  Block& block = blocks[static_cast<std::size_t>(first)];
-  block.x[block.count] = pose.x;
-  block.y[block.count] = pose.y;
-  block.heading[block.count] = static_cast<float>(wrap_angle(pose.heading));
-  block.node[block.count] = node;
-  ++block.count;
-}
+
+  // The worst of those that are kept is at the front of the heap.
+  std::vector<NearNode> result() {
+    std::vector<NearNode> kept;
+    std::ranges::sort(candidates_, {}, &Candidate::low);
+    for (const auto& [low, node] : candidates_) {
+      const bool is_full = kept.size() == count_;
+      const double worst = is_full ? kept.front().length : within_;
+      if (static_cast<double>(low) > worst) break;
+      const NearNode found{node, reeds_shepp_length(all_.pose(node), sample_, all_.radius)};
+      if (found.length > within_ || (is_full && !is_nearer(found, kept.front()))) continue;
+      if (is_full) {
+        std::ranges::pop_heap(kept, is_nearer);
+        kept.pop_back();
+      }
+      kept.push_back(found);
+      std::ranges::push_heap(kept, is_nearer);
+    }
+    std::ranges::sort_heap(kept, is_nearer);
+    return kept;
+  }
+
+ private:
+  static bool is_nearer(const NearNode& a, const NearNode& b) {
+    return a.length != b.length ? a.length < b.length : a.node < b.node;
+  }
+
+  void take_bound(float bound) {
+    if (bounds_.size() == count_) {
+      if (bound >= bounds_.front()) return;
+      std::ranges::pop_heap(bounds_);
+      bounds_.pop_back();
+    }
+    bounds_.push_back(bound);
+    std::ranges::push_heap(bounds_);
+    if (bounds_.size() == count_) limit_ = std::min(limit_, bounds_.front());
+  }
+
+  const Nodes& all_;
+  const Pose& sample_;
+  double within_;      // [m]
+  std::size_t count_;  // wanted, no more than there are
+  float limit_;
+  std::vector<float> bounds_ = {};  // the least upper bounds, a heap with the greatest in front
+  std::vector<Candidate> candidates_ = {};
+};
 
 // One query.
 //
@@ -126,30 +159,28 @@ void NearestNodes::Grid::put(std::int32_t node) {
 //   [4]   leave if every cell further out is further away than the limit
 //   [5] by increasing lower bound, as long as that is no more than the least length so far:
 //       compute the exact length
-class NearestNodes::Grid::Search {
+//
+// For k nodes the limit is the k-th least of the upper bounds, and [5] keeps the k least lengths.
+template <typename Kept>
+class Search {
  public:
-  Search(const Grid& nodes, const Pose& sample)
+  Search(const Nodes& nodes, const Pose& sample, Kept& kept)
       : all_(nodes),
+        kept_(kept),
         sample_(sample),
         heading_(static_cast<float>(wrap_angle(sample.heading))),
         centre_(nodes.cell_of(sample)) {}
 
-  NearestNode run() {
+  void run() {
     for (std::int32_t ring = 0;; ++ring) {
-      collect_ring(ring);                                     // [1]
-      find_candidates();                                      // [2] [3]
-      if (beyond(ring) > static_cast<double>(limit_)) break;  // [4]
+      collect_ring(ring);                                            // [1]
+      find_candidates();                                             // [2] [3]
+      const double further = beyond(ring);
+      if (further > static_cast<double>(kept_.limit()) || further == infinity) break;  // [4]
     }
-    decide();  // [5]
-    return best_;
   }
 
  private:
-  struct Candidate {
-    float low;
-    std::int32_t node;
-  };
-
   void collect_ring(std::int32_t ring) {
     const std::int32_t left = centre_.x - ring;
     const std::int32_t right = centre_.x + ring;
@@ -169,7 +200,7 @@ class NearestNodes::Grid::Search {
     while (next >= 0) {
       if (count_ + Block::capacity > batch) find_candidates();
       const Block& block = all_.blocks[static_cast<std::size_t>(next)];
-      const float reach = limit_ * (1 + simd::noise);
+      const float reach = kept_.limit() * (1 + simd::noise);
       for (std::size_t i = 0; i < block.count; ++i) {
         const auto dx = static_cast<float>(block.x[i] - sample_.x);
         const auto dy = static_cast<float>(block.y[i] - sample_.y);
@@ -187,18 +218,14 @@ class NearestNodes::Grid::Search {
     simd::length_bounds(simd::bound_entries, first(x_), first(y_), first(node_heading_),
                         {0.0F, 0.0F, heading_}, static_cast<float>(all_.radius), first(low_),
                         first(high_));
-    for (std::size_t i = 0; i < count_; ++i) limit_ = std::min(limit_, high_[i]);
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (low_[i] > limit_) continue;
-      if (candidates_ == candidate_.size()) decide();
-      candidate_[candidates_++] = {low_[i], node_[i]};
-    }
+    kept_.take(first(low_), first(high_), std::span(node_).first(count_));
     count_ = 0;
   }
 
   std::span<float> first(auto& column) const { return std::span(column).first(count_); }
 
-  // Every node outside of the rings up to this one is further away than this [m].
+  // Every node outside of the rings up to this one is further away than this [m]; infinity if there
+  // is none.
   double beyond(std::int32_t ring) const {
     const double x = sample_.x - all_.x_min;
     const double y = sample_.y - all_.y_min;
@@ -212,37 +239,23 @@ class NearestNodes::Grid::Search {
     return distance;
   }
 
-  void decide() {
-    const auto begin = candidate_.begin();
-    const auto end = begin + static_cast<std::ptrdiff_t>(candidates_);
-    std::sort(begin, end, [](const Candidate& a, const Candidate& b) { return a.low < b.low; });
-    for (auto it = begin; it != end && static_cast<double>(it->low) <= best_.length; ++it) {
-      const Pose& pose = all_.poses[static_cast<std::size_t>(it->node)];
-      const double length = reeds_shepp_length(pose, sample_, all_.radius);
-      ++best_.exact_solves;
-      if (length > best_.length || (length == best_.length && it->node > best_.node)) continue;
-      best_.length = length;
-      best_.node = it->node;
-    }
-    candidates_ = 0;
-  }
-
   static constexpr std::size_t batch = 256;
 
-  const Grid& all_;
+  const Nodes& all_;
+  Kept& kept_;
   const Pose& sample_;
   float heading_;
   GridCell centre_;
-  float limit_ = std::numeric_limits<float>::infinity();
-  NearestNode best_{.length = infinity};
   std::size_t count_ = 0;  // nodes collected
   std::array<float, batch> x_, y_, node_heading_, low_, high_;
   std::array<std::int32_t, batch> node_;
-  std::size_t candidates_ = 0;
-  std::array<Candidate, 64> candidate_;
 };
 
-NearestNodes::NearestNodes(double radius) : grid_(std::make_unique<Grid>(Grid{.radius = radius})) {}
+}  // namespace
+
+struct NearestNodes::Grid : Nodes {};
+
+NearestNodes::NearestNodes(double radius) : grid_(std::make_unique<Grid>(Grid{{{}, radius}})) {}
 NearestNodes::~NearestNodes() = default;
 NearestNodes::NearestNodes(const NearestNodes& other)
     : grid_(std::make_unique<Grid>(*other.grid_)) {}
@@ -254,11 +267,22 @@ NearestNodes& NearestNodes::operator=(NearestNodes&& other) noexcept = default;
 
 void NearestNodes::add(const Pose& pose) { grid_->add(pose); }
 
-std::size_t NearestNodes::size() const noexcept { return grid_->poses.size(); }
+void NearestNodes::remove(std::int32_t node) { grid_->remove(node); }
+
+std::size_t NearestNodes::size() const noexcept { return grid_->count; }
 
 std::optional<NearestNode> NearestNodes::nearest(const Pose& sample) const {
-  if (grid_->poses.empty()) return std::nullopt;
-  return Grid::Search(*grid_, sample).run();
+  if (grid_->count == 0) return std::nullopt;
+  One kept(*grid_, sample);
+  Search(*grid_, sample, kept).run();
+  return kept.result();  // [5]
+}
+
+std::vector<NearNode> NearestNodes::nearest(const Pose& sample, const NearWanted& wanted) const {
+  if (grid_->count == 0 || wanted.count == 0) return {};
+  Several kept(*grid_, sample, wanted);
+  Search(*grid_, sample, kept).run();
+  return kept.result();
 }
 
 }  // namespace vandplan

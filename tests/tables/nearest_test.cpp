@@ -163,6 +163,71 @@ TEST(NearestNodes, HeadingsMayBeAnyAngle) {
   });
 }
 
+/// The oracle of several nodes: all of them by length, those that were removed left out.
+std::vector<NearNode> by_length(const std::vector<Pose>& nodes, const std::vector<bool>& removed,
+                                const Pose& sample, const NearWanted& wanted) {
+  std::vector<NearNode> all;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double length = reeds_shepp_length(nodes[i], sample, 7.0);
+    if (!removed[i] && length <= wanted.within)
+      all.push_back({static_cast<std::int32_t>(i), length});
+  }
+  std::ranges::stable_sort(all, {}, &NearNode::length);
+  if (all.size() > wanted.count) all.resize(wanted.count);
+  return all;
+}
+
+TEST(NearestNodes, SeveralAreTheFirstOfAllByLengthWhateverIsAddedAndRemoved) {
+  for_each_case(10, 60, [](Rng& rng) {
+    std::vector<Pose> nodes;
+    std::vector<bool> removed;
+    NearestNodes all(7.0);
+    std::size_t left = 0;
+    const double removing = uniform(0.0, 0.6, rng);  // more are removed than added, sometimes
+    for (int i = 0; i < 600; ++i) {
+      if (uniform01(rng) < removing && left > 0) {
+        std::size_t node = rng() % nodes.size();
+        while (removed[node]) node = (node + 1) % nodes.size();
+        all.remove(static_cast<std::int32_t>(node));
+        removed[node] = true;
+        --left;
+      } else {
+        nodes.push_back(uniform_pose({-40, 40, -40, 40}, rng));
+        removed.push_back(false);
+        all.add(nodes.back());
+        ++left;
+      }
+      ASSERT_EQ(all.size(), left);
+      if (i % 10 > 0) continue;
+      const Pose sample = uniform_pose({-50, 50, -50, 50}, rng);
+      const std::size_t most = 1 + rng() % 60;
+      const double within = uniform(0.0, 60.0, rng);
+      for (const NearWanted& wanted :
+           {NearWanted{}, {.count = most}, {.within = within}, {.count = most, .within = within}}) {
+        EXPECT_EQ(all.nearest(sample, wanted), by_length(nodes, removed, sample, wanted));
+      }
+      const auto nearest = all.nearest(sample);
+      ASSERT_EQ(nearest.has_value(), left > 0);
+      if (nearest) {
+        EXPECT_EQ(nearest->node, by_length(nodes, removed, sample, {.count = 1})[0].node);
+      }
+    }
+  });
+}
+
+TEST(NearestNodes, AmongEquallyNearOnesTheOlderComeFirst) {
+  NearestNodes all(7.0);
+  for (int i = 0; i < 100; ++i) all.add({i % 2 == 0 ? 5.0 : -5.0, 0, 0});
+  const auto found = all.nearest({0, 0, 0}, {.count = 10});
+  ASSERT_EQ(found.size(), 10U);
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_EQ(found[i], (NearNode{static_cast<std::int32_t>(i), 5.0}));
+  }
+  EXPECT_EQ(all.nearest({0, 0, 0}, {.within = 5.0}).size(), 100U);
+  EXPECT_TRUE(all.nearest({0, 0, 0}, {.within = std::nextafter(5.0, 0.0)}).empty());
+  EXPECT_TRUE(all.nearest({0, 0, 0}, {.count = 0}).empty());
+}
+
 TEST(NearestNodes, ACopyGrowsOnItsOwn) {
   NearestNodes first(7.0);
   first.add({10, 0, 0});
