@@ -15,6 +15,7 @@
 #include "option_flags.h"
 #include "progress_bar.h"
 #include "standard_streams.h"
+#include "table_source.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "wording.h"
@@ -35,6 +36,7 @@ struct EvaluateArguments {
   std::vector<std::string> planners = {"thesis", "thesis-goal", default_planner().name};
   std::string region = "both";
   std::vector<TypedOption> options;
+  std::optional<std::string> table;
   std::optional<int> repeats;
   std::optional<int> repeats_per_goal;
   std::uint64_t seed = 1;
@@ -107,7 +109,8 @@ Campaign campaign_of(const EvaluateArguments& arguments) {
                     .regions = regions_of(arguments.region),
                     .seed = arguments.seed,
                     .profile = true,
-                    .settings = settings_of(arguments)};
+                    .settings = settings_of(arguments),
+                    .table = table_of_user(arguments.table)};
   set_repeats(arguments, campaign);
   for (const std::string& path : arguments.scenarios) {
     for (const std::string& file : scenario_files(path))
@@ -201,6 +204,7 @@ void add_options_of_runs(CLI::App& command, EvaluateArguments& arguments) {
           "--set", set, "Set any option by its key, for the planners that have it")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  add_table_flag(command, arguments.table);
 }
 
 void add_options_of_output(CLI::App& command, EvaluateArguments& arguments) {

@@ -13,6 +13,7 @@
 #include "option_flags.h"
 #include "pictures.h"
 #include "plan_poses.h"
+#include "table_source.h"
 #include "vandplan/files.h"
 #include "vandplan/result_file.h"
 #include "wording.h"
@@ -24,6 +25,7 @@ struct PlanArguments {
   std::string scenario;
   std::string planner{default_planner().name};
   std::vector<TypedOption> options;
+  std::optional<std::string> table;
   std::optional<std::string> output;
   PictureWish picture;
   std::optional<std::string> poses;
@@ -88,12 +90,17 @@ void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted
 
 int run(const PlanArguments& arguments) {
   const Planner planner = planner_named(arguments.planner);
-  (void)complete(planner, options_for(planner, {}, arguments.options));  // before a long read
+  const std::shared_ptr<const HeuristicTable> table = table_of_user(arguments.table);
+  const auto options_with = [&](const std::vector<Setting>& wanted_by_file) {
+    PlanOptions options = options_for(planner, wanted_by_file, arguments.options);
+    options.table = table;
+    return complete(planner, options);
+  };
+  (void)options_with({});  // before a long read
   const std::atomic<bool>* const stop = stop_on_signal();
   check_outputs(arguments);
   const ScenarioProblems read = read_problems(arguments.scenario);
-  PlanOptions options =
-      complete(planner, options_for(planner, read.file.options, arguments.options));
+  PlanOptions options = options_with(read.file.options);
   options.budget.stop = stop;
   expect_one_path(arguments.picture, read.file);
   warn(read.file.warnings);
@@ -143,6 +150,7 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->type_name("NAME")
       ->capture_default_str();
   add_option_flags(*command, arguments->options);
+  add_table_flag(*command, arguments->table);
   command->add_option("--output", arguments->output, "Write the result here (JSON)")
       ->type_name("FILE");
   add_picture(*command, arguments->picture);

@@ -43,6 +43,20 @@ TableSource table_source(const std::string& name) {
   return source;
 }
 
+void add_table_flag(CLI::App& command, std::optional<std::string>& table) {
+  command
+      .add_option("--table", table,
+                  "Table that the estimate \"table\" looks lengths up in: a file of\n"
+                  "`vandplan table build`")
+      ->type_name("FILE");
+}
+
+std::shared_ptr<const HeuristicTable> table_of_user(const std::optional<std::string>& table) {
+  if (!table) return nullptr;
+  const TableSource source = table_source(*table);
+  return std::make_shared<const HeuristicTable>(table_from_bytes(source.bytes, source.name));
+}
+
 std::string heading_step_text(const HeuristicTableOptions& options) {
   const int half = options.heading_cells / 2;
   if (options.heading_cells % 2 == 0 && half > 1) return fmt::format("pi/{}", half);

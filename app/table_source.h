@@ -3,6 +3,8 @@
 #pragma once
 // Which table does a word on the command line mean, and what does it hold?
 
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -25,6 +27,14 @@ struct TableSource {
 
 /// By the name of a table of the library, else by a file.
 [[nodiscard]] TableSource table_source(const std::string& name);
+
+/// Adds --table to a command; what is typed lives as long as the command.
+void add_table_flag(CLI::App& command, std::optional<std::string>& table);
+
+/// The table of lengths behind --table, by its name or file; null if there is none. Throws
+/// InputError when a file holds no such table.
+[[nodiscard]] std::shared_ptr<const HeuristicTable> table_of_user(
+    const std::optional<std::string>& table);
 
 /// "pi/12".
 [[nodiscard]] std::string heading_step_text(const HeuristicTableOptions& options);

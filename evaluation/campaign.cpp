@@ -100,6 +100,12 @@ void check(const Campaign& campaign) {
       throw InputError("planners", "two of them have the name \"" + planner.name + "\"");
   }
   check_settings(campaign);
+  const auto takes_table = [&](const Planner& planner) {
+    return options_of(campaign, planner).table != nullptr;
+  };
+  if (campaign.table && std::ranges::none_of(campaign.planners, takes_table)) {
+    throw InputError("table", "no planner of these has estimate=table");
+  }
 }
 
 std::vector<std::size_t> profiled_planners(const Campaign& campaign) {
@@ -200,6 +206,7 @@ PlanOptions options_of(const Campaign& campaign, const Planner& planner) {
   PlanOptions options;
   set_option(options, planner, "style", "shortest");
   set_honoured(options, planner, campaign.settings);
+  if (asks_for_table(planner, options)) options.table = campaign.table;
   return complete(planner, options);
 }
 

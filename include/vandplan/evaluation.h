@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,8 @@ struct Campaign {
   /// Options of those planners that honour them; at least one planner must. Not "seed", "region"
   /// and "profile", which the campaign sets itself.
   std::vector<Setting> settings = {};
+  /// What planners whose estimate is "table" look lengths up in; at least one must if it is there.
+  std::shared_ptr<const HeuristicTable> table = {};
 };
 
 /// How far a campaign is.

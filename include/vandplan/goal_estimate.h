@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "vandplan/heuristic_table.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::search {
@@ -26,12 +27,19 @@ struct GoalEstimate {
   std::function<double(const Pose&)> length = {};
 };
 
-/// Names of the estimates, the simplest one first: "euclid", "hlut-1", ..., "reeds-shepp".
+/// Names of the estimates, the simplest one first: "euclid", "hlut-1", ..., "choi".
 [[nodiscard]] std::span<const std::string_view> goal_estimate_names() noexcept;
 
+/// The estimate that asks a user's table (`PlanOptions::table`).
+inline constexpr std::string_view user_table = "table";
+
 /// The estimate of that name for a task, which outlives it. Throws InputError listing the names
-/// when there is none of that name.
+/// when there is none of that name, and for `user_table`.
 [[nodiscard]] GoalEstimate make_goal_estimate(std::string_view name, const Task& task);
+
+/// The estimate of that name, where `user_table` asks `table`, which may be null for the others.
+[[nodiscard]] GoalEstimate make_goal_estimate(std::string_view name, const Task& task,
+                                              const HeuristicTable* table);
 
 /// The larger one of two estimates; admissible if both are.
 [[nodiscard]] GoalEstimate max_of(GoalEstimate a, GoalEstimate b);

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,8 @@
 #include <vector>
 
 namespace vandplan {
+
+class HeuristicTable;
 
 /// How much work a run may do, and what makes it repeat.
 struct BudgetOptions {
@@ -135,6 +138,8 @@ struct PlanOptions {
   /// or an option asks for arcs and lines.
   std::optional<Steering> steering = {};
   PlannerSettings planner = {};  ///< of the chosen planner alone
+  /// What the estimate "table" looks lengths up in; for planners that an estimate guides.
+  std::shared_ptr<const HeuristicTable> table = {};
   bool operator==(const PlanOptions&) const = default;
 };
 

@@ -80,7 +80,8 @@ struct PlanResult {
 [[nodiscard]] const Planner& default_planner();
 
 /// The planner of that name; none if there is none. A search that is guided by an estimate may be
-/// named with one behind a colon, or with the larger of two: "hrrt:hlut-4", "hrrt:max-hlut-4-bound".
+/// named with one behind a colon, or with the larger of two: "hrrt:hlut-4",
+/// "hrrt:max-hlut-4-bound".
 [[nodiscard]] std::optional<Planner> find_planner(std::string_view name);
 
 /// The planner of that name, as `find_planner` knows it. Throws InputError that lists all planners,
@@ -97,6 +98,10 @@ struct PlanResult {
 
 /// Whether a planner honours an option of that name, one of its own or of all planners.
 [[nodiscard]] bool honours(const Planner& planner, std::string_view option);
+
+/// Whether the planner looks lengths up in `PlanOptions::table` when it has these options: an
+/// estimate of its is "table".
+[[nodiscard]] bool asks_for_table(const Planner& planner, const PlanOptions& options);
 
 /// Sets an option for a planner by name from text, as `--set` does. Throws InputError naming the
 /// option when there is none, the planner does not honour it, or the value is no good.

@@ -3,6 +3,7 @@
 #include "vandplan/planner.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/text.h"
@@ -63,6 +64,7 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   for (const auto& [name, value] : options.planner.values()) {
     if (own_option(planner, name) == nullptr) refuse(planner, name);
   }
+  if (options.table && !honours(planner, planning::table_key)) refuse(planner, planning::table_key);
 }
 
 /// Says how the vehicle steers, if nobody did. Throws InputError for an option that says nothing of
@@ -79,6 +81,17 @@ void settle_steering(const Planner& planner, PlanOptions& all) {
   if (all.steering == Steering::reeds_shepp || found == planner.options.end()) return;
   throw InputError(found->name, "is for steering=reeds-shepp, the steering is " +
                                     std::string(name_of(*all.steering)));
+}
+
+/// Throws InputError when a table is asked for that is not there, or is there and not asked for.
+void settle_table(const Planner& planner, const PlanOptions& all) {
+  const bool is_asked = asks_for_table(planner, all);
+  if (is_asked && !all.table) {
+    throw InputError(std::string(planning::estimate_key), "table needs a table, and there is none");
+  }
+  if (!is_asked && all.table) {
+    throw InputError(std::string(planning::table_key), "is for estimate=table or max_with=table");
+  }
 }
 
 /// What the judge says of standing at a pose.
@@ -229,6 +242,7 @@ PlanOptions usual_options(const Planner& planner) {
 bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
   if (option == style_key) return planner.properties.honours_prices;
+  if (option == planning::table_key) return own_option(planner, planning::estimate_key) != nullptr;
   if (common_option(option) == nullptr) return false;
   if (option == "threads") return planner.properties.honours_threads;
   if (option == "target_gap") return planner.properties.honours_target_gap;
@@ -239,8 +253,23 @@ bool honours(const Planner& planner, std::string_view option) {
   return !is_price || planner.properties.honours_prices;
 }
 
+bool asks_for_table(const Planner& planner, const PlanOptions& options) {
+  return std::ranges::any_of(
+      std::array{planning::estimate_key, planning::max_with_key}, [&](std::string_view key) {
+        const OptionInfo* const info = own_option(planner, key);
+        if (info == nullptr) return false;
+        const OptionValue* const given = options.planner.find(key);
+        const auto* const word =
+            std::get_if<std::string>(given != nullptr ? given : &info->standard);
+        return word != nullptr && *word == search::user_table;
+      });
+}
+
 void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
                 std::string_view text) {
+  if (name == planning::table_key && honours(planner, name)) {
+    throw InputError(std::string(name), "is a table and no text, expected --table FILE");
+  }
   if (name == style_key) {
     set_style(options, planner, text);
     return;
@@ -284,6 +313,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
     all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
   }
   settle_steering(planner, all);
+  settle_table(planner, all);
   if (!all.budget.time_limit && !all.budget.max_iterations) {
     all.budget.time_limit = default_time_limit;
   }

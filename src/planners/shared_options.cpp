@@ -80,10 +80,12 @@ void name_estimate(Planner& planner) {
 }
 
 search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task) {
-  search::GoalEstimate first = search::make_goal_estimate(options.planner.word(estimate_key), task);
+  const auto named = [&](const std::string& name) {
+    return search::make_goal_estimate(name, task, options.table.get());
+  };
   const std::string& second = options.planner.word(max_with_key);
-  if (second == none) return first;
-  return search::max_of(std::move(first), search::make_goal_estimate(second, task));
+  search::GoalEstimate first = named(options.planner.word(estimate_key));
+  return second == none ? first : search::max_of(std::move(first), named(second));
 }
 
 std::optional<Planner> with_estimate(Planner planner, std::string_view estimate) {

@@ -17,6 +17,8 @@ namespace vandplan::planning {
 /// Options of a search that an estimate guides.
 inline constexpr std::string_view estimate_key = "estimate";
 inline constexpr std::string_view max_with_key = "max_with";
+/// `PlanOptions::table`, which comes along with them.
+inline constexpr std::string_view table_key = "table";
 
 /// "region": where samples are drawn.
 [[nodiscard]] OptionInfo region_option();

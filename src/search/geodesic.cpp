@@ -16,7 +16,6 @@ constexpr double finest = 1.0 / 32;     // of the last one
 constexpr double most_cells = 4000.0;   // along the longer side of a lattice
 constexpr double rounding = 1e-9;       // of places in cells; errs towards visible
 constexpr double rounding_near = 1e-6;  // of distances to obstacles [m]
-constexpr double most_stretch = 1.02;   // for the sake of a wider disc
 constexpr int work_of_step = 32;        // intervals
 constexpr int cells_per_work = 16;      // that take as long to look at as an interval
 constexpr std::size_t most_nodes = 400000;
@@ -34,26 +33,10 @@ Bounds box_of_ways(const Point& p, const Point& q, double length) {
   return {middle.x - x, middle.x + x, middle.y - y, middle.y + y};
 }
 
-/// How far the centre of the disc goes at most while the rear axle goes a metre.
-double stretch_of(const Disc& disc, double turning_radius) {
-  if (disc.ahead == 0.0) return 1.0;
-  return std::hypot(1.0, disc.ahead / turning_radius) * (1 + rounding);
-}
-
-/// The widest one where its centre goes hardly further than the rear axle, or where the other one,
-/// around the rear axle, is nothing.
-Disc disc_of(const Vehicle& vehicle) {
-  const Footprint body = footprint(vehicle);
-  const Disc widest = widest_disc(body);
-  const double inner = inner_radius(body);
-  const bool is_near = stretch_of(widest, vehicle.min_turning_radius) < most_stretch;
-  return is_near || inner == 0.0 ? widest : Disc{0.0, inner};
-}
-
 }  // namespace
 
 Geodesic::Geodesic(const Task& task, double longest) : task_(task), longest_(longest) {
-  const Disc disc = disc_of(task.vehicle);
+  const Disc disc = bound_disc(task.vehicle);
   disc_ = disc.radius + task.least_margin;
   stretch_ = stretch_of(disc, task.vehicle.min_turning_radius);
   from_ = centre_of(disc, task.start);

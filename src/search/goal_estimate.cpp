@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "base/text.h"
+#include "search/goal_field.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
 #include "vandplan/input_error.h"
@@ -16,30 +18,45 @@
 namespace vandplan::search {
 namespace {
 
-GoalEstimate euclid(const Task& task) {
+GoalEstimate euclid(const Task& task, const HeuristicTable*) {
   return {.is_admissible = true, .length = [goal = task.goal](const Pose& from) {
             return std::hypot(goal.x - from.x, goal.y - from.y);
           }};
 }
 
 /// An entry may be above the length where poses lie between grid points.
-template <int number>
-GoalEstimate table(const Task& task) {
+GoalEstimate looked_up(const Task& task, const HeuristicTable& table) {
   return {.is_admissible = false,
-          .length = [entries = thesis_table(number), goal = task.goal,
-                     radius = task.vehicle.min_turning_radius](const Pose& from) {
-            return entries.distance(from, goal, radius);
+          .length = [table, goal = task.goal, radius = task.vehicle.min_turning_radius](
+                        const Pose& from) { return table.distance(from, goal, radius); }};
+}
+
+template <int number>
+GoalEstimate of_thesis(const Task& task, const HeuristicTable*) {
+  return looked_up(task, thesis_table(number));
+}
+
+GoalEstimate of_user(const Task& task, const HeuristicTable* table) {
+  if (table == nullptr) throw InputError("estimate", "table needs a table, and there is none");
+  return looked_up(task, *table);
+}
+
+template <FieldKind kind>
+GoalEstimate field(const Task& task, const HeuristicTable*) {
+  return {.is_admissible = kind == FieldKind::any_angle,
+          .length = [field = std::make_shared<GoalField>(task, kind)](const Pose& from) {
+            return field->at(from);
           }};
 }
 
-GoalEstimate bound(const Task& task) {
+GoalEstimate bound(const Task& task, const HeuristicTable*) {
   return {.is_admissible = true,
           .length = [goal = task.goal, radius = task.vehicle.min_turning_radius](const Pose& from) {
             return length_bounds(from, goal, radius).low;
           }};
 }
 
-GoalEstimate reeds_shepp(const Task& task) {
+GoalEstimate reeds_shepp(const Task& task, const HeuristicTable*) {
   return {.is_admissible = true,
           .length = [goal = task.goal, radius = task.vehicle.min_turning_radius](const Pose& from) {
             return reeds_shepp_length(from, goal, radius);
@@ -48,13 +65,21 @@ GoalEstimate reeds_shepp(const Task& task) {
 
 struct Known {
   std::string_view name;
-  GoalEstimate (*make)(const Task&);
+  GoalEstimate (*make)(const Task&, const HeuristicTable*);
 };
 
 constexpr std::array known = {
-    Known{"euclid", euclid},           Known{"hlut-1", table<1>}, Known{"hlut-2", table<2>},
-    Known{"hlut-3", table<3>},         Known{"hlut-4", table<4>}, Known{"bound", bound},
+    Known{"euclid", euclid},
+    Known{"hlut-1", of_thesis<1>},
+    Known{"hlut-2", of_thesis<2>},
+    Known{"hlut-3", of_thesis<3>},
+    Known{"hlut-4", of_thesis<4>},
+    Known{user_table, of_user},
+    Known{"bound", bound},
     Known{"reeds-shepp", reeds_shepp},
+    Known{"grid", field<FieldKind::grid>},
+    Known{"any-angle", field<FieldKind::any_angle>},
+    Known{"choi", field<FieldKind::choi>},
 };
 
 constexpr auto names = [] {
@@ -68,12 +93,17 @@ constexpr auto names = [] {
 std::span<const std::string_view> goal_estimate_names() noexcept { return names; }
 
 GoalEstimate make_goal_estimate(std::string_view name, const Task& task) {
+  return make_goal_estimate(name, task, nullptr);
+}
+
+GoalEstimate make_goal_estimate(std::string_view name, const Task& task,
+                                const HeuristicTable* table) {
   const auto found = std::ranges::find(known, name, &Known::name);
   if (found == known.end()) {
     throw InputError("estimate", "\"" + std::string(name) + "\" is unknown, expected one of " +
                                      base::joined(names));
   }
-  GoalEstimate estimate = found->make(task);
+  GoalEstimate estimate = found->make(task, table);
   estimate.name = name;
   return estimate;
 }

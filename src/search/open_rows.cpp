@@ -12,7 +12,8 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;  // of distances from the map [m]
+constexpr double rounding = 1e-9;      // of distances from the map [m]; of a stretch, relative
+constexpr double most_stretch = 1.02;  // for the sake of a wider disc
 
 /// Adds to [low, high] the places on the line at height `y` that are within `near` of a point.
 void add_disc(const Point& p, double y, double near, double& low, double& high) {
@@ -52,6 +53,19 @@ void add_box(const Point& a, const Point& b, double y, double near, double& low,
 Disc widest_disc(const Footprint& body) noexcept {
   const double radius = std::min(body.half_width, (body.front + body.rear) / 2);
   return {std::max(radius - body.rear, std::min(0.0, body.front - radius)), radius};
+}
+
+double stretch_of(const Disc& disc, double turning_radius) noexcept {
+  if (disc.ahead == 0.0) return 1.0;
+  return std::hypot(1.0, disc.ahead / turning_radius) * (1 + rounding);
+}
+
+Disc bound_disc(const Vehicle& vehicle) noexcept {
+  const Footprint body = footprint(vehicle);
+  const Disc widest = widest_disc(body);
+  const double inner = inner_radius(body);
+  const bool is_near = stretch_of(widest, vehicle.min_turning_radius) < most_stretch;
+  return is_near || inner == 0.0 ? widest : Disc{0.0, inner};
 }
 
 Point centre_of(const Disc& disc, const Pose& pose) noexcept {

@@ -23,6 +23,13 @@ struct Disc {
 /// As wide as the footprint, and its centre as near to the rear axle as may be.
 [[nodiscard]] Disc widest_disc(const Footprint& body) noexcept;
 
+/// The disc that bounds of lengths are made with: the widest one where its centre goes hardly
+/// further than the rear axle, or where the other one, around the rear axle, is nothing.
+[[nodiscard]] Disc bound_disc(const Vehicle& vehicle) noexcept;
+
+/// How far the centre of a disc goes at most while the rear axle goes a metre [m].
+[[nodiscard]] double stretch_of(const Disc& disc, double turning_radius) noexcept;
+
 /// Where the centre of a disc is.
 [[nodiscard]] Point centre_of(const Disc& disc, const Pose& pose) noexcept;
 
