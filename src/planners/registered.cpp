@@ -6,6 +6,7 @@
 
 #include "planners/anytime/anytime.h"
 #include "planners/anytime/tidy.h"
+#include "planners/hybrid_a_star.h"
 #include "planners/rrt.h"
 #include "planners/shared_options.h"
 
@@ -28,6 +29,14 @@ Planner anytime_planner() {
                          .anytime = true},
           .options = {region_option(), min_stroke},
           .function = anytime::plan_anytime};
+}
+
+Planner hybrid_planner() {
+  return {.name = "hybrid-a-star",
+          .summary = "cells of position and heading with a continuous pose each, exact end",
+          .properties = {.family = "hybrid-a-star", .honours_prices = true, .groups = {"family"}},
+          .options = hybrid::options(),
+          .function = hybrid::plan};
 }
 
 /// Which node becomes a parent.
@@ -95,6 +104,7 @@ std::vector<Planner> registered_planners() {
       }
     }
   }
+  planners.push_back(hybrid_planner());
   for (Planner& planner : planners) name_estimate(planner);
   return planners;
 }

@@ -83,9 +83,11 @@ TEST_P(PlannerConformance, RepeatsBitForBit) {
 TEST_P(PlannerConformance, KeepsToTheIterations) {
   for (const std::int64_t count : {0, 1, 7, 100}) {
     const PlanResult result = run(walled_in(), iterations(count));
+    EXPECT_FALSE(result.path);
+    EXPECT_LE(result.iterations, count);
+    if (result.status == PlanStatus::no_path) continue;  // proven before
     EXPECT_EQ(result.status, PlanStatus::iteration_limit);
     EXPECT_EQ(result.iterations, count);
-    EXPECT_FALSE(result.path);
   }
 }
 
