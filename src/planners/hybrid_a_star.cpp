@@ -8,8 +8,10 @@
 #include <numbers>
 #include <optional>
 
+#include "base/trigonometry.h"
 #include "planners/anytime/shorten.h"
 #include "planners/shared_options.h"
+#include "search/cell_costs.h"
 #include "search/route.h"
 #include "vandplan/search.h"
 
@@ -31,6 +33,12 @@ struct Node {
   std::int32_t parent;  // -1 for the start
 };
 
+/// A segment that is driven, and where it leads to from the origin.
+struct Step {
+  Segment segment;
+  Pose shape;
+};
+
 /// A node that waits for its turn. Ties go to the younger one.
 struct Entry {
   double rank;
@@ -38,46 +46,6 @@ struct Entry {
   bool operator<(const Entry& other) const {  // a heap has its greatest in front
     return rank != other.rank ? rank > other.rank : node < other.node;
   }
-};
-
-/// What it costs at least to get into each cell that was reached; a hash table with open
-/// addressing.
-class Cells {
- public:
-  /// Infinite for a new cell. Holds until the next call. A key is not 0.
-  [[nodiscard]] double& cost(std::uint64_t key) {
-    if (2 * count_ >= cells_.size()) grow();
-    Cell& cell = find(key);
-    if (cell.key == 0) {
-      cell.key = key;
-      ++count_;
-    }
-    return cell.cost;
-  }
-
- private:
-  struct Cell {
-    std::uint64_t key = 0;  // 0: free
-    double cost = infinity;
-  };
-
-  [[nodiscard]] Cell& find(std::uint64_t key) {
-    const std::size_t mask = cells_.size() - 1;
-    std::size_t slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & mask;
-    while (cells_[slot].key != 0 && cells_[slot].key != key) slot = (slot + 1) & mask;
-    return cells_[slot];
-  }
-
-  void grow() {
-    std::vector<Cell> old(4 * cells_.size());
-    old.swap(cells_);
-    for (const Cell& cell : old) {
-      if (cell.key != 0) find(cell.key) = cell;
-    }
-  }
-
-  std::vector<Cell> cells_ = std::vector<Cell>(4096);
-  std::size_t count_ = 0;
 };
 
 /// A way to the goal: to a node, and from there on open ground.
@@ -102,6 +70,12 @@ class Search {
         improves_(options.planner.flag("improve")),
         keeps_tree_(options.planner.flag("keep_tree")),
         max_nodes_(static_cast<std::size_t>(options.planner.integer("max_nodes"))) {
+    for (const double curvature : {1 / connector_.radius(), 0.0, -1 / connector_.radius()}) {
+      for (const double length : {step_, -step_}) {
+        const Segment segment{curvature, length};
+        steps_.push_back({segment, advance({}, segment)});
+      }
+    }
     nodes_.push_back({task.start, {}, 0.0, 0.0, -1});  // whatever the estimate
     open_.push_back({0.0, 0});
   }
@@ -148,13 +122,15 @@ class Search {
     if (is_shortest_) return;
     ++expansions_;
     const Node node = at(id);
-    for (const double curvature : {1 / connector_.radius(), 0.0, -1 / connector_.radius()}) {
-      for (const double length : {step_, -step_}) {
-        const Segment segment{curvature, length};
-        Driven driven = driven_to(node);
-        const double cost = drive_cost(connector_.rule(), std::span(&segment, 1), driven);
-        open({advance(node.pose, segment), segment, node.cost_to_come + cost, 0.0, id});
-      }
+    const Driven before = driven_to(node);
+    const auto [sin, cos] = base::sin_cos(node.pose.heading);
+    for (const auto& [segment, shape] : steps_) {
+      Driven driven = before;
+      const double cost = drive_cost(connector_.rule(), std::span(&segment, 1), driven);
+      const Pose pose{node.pose.x + cos * shape.x - sin * shape.y,
+                      node.pose.y + sin * shape.x + cos * shape.y,
+                      wrap_angle(node.pose.heading + shape.heading)};
+      open({pose, segment, node.cost_to_come + cost, 0.0, id});
     }
   }
 
@@ -284,6 +260,7 @@ class Search {
   double cell_;
   int headings_;
   double step_;
+  std::vector<Step> steps_;
   double weight_;
   double shot_spacing_;
   bool improves_;
@@ -291,7 +268,7 @@ class Search {
   std::size_t max_nodes_;
   std::vector<Node> nodes_;
   std::vector<Entry> open_;
-  Cells cells_;
+  CellCosts cells_;
   Found found_;
   bool is_shortest_ = false;
   int until_shot_ = 0;

@@ -21,6 +21,7 @@ constexpr double rounding_near = 1e-6;  // of distances to obstacles [m]
 constexpr double rounding = 1e-9;       // of sums of steps, relative
 constexpr int work_of_call = 16384;     // corners
 constexpr int sight_lag = 5;            // cells: no step makes ways longer by as much
+constexpr double buckets = 4.0;         // for a cell of rank
 constexpr int border_headings = 64;     // tried at a corner on the border of what is seen
 constexpr std::int32_t frame = 2;       // closed cells beside the lattice: as far as steps reach
 
@@ -100,7 +101,7 @@ GoalField::Label& GoalField::label(const Corner& corner) {
 /// Behind the front an entry has its turn at once.
 void GoalField::push(const Entry& entry) {
   const double rank = entry.cost + to_start(entry.corner) + (entry.is_border ? sight_lag : 0);
-  const std::size_t bucket = std::max(front_, static_cast<std::size_t>(rank));
+  const std::size_t bucket = std::max(front_, static_cast<std::size_t>(buckets * rank));
   if (bucket >= open_.size()) open_.resize(bucket + 1);
   open_[bucket].push_back(entry);
 }
@@ -200,11 +201,12 @@ bool GoalField::settle(int& work) {
 double GoalField::of_corner(const Corner& corner, const Point& place, int& work) {
   const double* const cost = &label(corner).cost;
   const double ahead = to_start(corner);
-  const auto is_final = [&] { return static_cast<double>(front_) > *cost + ahead; };
+  const auto front = [&] { return static_cast<double>(front_) / buckets; };
+  const auto is_final = [&] { return front() > *cost + ahead; };
   while (!is_final() && settle(work)) {
   }
   const bool is_known = is_final() || front_ >= open_.size();
-  const double known = is_known ? *cost : static_cast<double>(front_) - ahead;
+  const double known = is_known ? *cost : front() - ahead;
   return known / too_long_ - std::hypot(place.x - corner.x, place.y - corner.y);
 }
 

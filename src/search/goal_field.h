@@ -83,7 +83,7 @@ class GoalField {
   std::vector<Cells> cells_;  // empty: not asked for yet
   std::size_t blocks_of_row_ = 0;
   std::vector<Block> blocks_;             // null: likewise
-  std::vector<std::vector<Entry>> open_;  // by whole cells of cost and way to the start
+  std::vector<std::vector<Entry>> open_;  // by cost and way to the start
   std::size_t front_ = 0;                 // all below is settled
   std::int64_t settled_ = 0;
 };
