@@ -7,6 +7,7 @@
 #include "planners/anytime/anytime.h"
 #include "planners/anytime/tidy.h"
 #include "planners/hybrid_a_star.h"
+#include "planners/lattice_a_star.h"
 #include "planners/rrt.h"
 #include "planners/shared_options.h"
 
@@ -93,6 +94,28 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
   return planner;
 }
 
+Planner lattice_a_star() {
+  return {.name = "lattice-a-star",
+          .summary = "A* over a state lattice of exact primitives",
+          .properties = {.family = "lattice-a-star",
+                         .strategy = "a-star",
+                         .anytime = true,
+                         .groups = {"family"}},
+          .options = lattice::a_star_options(),
+          .function = lattice::plan_a_star};
+}
+
+Planner lattice_ara_star() {
+  return {.name = "lattice-ara-star",
+          .summary = "ARA* over a state lattice: falling weights, a proven factor",
+          .properties = {.family = "lattice-ara-star",
+                         .strategy = "ara-star",
+                         .anytime = true,
+                         .groups = {"family"}},
+          .options = lattice::ara_star_options(),
+          .function = lattice::plan_ara_star};
+}
+
 }  // namespace
 
 std::vector<Planner> registered_planners() {
@@ -105,6 +128,8 @@ std::vector<Planner> registered_planners() {
     }
   }
   planners.push_back(hybrid_planner());
+  planners.push_back(lattice_a_star());
+  planners.push_back(lattice_ara_star());
   for (Planner& planner : planners) name_estimate(planner);
   return planners;
 }
