@@ -222,7 +222,7 @@ std::vector<Leg> Search::way_to(Id id) const {
   std::vector<Leg> way;
   while (id >= 0) {
     const Node& end = node(id);
-    way.push_back({piece_of(end.parent, end.via), graph_.pose_of(end.vertex)});
+    way.push_back({piece_of(end.parent, end.via), graph_.pose_of(end.vertex), id});
     id = end.parent;
   }
   std::ranges::reverse(way);

@@ -37,10 +37,11 @@ struct Ground {
 /// Lays the lattice for a task and takes the estimate that complete options name.
 [[nodiscard]] Ground ground_of(const Task& task, const PlanOptions& options, const Budget& budget);
 
-/// A way that a vehicle drives: pieces, one after the other, and where each of them ends.
+/// A part of a way that a vehicle drives, and where it ends.
 struct Leg {
   Piece piece;
   Pose end;
+  std::int32_t node = -1;  ///< of the search, at the end; -1: none, it leads to the goal directly
 };
 
 /// A search from the start of a task to its goal.

@@ -8,6 +8,7 @@
 #include "planners/anytime/tidy.h"
 #include "planners/hybrid_a_star.h"
 #include "planners/lattice_a_star.h"
+#include "planners/ltba_star.h"
 #include "planners/rrt.h"
 #include "planners/shared_options.h"
 
@@ -116,6 +117,18 @@ Planner lattice_ara_star() {
           .function = lattice::plan_ara_star};
 }
 
+Planner ltba_star() {
+  return {.name = "ltba-star",
+          .summary = "A* over a state lattice while the vehicle drives: time-bounded",
+          .properties = {.family = "ltba-star",
+                         .strategy = "ltba-star",
+                         .estimate = "lattice-table",
+                         .anytime = true,
+                         .groups = {"family"}},
+          .options = lattice::ltba_star_options(),
+          .function = lattice::plan_ltba_star};
+}
+
 }  // namespace
 
 std::vector<Planner> registered_planners() {
@@ -130,6 +143,7 @@ std::vector<Planner> registered_planners() {
   planners.push_back(hybrid_planner());
   planners.push_back(lattice_a_star());
   planners.push_back(lattice_ara_star());
+  planners.push_back(ltba_star());
   for (Planner& planner : planners) name_estimate(planner);
   return planners;
 }
