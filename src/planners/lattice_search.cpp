@@ -14,6 +14,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::int32_t border = 1 << 23;  // of the grid [steps]
 constexpr std::size_t first_slots = 1 << 12;
+constexpr int most_looks = 32;        // at edges that are not free, in one step
 constexpr double shot_spacing = 2.0;  // turning radii to go for each expansion between shots
 
 std::size_t hash_of(const Vertex& v) {
@@ -136,6 +137,15 @@ bool Search::is_free(Node& end, const Edge& edge) {
 }
 
 bool Search::step() {
+  for (int looks = 0; looks < most_looks && has_next(); ++looks) {
+    const double before = best_;
+    if (look()) return best_ < before;
+  }
+  return false;
+}
+
+// True if the edge whose turn it is was free: then its end is closed, and expanded.
+bool Search::look() {
   const Id id = open_.front().node;
   std::pop_heap(open_.begin(), open_.end());
   open_.pop_back();
@@ -152,10 +162,13 @@ bool Search::step() {
   end.via = last.via;
   end.round = round_;
   if (settings_.keep_tree) show(id);
-  if (end.vertex == graph_.goal()) return take(way_to(id));
-  const bool is_better = settings_.shots && shoot(id);
+  if (end.vertex == graph_.goal()) {
+    take(way_to(id));
+    return true;
+  }
+  if (settings_.shots) shoot(id);
   expand(id);
-  return is_better;
+  return true;
 }
 
 const Piece& Search::piece_of(Id parent, std::int32_t via) const {
@@ -172,27 +185,26 @@ void Search::expand(Id id) {
   }
 }
 
-// The exact piece to the goal, the more often the nearer it is. True when it gives a cheaper way.
-bool Search::shoot(Id id) {
-  if (expansions_ < next_shot_) return false;
+// The exact piece to the goal, the more often the nearer it is.
+void Search::shoot(Id id) {
+  if (expansions_ < next_shot_) return;
   const Node& begin = node(id);
   const double wait = begin.to_go / (shot_spacing * connector_.radius());
   next_shot_ = expansions_ + 1 + static_cast<std::int64_t>(std::min(wait, 1e6));
   ++shots_;
   const std::optional<Connection> shot =
       connector_.connect(graph_.pose_of(begin.vertex), task_.goal, {begin.cost, best_, {}});
-  if (!shot) return false;
+  if (!shot) return;
   std::vector<Leg> way = way_to(id);
   way.push_back({shot->piece, task_.goal});
-  return take(std::move(way));
+  take(std::move(way));
 }
 
-bool Search::take(std::vector<Leg> way) {
+void Search::take(std::vector<Leg> way) {
   const double length = length_of(way);  // parents may have become cheaper since
-  if (length >= best_) return false;
+  if (length >= best_) return;
   best_ = length;
   best_way_ = std::move(way);
-  return true;
 }
 
 void Search::begin_round(double weight) {

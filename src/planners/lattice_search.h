@@ -61,8 +61,8 @@ class Search {
 
   /// Whether an edge is left that may matter in this round. False ends the round.
   [[nodiscard]] bool has_next();
-  /// Looks at the edge whose turn it is and, if it is free, goes on from where it ends. True when
-  /// that gave a cheaper way to the goal.
+  /// Takes edges whose turn it is until one is free, at most 32 of them, and goes on from where it
+  /// ends. True when that gave a cheaper way to the goal.
   bool step();
   /// Begins a round with another weight: what improved too late in the last one comes first.
   void begin_round(double weight);
@@ -126,9 +126,10 @@ class Search {
   [[nodiscard]] bool may_improve(const Node& node) const;
   [[nodiscard]] bool is_free(Node& node, const Edge& edge);
   void expand(Id id);
-  bool shoot(Id id);
+  bool look();
+  void shoot(Id id);
   [[nodiscard]] const Piece& piece_of(Id parent, std::int32_t via) const;
-  bool take(std::vector<Leg> way);
+  void take(std::vector<Leg> way);
   void show(Id id);
 
   const Task& task_;
