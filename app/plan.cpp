@@ -15,6 +15,7 @@
 #include "plan_poses.h"
 #include "table_source.h"
 #include "vandplan/files.h"
+#include "vandplan/primitives_file.h"
 #include "vandplan/result_file.h"
 #include "wording.h"
 
@@ -26,6 +27,7 @@ struct PlanArguments {
   std::string planner{default_planner().name};
   std::vector<TypedOption> options;
   std::optional<std::string> table;
+  std::optional<std::string> primitives;
   std::optional<std::string> output;
   PictureWish picture;
   std::optional<std::string> poses;
@@ -91,9 +93,12 @@ void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted
 int run(const PlanArguments& arguments) {
   const Planner planner = planner_named(arguments.planner);
   const std::shared_ptr<const HeuristicTable> table = table_of_user(arguments.table);
+  const std::shared_ptr<const search::Primitives> primitives =
+      arguments.primitives ? read_primitives(*arguments.primitives) : nullptr;
   const auto options_with = [&](const std::vector<Setting>& wanted_by_file) {
     PlanOptions options = options_for(planner, wanted_by_file, arguments.options);
     options.table = table;
+    options.primitives = primitives;
     return complete(planner, options);
   };
   (void)options_with({});  // before a long read
@@ -151,6 +156,10 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->capture_default_str();
   add_option_flags(*command, arguments->options);
   add_table_flag(*command, arguments->table);
+  command
+      ->add_option("--primitives", arguments->primitives,
+                   "What joins the vertices of a lattice: a file of Nav2 (.json) or SBPL (.mprim)")
+      ->type_name("FILE");
   command->add_option("--output", arguments->output, "Write the result here (JSON)")
       ->type_name("FILE");
   add_picture(*command, arguments->picture);

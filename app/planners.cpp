@@ -35,6 +35,7 @@ Json json_of_planner(const Planner& planner) {
                         {"honours_threads", properties.honours_threads},
                         {"honours_target_gap", properties.honours_target_gap},
                         {"honours_steering", properties.honours_steering},
+                        {"honours_primitives", properties.honours_primitives},
                         {"anytime", properties.anytime},
                         {"deterministic", properties.deterministic},
                         {"groups", properties.groups}};

@@ -21,6 +21,9 @@
 namespace vandplan {
 
 class HeuristicTable;
+namespace search {
+class Primitives;
+}
 
 /// How much work a run may do, and what makes it repeat.
 struct BudgetOptions {
@@ -140,6 +143,9 @@ struct PlanOptions {
   PlannerSettings planner = {};  ///< of the chosen planner alone
   /// What the estimate "table" looks lengths up in; for planners that an estimate guides.
   std::shared_ptr<const HeuristicTable> table = {};
+  /// What joins the vertices of a lattice (primitives.h); none: what the library makes for the
+  /// vehicle.
+  std::shared_ptr<const search::Primitives> primitives = {};
   bool operator==(const PlanOptions&) const = default;
 };
 

@@ -35,6 +35,7 @@ struct PlannerProperties {
   bool honours_threads = false;          ///< BudgetOptions::threads
   bool honours_target_gap = false;       ///< BudgetOptions::target_gap: it proves lower bounds
   bool honours_steering = false;         ///< PlanOptions::steering; else it is `reeds_shepp`
+  bool honours_primitives = false;       ///< PlanOptions::primitives
   bool anytime = false;                  ///< goes on improving its path for as long as it may
   bool deterministic = true;             ///< same seed and iterations, same path
   std::vector<std::string> groups = {};  ///< sets that it belongs to: "thesis"

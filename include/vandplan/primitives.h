@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -84,5 +85,16 @@ struct PrimitiveOptions {
 /// of Dubins between vertices. Throws InputError naming the option that is out of range.
 [[nodiscard]] std::shared_ptr<const Primitives> make_primitives(
     double radius, const PrimitiveOptions& options = {});
+
+/// The piece of one gear from `begin` exactly to `end` that passes nearest to sampled poses, the
+/// first and the last of which are those two: a line, an arc between lines, or a word of Dubins.
+/// None if it passes one of them by more than `tolerance` [m], or they are not in one gear.
+[[nodiscard]] std::optional<Piece> fitted_piece(const Pose& begin, const Pose& end,
+                                                std::span<const Pose> poses, double tolerance);
+
+/// The heading that was rounded to `heading` [rad]: a multiple of a turn by `count`, or the
+/// direction of a point of the grid whose coordinates are small. None if there is no such heading
+/// within 2e-4.
+[[nodiscard]] std::optional<double> exact_heading(double heading, int count);
 
 }  // namespace vandplan::search

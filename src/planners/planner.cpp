@@ -20,6 +20,7 @@ namespace {
 constexpr double rounding = 1e-12;  // of a sum of lengths, relative
 constexpr std::string_view style_key = "style";
 constexpr std::string_view steering_key = "steering";
+constexpr std::string_view primitives_key = "primitives";
 
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
   const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
@@ -65,6 +66,7 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
     if (own_option(planner, name) == nullptr) refuse(planner, name);
   }
   if (options.table && !honours(planner, planning::table_key)) refuse(planner, planning::table_key);
+  if (options.primitives && !honours(planner, primitives_key)) refuse(planner, primitives_key);
 }
 
 /// Says how the vehicle steers, if nobody did. Throws InputError for an option that says nothing of
@@ -243,6 +245,7 @@ bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
   if (option == style_key) return planner.properties.honours_prices;
   if (option == planning::table_key) return own_option(planner, planning::estimate_key) != nullptr;
+  if (option == primitives_key) return planner.properties.honours_primitives;
   if (common_option(option) == nullptr) return false;
   if (option == "threads") return planner.properties.honours_threads;
   if (option == "target_gap") return planner.properties.honours_target_gap;
@@ -269,6 +272,9 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
                 std::string_view text) {
   if (name == planning::table_key && honours(planner, name)) {
     throw InputError(std::string(name), "is a table and no text, expected --table FILE");
+  }
+  if (name == primitives_key && honours(planner, name)) {
+    throw InputError(std::string(name), "are a file and no text, expected --primitives FILE");
   }
   if (name == style_key) {
     set_style(options, planner, text);

@@ -3,12 +3,14 @@
 #include "planners/registered.h"
 
 #include <array>
+#include <utility>
 
 #include "planners/anytime/anytime.h"
 #include "planners/anytime/tidy.h"
 #include "planners/hybrid_a_star.h"
 #include "planners/lattice_a_star.h"
 #include "planners/ltba_star.h"
+#include "planners/lattice_planners.h"
 #include "planners/rrt.h"
 #include "planners/shared_options.h"
 
@@ -95,40 +97,6 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
   return planner;
 }
 
-Planner lattice_a_star() {
-  return {.name = "lattice-a-star",
-          .summary = "A* over a state lattice of exact primitives",
-          .properties = {.family = "lattice-a-star",
-                         .strategy = "a-star",
-                         .anytime = true,
-                         .groups = {"family"}},
-          .options = lattice::a_star_options(),
-          .function = lattice::plan_a_star};
-}
-
-Planner lattice_ara_star() {
-  return {.name = "lattice-ara-star",
-          .summary = "ARA* over a state lattice: falling weights, a proven factor",
-          .properties = {.family = "lattice-ara-star",
-                         .strategy = "ara-star",
-                         .anytime = true,
-                         .groups = {"family"}},
-          .options = lattice::ara_star_options(),
-          .function = lattice::plan_ara_star};
-}
-
-Planner ltba_star() {
-  return {.name = "ltba-star",
-          .summary = "A* over a state lattice while the vehicle drives: time-bounded",
-          .properties = {.family = "ltba-star",
-                         .strategy = "ltba-star",
-                         .estimate = "lattice-table",
-                         .anytime = true,
-                         .groups = {"family"}},
-          .options = lattice::ltba_star_options(),
-          .function = lattice::plan_ltba_star};
-}
-
 }  // namespace
 
 std::vector<Planner> registered_planners() {
@@ -144,6 +112,7 @@ std::vector<Planner> registered_planners() {
   planners.push_back(lattice_a_star());
   planners.push_back(lattice_ara_star());
   planners.push_back(ltba_star());
+  for (Planner& planner : lattice::planners()) planners.push_back(std::move(planner));
   for (Planner& planner : planners) name_estimate(planner);
   return planners;
 }

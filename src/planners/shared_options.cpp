@@ -13,22 +13,21 @@ namespace {
 constexpr std::string_view none = "none";
 constexpr std::string_view max_prefix = "max-";
 
-bool is_estimate(std::string_view name) {
-  const auto names = search::goal_estimate_names();
-  return std::ranges::find(names, name) != names.end();
-}
-
 /// One estimate, or two of which the larger counts.
 struct Wanted {
   std::string_view first;
   std::string_view second = none;
 };
 
-std::optional<Wanted> parsed(std::string_view text) {
+/// `names` are the words that the option "estimate" of a planner may be.
+std::optional<Wanted> parsed(std::string_view text, const std::vector<std::string>& names) {
+  const auto is_estimate = [&](std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+  };
   if (is_estimate(text)) return Wanted{text};
   if (!text.starts_with(max_prefix)) return std::nullopt;
   const std::string_view both = text.substr(max_prefix.size());
-  for (const std::string_view first : search::goal_estimate_names()) {
+  for (const std::string_view first : names) {
     if (!both.starts_with(first) || both.size() <= first.size()) continue;
     if (both[first.size()] != '-') continue;
     const std::string_view second = both.substr(first.size() + 1);
@@ -89,9 +88,10 @@ search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task) {
 }
 
 std::optional<Planner> with_estimate(Planner planner, std::string_view estimate) {
-  const std::optional<Wanted> wanted = parsed(estimate);
   OptionInfo* const first = find_option(planner, estimate_key);
-  if (!wanted || first == nullptr) return std::nullopt;
+  if (first == nullptr) return std::nullopt;
+  const std::optional<Wanted> wanted = parsed(estimate, first->words);
+  if (!wanted) return std::nullopt;
   first->standard = std::string(wanted->first);
   find_option(planner, max_with_key)->standard = std::string(wanted->second);
   planner.name += ":" + std::string(estimate);

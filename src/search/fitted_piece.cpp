@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Which exact piece did somebody sample? docs/algorithms/lattice.md, "Files of others".
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "base/trigonometry.h"
+#include "vandplan/dubins.h"
+#include "vandplan/primitives.h"
+#include "vandplan/search.h"
+
+namespace vandplan::search {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double closing = 1e-10;  // of a piece that ends where it should [m, rad]
+constexpr int places = 64;         // of a piece that poses are compared with
+constexpr int radii = 64;          // tried at first
+constexpr int refinements = 60;    // of the best of these
+constexpr double heading_rounding = 2e-4;
+constexpr int largest_direction = 8;  // coordinate
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const double ux = b.x - a.x;
+  const double uy = b.y - a.y;
+  const double uu = ux * ux + uy * uy;
+  const double t = uu > 0.0 ? ((p.x - a.x) * ux + (p.y - a.y) * uy) / uu : 0.0;
+  const double along = std::clamp(t, 0.0, 1.0);
+  return std::hypot(a.x + along * ux - p.x, a.y + along * uy - p.y);
+}
+
+/// How far the poses are from the piece, at most.
+double deviation(const Pose& begin, const Piece& piece, std::span<const Pose> poses) {
+  const Path path{begin, {piece.view().begin(), piece.view().end()}};
+  std::vector<Point> line;
+  for (int i = 0; i <= places; ++i) {
+    const Pose pose = pose_at(path, piece.length * i / places);
+    line.push_back({pose.x, pose.y});
+  }
+  double most = 0.0;
+  for (const Pose& pose : poses) {
+    double least = infinity;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      least = std::min(least, distance_to_segment({pose.x, pose.y}, line[i - 1], line[i]));
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+void append(Piece& piece, double curvature, double length) {
+  if (length <= closing) return;
+  piece.segments[piece.count++] = {curvature, length};
+  piece.length += length;
+}
+
+bool ends_at(const Pose& begin, const Piece& piece, const Pose& end) {
+  const Pose last = end_of(begin, piece);
+  return piece.count > 0 && std::hypot(last.x - end.x, last.y - end.y) <= closing &&
+         std::abs(wrap_angle(last.heading - end.heading)) <= closing;
+}
+
+/// A line, an arc of this radius, a line; none if that is driven backwards in parts.
+std::optional<Piece> arc_between_lines(const Pose& begin, const Pose& end, double radius) {
+  const double turn = wrap_angle(end.heading - begin.heading);
+  const auto [sin_a, cos_a] = base::sin_cos(begin.heading);
+  const auto [sin_b, cos_b] = base::sin_cos(end.heading);
+  const double cross = cos_a * sin_b - sin_a * cos_b;
+  if (std::abs(cross) < 1e-6) return std::nullopt;
+  const double signed_radius = std::copysign(radius, turn);
+  const double x = end.x - begin.x - signed_radius * (sin_b - sin_a);  // left to the lines
+  const double y = end.y - begin.y - signed_radius * (cos_a - cos_b);
+  const double first = (x * sin_b - y * cos_b) / cross;
+  const double last = (y * cos_a - x * sin_a) / cross;
+  if (first < -closing || last < -closing) return std::nullopt;
+  Piece piece;
+  append(piece, 0.0, first);
+  append(piece, 1 / signed_radius, std::abs(turn) * radius);
+  append(piece, 0.0, last);
+  return piece;
+}
+
+/// What is driven where nothing is turned.
+std::optional<Piece> line(const Pose& begin, const Pose& end) {
+  Piece piece;
+  append(piece, 0.0, std::hypot(end.x - begin.x, end.y - begin.y));
+  return piece;
+}
+
+/// The piece nearest to poses among those that radii give.
+class Fit {
+ public:
+  Fit(const Pose& begin, const Pose& end, std::span<const Pose> poses)
+      : begin_(begin), end_(end), poses_(poses) {}
+
+  double offer(const std::optional<Piece>& piece) {
+    if (!piece || !ends_at(begin_, *piece, end_)) return infinity;
+    const double off = deviation(begin_, *piece, poses_);
+    if (off < least_) {
+      least_ = off;
+      best_ = *piece;
+    }
+    return off;
+  }
+
+  /// Tries radii from `low` to `high`, and then those near to the best one.
+  template <typename Make>
+  void search(double low, double high, Make make) {
+    const double ratio = std::pow(high / low, 1.0 / (radii - 1));
+    double best_radius = low;
+    double least = infinity;
+    for (int i = 0; i < radii; ++i) {
+      const double radius = low * std::pow(ratio, i);
+      const double off = offer(make(radius));
+      if (off >= least) continue;
+      least = off;
+      best_radius = radius;
+    }
+    double a = best_radius / ratio;
+    double b = best_radius * ratio;
+    for (int i = 0; i < refinements && least < infinity; ++i) {
+      const double third = (b - a) / 3;
+      if (offer(make(a + third)) <= offer(make(b - third))) {
+        b -= third;
+      } else {
+        a += third;
+      }
+    }
+  }
+
+  [[nodiscard]] double least() const { return least_; }
+  [[nodiscard]] const Piece& best() const { return best_; }
+
+ private:
+  const Pose& begin_;
+  const Pose& end_;
+  std::span<const Pose> poses_;
+  double least_ = infinity;
+  Piece best_;
+};
+
+/// 1 if the poses follow each other forward, -1 in reverse, 0 if neither.
+GearSign gear_of_poses(std::span<const Pose> poses) {
+  GearSign gear = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const auto [sin, cos] = base::sin_cos(poses[i - 1].heading);
+    const double ahead = (poses[i].x - poses[i - 1].x) * cos + (poses[i].y - poses[i - 1].y) * sin;
+    const GearSign sign = ahead > 0.0 ? 1 : ahead < 0.0 ? -1 : 0;
+    if (sign == 0) continue;
+    if (sign == -gear) return 0;
+    gear = sign;
+  }
+  return gear;
+}
+
+std::optional<Piece> fitted_forward(const Pose& begin, const Pose& end, std::span<const Pose> poses,
+                                    double tolerance) {
+  const double chord = std::hypot(end.x - begin.x, end.y - begin.y);
+  Fit fit(begin, end, poses);
+  fit.offer(line(begin, end));
+  const double turn = std::abs(wrap_angle(end.heading - begin.heading));
+  if (turn > 1e-6) {
+    // The largest radius that leaves no line behind it, or a little more.
+    const double largest = 2 * chord / std::max(turn, 0.01);
+    fit.search(chord / 100, largest,
+               [&](double radius) { return arc_between_lines(begin, end, radius); });
+  }
+  if (fit.least() > tolerance) {
+    fit.search(chord / 20, 50 * chord,
+               [&](double radius) { return std::optional<Piece>(dubins(begin, end, radius)); });
+  }
+  return fit.least() <= tolerance ? std::optional<Piece>(fit.best()) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Piece> fitted_piece(const Pose& begin, const Pose& end, std::span<const Pose> poses,
+                                  double tolerance) {
+  const GearSign gear = gear_of_poses(poses);
+  if (gear == 0 || std::hypot(end.x - begin.x, end.y - begin.y) <= closing) return std::nullopt;
+  if (gear > 0) return fitted_forward(begin, end, poses, tolerance);
+  const std::optional<Piece> back = fitted_forward(end, begin, poses, tolerance);
+  return back ? std::optional<Piece>(reversed(*back)) : std::nullopt;
+}
+
+std::optional<double> exact_heading(double heading, int count) {
+  const auto is_near = [&](double exact) {
+    return std::abs(wrap_angle(heading - exact)) <= heading_rounding;
+  };
+  const double turn = 2 * std::numbers::pi / count;
+  const double multiple = wrap_angle(std::round(heading / turn) * turn);
+  std::optional<double> best;
+  for (int x = -largest_direction; x <= largest_direction; ++x) {
+    for (int y = -largest_direction; y <= largest_direction; ++y) {
+      if (x == 0 && y == 0) continue;
+      const double exact = base::atan_2(y, x);
+      if (!is_near(exact)) continue;
+      const double off = std::abs(wrap_angle(heading - exact));
+      if (!best || off < std::abs(wrap_angle(heading - *best))) best = exact;
+    }
+  }
+  if (best) return best;
+  return is_near(multiple) ? std::optional<double>(multiple) : std::nullopt;
+}
+
+}  // namespace vandplan::search
