@@ -143,7 +143,12 @@ std::shared_ptr<const search::Primitives> read_sbpl_primitives(const std::string
     const std::optional<double> exact_angle =
         search::exact_heading(angle, static_cast<int>(headings));
     std::optional<double>& heading = known[static_cast<std::size_t>(index)];
-    if (!exact_angle) lines.fail_at(line, fmt::format("has a heading of {:g} rad", angle));
+    if (!exact_angle) {
+      lines.fail_at(line,
+                    fmt::format("has a heading of {:g} rad, expected a part of the turn or the "
+                                "direction of a grid point",
+                                angle));
+    }
     if (!heading) heading = exact_angle;
     if (std::abs(wrap_angle(*heading - *exact_angle)) > 1e-9) {
       lines.fail_at(line, fmt::format("has heading {} at {:g} rad, others have it at {:g} rad",

@@ -19,8 +19,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double closing = 1e-10;  // of a piece that ends where it should [m, rad]
 constexpr int places = 64;         // of a piece that poses are compared with
-constexpr int radii = 64;          // tried at first
-constexpr int refinements = 60;    // of the best of these
+constexpr int radii = 48;          // tried at first
+constexpr int refinements = 40;    // of the best of these
 constexpr double heading_rounding = 2e-4;
 constexpr int largest_direction = 8;  // coordinate
 

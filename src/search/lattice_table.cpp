@@ -14,7 +14,7 @@ namespace vandplan::search {
 namespace {
 
 constexpr std::int64_t most_entries = 60'000;  // with those that stay empty
-constexpr int look_every = 64;                  // vertices
+constexpr int look_every = 64;                 // vertices
 constexpr float unknown = std::numeric_limits<float>::infinity();
 
 /// A primitive that ends with some heading, in the reverse order of driving.
@@ -81,11 +81,12 @@ LatticeTable::LatticeTable(const Primitives& primitives,
       reach({last.vertex.x - p.dx, last.vertex.y - p.dy, p.from}, last.length + p.length);
     }
   }
-  // Sums in float are above the sums of lengths by some roundings at most.
-  for (float& length : lengths_) {
-    length = length == unknown ? static_cast<float>(most_ * (1 - 1e-6)) : length * (1.0F - 1e-5F);
-  }
-  most_ *= 1 - 1e-5;
+  // A sum in float may be above the sum of the lengths by some roundings.
+  constexpr float less = 1.0F - 1e-5F;
+  most_ *= static_cast<double>(less);
+  const auto most = static_cast<float>(most_);
+  most_ = static_cast<double>(most);
+  for (float& length : lengths_) length = std::min(length * less, most);
   is_whole_ = true;
 }
 

@@ -122,7 +122,7 @@ void expect_motions(const search::Primitives& primitives, bool in_reverse_too) {
   int reverse = 0;
   for (const search::Primitive& p : primitives.all()) {
     const double heading = primitives.headings()[static_cast<std::size_t>(p.from)];
-    const Pose end = end_of({0, 0, heading}, p.piece);
+    const Pose end = search::end_of({0, 0, heading}, p.piece);
     EXPECT_NEAR(end.x, p.dx * step, 1e-9);
     EXPECT_NEAR(end.y, p.dy * step, 1e-9);
     EXPECT_NEAR(p.piece.length, p.from == p.to ? step : quarter * 4 * step, 1e-3);
@@ -160,14 +160,16 @@ TEST_F(PrimitivesFile, OfSbplIsRefusedWithItsLine) {
             ":5: has 4, expected a whole number from 0 to 3");
   EXPECT_EQ(with("0.0000 0.0000 0.0000", "0.0000 x"), ":9: holds something else than numbers");
   EXPECT_EQ(with("0.0000 0.0000 0.0000", "0.0000"), ":9: has 1 numbers, expected 3");
-  EXPECT_EQ(with("0.0000 0.0000 0.0000", "0.0000 0.0000 0.2000"), ":4: has a heading of 0.2 rad");
+  EXPECT_EQ(
+      with("0.0000 0.0000 0.0000", "0.0000 0.0000 0.2000"),
+      ":4: has a heading of 0.2 rad, expected a part of the turn or the direction of a grid point");
   EXPECT_EQ(with("endpose_c: 1 0 0", "endpose_c: 3 0 0"),
             ":17: ends at 0.5, 0 m, expected endpose_c, 1.5, 0 m");
   EXPECT_EQ(
       with("0.2500 0.0000 0.0000", "0.2500 0.4000 0.0000"),
       ":4: no arcs and lines of one gear pass its poses within 0.25 m, expected a motion that "
       "can be driven");
-  EXPECT_EQ(refusal("a.mprim", good.substr(0, good.size() / 2)).substr(0, 4), ":59:");
+  EXPECT_EQ(refusal("a.mprim", good.substr(0, good.size() / 2)).substr(0, 4), ":60:");
   EXPECT_EQ(refusal("a.txt", good),
             ": is no file of primitives, expected .json (Nav2) or .mprim (SBPL)");
 }

@@ -70,22 +70,20 @@ TEST(LatticeAStar, IsAtMostSoManyTimesAsLongAsItsWeightSays) {
 
 TEST(LatticeAStar, SaysWhatItHasProvenAndNotMore) {
   EXPECT_EQ(factor_of(run(bay(), "lattice-a-star")), 1.0);
-  EXPECT_EQ(factor_of(run(bay(), "lattice-a-star:hlut-4")), 0.0);      // it over-estimates
-  EXPECT_EQ(factor_of(run(bay(), "lattice-ara-star", {}, 700)), 0.0);  // no round has ended
+  EXPECT_EQ(factor_of(run(bay(), "lattice-a-star:hlut-4")), 0.0);  // it over-estimates
+  EXPECT_EQ(factor_of(run(around_the_wall(), "lattice-a-star", {}, 300)), 0.0);  // not at its end
 }
 
-TEST(LatticeAStar, ANarrowRoomThatTheLatticeCannotLeaveProvesNothing) {
-  const Problem problem = problem_of(
-      {0, 0, 0}, {60, 0, 0},
-      {box(40, -20, 80, -18), box(40, 18, 80, 20), box(40, -20, 42, 20), box(78, -20, 80, 20)},
-      {-8, 90, -30, 30});
+TEST(LatticeAStar, ARoomThatTheLatticeCannotLeaveProvesNothing) {
+  const Problem problem =
+      problem_of({0, 0, 0}, {24, 0, 0}, {box(12, -14, 13, 14)}, {-12, 32, -12, 12});
   const PlanResult result = run(problem, "lattice-a-star", {}, 2'000'000);
   EXPECT_EQ(result.status, PlanStatus::node_limit);
   EXPECT_EQ(result.reason, "no way over the lattice is free");
-  const PlanResult few = run(problem, "lattice-a-star", {{"max_nodes", "5000"}}, 2'000'000);
+  const PlanResult few = run(problem, "lattice-a-star", {{"max_nodes", "1500"}}, 2'000'000);
   EXPECT_EQ(few.status, PlanStatus::node_limit);
   EXPECT_EQ(few.reason, "the search has found as many vertices as it may");
-  EXPECT_LE(counter(few, "nodes"), 5100);
+  EXPECT_LE(counter(few, "nodes"), 1600);
 }
 
 TEST(LatticeAStar, KeepsItsTreeInTheOrderOfExpansion) {
@@ -121,14 +119,14 @@ TEST(Primitives, OfAUserAreUsedAndThoseThatTurnTooSharplyRefused) {
 }
 
 TEST(LtbaStar, WithoutHasteItIsTheWayOfAStar) {
-  const PlanResult best = run(bay(), "lattice-a-star");
-  const PlanResult result = run(bay(), "ltba-star", {{"cycle_expansions", "1000000"}});
+  const PlanResult best = run(around_the_wall(), "lattice-a-star");
+  const PlanResult result = run(around_the_wall(), "ltba-star", {{"cycle_expansions", "1000000"}});
   EXPECT_EQ(result.path, best.path);
   EXPECT_EQ(counter(result, "cycles"), 0);
 }
 
 TEST(LtbaStar, CommitsWhileItSearches) {
-  const PlanResult result = run(bay(), "ltba-star", {{"cycle_expansions", "5"}});
+  const PlanResult result = run(around_the_wall(), "ltba-star", {{"cycle_expansions", "2"}});
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_GT(counter(result, "cycles"), 10);
   EXPECT_GT(counter(result, "committed_mm"), 0);
@@ -138,7 +136,7 @@ TEST(LtbaStar, CommitsWhileItSearches) {
 // Starts all around, with more or less haste: at every tick it can stop, and it gets there.
 TEST(LtbaStar, CanAlwaysStopAndStillArrives) {
   for_each_case(3, 40, [](Rng& rng) {
-    const Problem base = bay();
+    const Problem base = around_the_wall();
     const Pose start =
         compose(base.start(), {uniform(-4, 4, rng), uniform(-1, 1, rng), uniform(-0.4, 0.4, rng)});
     const Problem problem = make_problem(base.world(), base.vehicle(), start, base.goal());
@@ -148,7 +146,7 @@ TEST(LtbaStar, CanAlwaysStopAndStillArrives) {
         run(problem, "ltba-star", {{"cycle_expansions", haste}, {"cycle_time", "0.05"}});
     ASSERT_EQ(result.status, best.status) << result.reason;
     EXPECT_EQ(counter(result, "cycles_without_plan"), 0);
-    if (result.path) EXPECT_LE(result.cost, best.cost + 3 * 30.0);
+    EXPECT_LE(result.cost, best.cost + 90.0);
   });
 }
 
