@@ -11,6 +11,7 @@
 #include "planners/lattice_a_star.h"
 #include "planners/ltba_star.h"
 #include "planners/lattice_planners.h"
+#include "planners/field_d_star.h"
 #include "planners/prm.h"
 #include "planners/rrt.h"
 #include "planners/shared_options.h"
@@ -114,6 +115,7 @@ std::vector<Planner> registered_planners() {
   planners.push_back(lattice_ara_star());
   planners.push_back(ltba_star());
   for (Planner& planner : lattice::planners()) planners.push_back(std::move(planner));
+  planners.push_back(field_d_star::planner());
   planners.push_back(prm::planner());
   for (Planner& planner : planners) name_estimate(planner);
   return planners;
