@@ -85,6 +85,14 @@ class Options {
         ->take_last();
   }
 
+  void iterations(std::int64_t& value) {
+    command_.add_option("--iterations", value, "Of each run; 1 to 1000000")
+        ->type_name("N")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}).description(""))
+        ->capture_default_str()
+        ->take_last();
+  }
+
   void seed(std::uint64_t& value) {
     command_.add_option("--seed", value, "Of the random numbers")
         ->type_name("N")
@@ -182,7 +190,8 @@ void add_study(CLI::App& vandplan, int&) {
   studies->callback([studies] {
     if (!studies->get_subcommands().empty()) return;
     throw InputError(
-        "study", "which one is missing, expected range, accuracy, growth, symmetry or steering");
+        "study",
+        "which one is missing, expected range, accuracy, growth, symmetry, steering or searches");
   });
   add_study_of<RangeOptions>(
       *studies, "range",
@@ -222,6 +231,14 @@ void add_study(CLI::App& vandplan, int&) {
         declare.metres("--radius", options.turning_radius, "Turning radius [m]");
       },
       study_steering);
+  add_study_of<SearchesOptions>(
+      *studies, "searches",
+      "How do planners search? What each looked at, in its order, in two scenarios.",
+      [](Options& declare, SearchesOptions& options) {
+        declare.iterations(options.iterations);
+        declare.seed(options.seed);
+      },
+      study_searches);
 }
 
 }  // namespace vandplan::app

@@ -200,4 +200,34 @@ Json json_of(const SteeringStudy& study) {
   return {{"turning_radius", study.options.turning_radius}, {"examples", examples}};
 }
 
+// ---- searches ----
+
+std::string summary_of(const SearchesStudy& study) {
+  std::string text = fmt::format(
+      "How planners search, {} iterations each, seed {}\n"
+      "  planner            scenario            length [m]   first after   shown\n",
+      study.options.iterations, study.options.seed);
+  for (const auto& [scenario, planner, result] : study.runs) {
+    text += fmt::format("  {:<18} {:<18}", planner, study.scenarios[scenario].name);
+    text += result.path ? fmt::format(" {:11.2f} {:13}", result.cost, result.anytime[0].iteration)
+                        : fmt::format(" {:>11} {:>13}", "none", "never");
+    text += result.tree ? fmt::format(" {:7}\n", result.tree->poses.size()) : "       -\n";
+  }
+  return text;
+}
+
+Json json_of(const SearchesStudy& study) {
+  Json runs = Json::array();
+  for (const auto& [scenario, planner, result] : study.runs) {
+    Json run = {{"planner", planner},
+                {"scenario", study.scenarios[scenario].name},
+                {"status", name_of(result.status)},
+                {"iterations", result.iterations}};
+    if (result.path) run["length"] = result.cost;
+    if (result.tree) run["poses"] = result.tree->poses.size();
+    runs.push_back(run);
+  }
+  return {{"iterations", study.options.iterations}, {"seed", study.options.seed}, {"runs", runs}};
+}
+
 }  // namespace vandplan::app

@@ -9,6 +9,7 @@
 #include "studies/accuracy.h"
 #include "studies/growth.h"
 #include "studies/range.h"
+#include "studies/searches.h"
 #include "studies/steering.h"
 #include "studies/symmetry.h"
 
@@ -21,11 +22,13 @@ using namespace studies;
 [[nodiscard]] std::string summary_of(const GrowthStudy& study);
 [[nodiscard]] std::string summary_of(const SymmetryStudy& study);
 [[nodiscard]] std::string summary_of(const SteeringStudy& study);
+[[nodiscard]] std::string summary_of(const SearchesStudy& study);
 
 [[nodiscard]] nlohmann::ordered_json json_of(const RangeStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const AccuracyStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const GrowthStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const SymmetryStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const SteeringStudy& study);
+[[nodiscard]] nlohmann::ordered_json json_of(const SearchesStudy& study);
 
 }  // namespace vandplan::app

@@ -126,6 +126,7 @@ class Run {
   PlannerAnswer plan();
 
  private:
+  [[nodiscard]] bool try_directly();
   /// Finds a route on cells as large as they may be or finer. False when there is none, or no time.
   bool find_route();
   void draw_vias();
@@ -152,6 +153,18 @@ class Run {
   Way best_;
   PlannerAnswer answer_;
 };
+
+bool Run::try_directly() {
+  const auto direct = connector_.connect(task_.start, task_.goal);
+  if (!direct) return false;
+  answer_.status = PlanStatus::solved;
+  answer_.segments = merged(direct->piece.view());
+  answer_.lower_bound = direct->cost;
+  answer_.anytime.push_back({budget_.elapsed(), 0, direct->cost});
+  if (options_.planner.flag("keep_tree"))
+    answer_.tree = TreeSnapshot{{task_.start, task_.goal}, {-1, 0}};
+  return true;
+}
 
 bool Run::find_route() {
   while (!is_finest_) {
@@ -230,7 +243,11 @@ void Run::connect_vias() {
 }
 
 void Run::keep() {
-  if (vias_.back().cost >= best_.cost) return;
+  const bool is_better = vias_.back().cost < best_.cost;
+  if (options_.planner.flag("keep_tree") && (is_better || best_.cost == infinity)) {
+    answer_.tree = tree();
+  }
+  if (!is_better) return;
   best_ = {{}, vias_.back().cost};
   for (std::int32_t at = vias_.back().from; at > 0; at = vias_[static_cast<std::size_t>(at)].from) {
     best_.vias.push_back(vias_[static_cast<std::size_t>(at)]);
@@ -252,7 +269,7 @@ std::vector<Segment> Run::segments() {
   return merged(all);
 }
 
-// The ways of the last round.
+// The cheapest ways of this round.
 TreeSnapshot Run::tree() const {
   TreeSnapshot tree;
   std::vector<std::int32_t> place(vias_.size(), -1);
@@ -268,19 +285,21 @@ TreeSnapshot Run::tree() const {
 
 // Field D* (Ferguson and Stentz 2006), and a vehicle that drives along its route.
 //
+//   [1] try the piece from start to goal: if it is free there is nothing shorter
 //   until the budget is spent:
-//   [1]   every few rounds: field := costs of the disc's ways to the goal, on ever finer cells;
+//   [2]   every few rounds: field := costs of the disc's ways to the goal, on ever finer cells;
 //         route := the cheapest way from the start
-//   [2]   poses := some along the route, looking ahead or back; later ones at random beside it
-//   [3]   join each pose to those that follow within three spacings, the cheapest way to each first
-//   [4]   keep the cheapest way to the goal; its poses are among those of the next round
+//   [3]   poses := some along the route, looking ahead or back; later ones at random beside it
+//   [4]   join each pose to those that follow within three spacings, the cheapest way to each first
+//   [5]   keep the cheapest way to the goal; its poses are among those of the next round
 PlannerAnswer Run::plan() {
+  if (!budget_.exhausted() && try_directly()) return std::move(answer_);  // [1]
   while (!budget_.exhausted()) {
     const bool is_due = round_ % rounds_of_a_side == 0 && !is_finest_;
-    if ((is_due || !route_) && !find_route() && !route_) break;  // [1]
-    draw_vias();                                                 // [2]
-    connect_vias();                                              // [3]
-    keep();                                                      // [4]
+    if ((is_due || !route_) && !find_route() && !route_) break;  // [2]
+    draw_vias();                                                 // [3]
+    connect_vias();                                              // [4]
+    keep();                                                      // [5]
     ++round_;
   }
   answer_.iterations = budget_.iterations();
@@ -294,7 +313,7 @@ PlannerAnswer Run::plan() {
                       {"expansions", expanded_},
                       {"exact_solves", connector_.solves()},
                       {"edge_checks", connector_.checks()}};
-  if (options_.planner.flag("keep_tree")) answer_.tree = tree();
+  if (options_.planner.flag("keep_tree") && !answer_.tree) answer_.tree.emplace();
   return std::move(answer_);
 }
 
@@ -325,7 +344,7 @@ Planner planner() {
                        .least = 0.05,
                        .most = 100},
                       {.name = "keep_tree",
-                       .summary = "return the poses of the last round as well",
+                       .summary = "return the poses of the round that found the path as well",
                        .standard = false}},
           .function = [](const Task& task, const PlanOptions& options) {
             return Run(task, options).plan();

@@ -183,6 +183,9 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
     keep(merged(direct->piece.view()), direct->cost);
     answer.status = PlanStatus::solved;
     answer.lower_bound = direct->cost;
+    if (options.planner.flag("keep_tree")) {
+      answer.tree = TreeSnapshot{{task.start, task.goal}, {-1, 0}};
+    }
     return answer;
   }
   const search::GoalEstimate estimate = planning::estimate_of(options, task);
