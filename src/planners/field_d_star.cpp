@@ -196,12 +196,13 @@ bool Run::find_route() {
 void Run::draw_vias() {
   vias_.assign(1, {0.0, task_.start, 0.0, -1});
   const double length = route_->length();
-  const double phase = round_ == 0 ? 1.0 : uniform(0.5, 1.5, rng_);
   const double step = round_ == 0 ? spacing_ : spacing_ * uniform(0.4, 1.2, rng_);
+  const double first = round_ == 0 ? step : step * uniform(-0.5, 0.5, rng_);
+  const double last = round_ == 0 ? length : length + step / 2;
   const double aside = 0.4 * task_.vehicle.width * std::sqrt(round_);
   const double turn = std::min(0.15 * std::sqrt(round_), pi / 2);
   const int count = round_ == 0 ? 2 : most_of_a_place;
-  for (double s = phase * step; s < length; s += step) {
+  for (double s = first; s < last; s += step) {
     const Pose along = route_->pose_at(s, step / 2);
     for (int i = 0; i < count; ++i) {
       Pose off{0.0, 0.0, i % 2 == 0 ? 0.0 : pi};
@@ -211,7 +212,7 @@ void Run::draw_vias() {
         off.heading += uniform(-turn, turn, rng_);
       }
       const Pose pose = compose(along, off);
-      if (connector_.is_free(pose)) vias_.push_back({s, pose});
+      if (connector_.is_free(pose)) vias_.push_back({std::clamp(s, 0.0, length), pose});
     }
   }
   for (const Via& via : best_.vias) vias_.push_back({std::min(via.s, length), via.pose});
@@ -313,7 +314,9 @@ PlannerAnswer Run::plan() {
                       {"expansions", expanded_},
                       {"exact_solves", connector_.solves()},
                       {"edge_checks", connector_.checks()}};
-  if (options_.planner.flag("keep_tree") && !answer_.tree) answer_.tree.emplace();
+  if (options_.planner.flag("keep_tree") && !answer_.tree) {
+    answer_.tree = TreeSnapshot{{task_.start}, {-1}};
+  }
   return std::move(answer_);
 }
 

@@ -194,6 +194,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
                            .keep_tree = options.planner.flag("keep_tree")};
   const std::shared_ptr<const Shared> roadmap = roadmap_of(task, options);
   Counts counts;
+  if (asked.keep_tree) answer.tree = TreeSnapshot{{task.start}, {-1}};
   for (std::size_t number = 0;; ++number) {
     const RoadmapPointer level = level_of(*roadmap, number, options, budget);  // [2]
     if (!level) break;

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "support/process.h"
@@ -92,6 +95,22 @@ TEST_F(StudyCommand, SteeringWritesNumbersAndPictures) {
   expect_pictures("steering");
 }
 
+TEST_F(StudyCommand, SearchesShowsEveryPlannerOfTheFamilyInBothScenarios) {
+  const Json json = json_of({"searches", "--iterations", "150"});
+  std::map<std::string, std::set<std::string>> scenarios;
+  for (const Json& run : json.at("runs")) {
+    scenarios[run.at("planner")].insert(run.at("scenario").get<std::string>());
+    EXPECT_LE(run.at("iterations"), 150) << run;
+    EXPECT_NE(run.at("status"), "rejected") << run;
+  }
+  for (const char* planner : {"prm", "field-d-star", "rrt-opt-hlut-4", "anytime"}) {
+    EXPECT_EQ(scenarios[planner], (std::set<std::string>{"3-h-shape", "7-cage-to-cage"}));
+  }
+  EXPECT_EQ(content_of(folder() + "/searches_3-h-shape_prm.csv").substr(0, 10), "shade,x,y\n");
+  EXPECT_EQ(content_of(folder() + "/searches.csv").substr(0, 12), "run,scenario");
+  expect_pictures("searches");
+}
+
 TEST_F(StudyCommand, TheSameSeedGivesTheSameNumbers) {
   const auto csv_of = [&](const char* seed) {
     json_of({"range", "--pairs", "50", "--seed", seed});
@@ -134,9 +153,11 @@ TEST_F(StudyCommand, AGnuplotThatFailsIsToldOf) {
 
 TEST_F(StudyCommand, RefusesBadInput) {
   EXPECT_EQ(complaint({}),
-            "study: which one is missing, expected range, accuracy, growth, symmetry or steering");
+            "study: which one is missing, expected range, accuracy, growth, symmetry, "
+            "steering or searches");
   EXPECT_EQ(complaint({"range", "--radius", "-7"}), "--radius: is -7, expected 0.001 to 1000000 m");
   EXPECT_EQ(complaint({"range", "--reach", "nan"}), "--reach: is nan, expected 0.001 to 1000000 m");
+  EXPECT_EQ(complaint({"searches", "--iterations", "0"}).substr(0, 13), "--iterations:");
   EXPECT_EQ(complaint({"accuracy", "--pairs", "0"}).substr(0, 8), "--pairs:");
   EXPECT_EQ(complaint({"accuracy", "--pairs", "100000000000"}).substr(0, 8), "--pairs:");
   EXPECT_EQ(complaint({"accuracy", "--table", folder_ / "none"}),
