@@ -46,6 +46,10 @@ void bound(const Tree& tree, const Pose& sample, double radius, std::span<float>
 
 }  // namespace
 
+Estimate estimate_named(std::string_view name) {
+  return static_cast<Estimate>(std::ranges::find(estimate_names, name) - estimate_names.begin());
+}
+
 void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, double radius,
                       std::span<float> lengths) {
   switch (estimate) {

@@ -3,7 +3,9 @@
 #pragma once
 // How far is every node of a tree from a sample, as far as ranking goes?
 
+#include <array>
 #include <span>
+#include <string_view>
 
 #include "vandplan/geometry.h"
 #include "vandplan/search.h"
@@ -12,6 +14,13 @@ namespace vandplan::search {
 
 /// How the distance from a node to a sample is estimated.
 enum class Estimate { euclid, hlut_1, hlut_2, hlut_3, hlut_4, bound, reeds_shepp };
+
+/// Their names, in order.
+inline constexpr std::array<std::string_view, 7> estimate_names = {
+    "euclid", "hlut-1", "hlut-2", "hlut-3", "hlut-4", "bound", "reeds-shepp"};
+
+/// The estimate of that name, which is one of `estimate_names`.
+[[nodiscard]] Estimate estimate_named(std::string_view name);
 
 /// Estimated length from each node to the sample [m]; `lengths.size()` is the number of nodes.
 void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, double radius,

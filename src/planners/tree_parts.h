@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What do planners share that grow trees, sample by sample?
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "vandplan/outcome.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/random.h"
+#include "vandplan/search.h"
+
+namespace vandplan::planning {
+
+/// A random pose to reach, or the goal.
+struct Sample {
+  Pose pose;
+  bool is_goal;
+};
+
+/// Draws what the options "region" and "goal_bias" say, with the run's seed.
+class Sampler {
+ public:
+  Sampler(const Task& task, const PlanOptions& options);
+  Sample next() { return next(region_); }
+  /// From a box instead of the region.
+  Sample next(const Bounds& box);
+
+  [[nodiscard]] const Bounds& region() const { return region_; }
+  [[nodiscard]] Rng& rng() { return rng_; }
+
+ private:
+  Pose goal_;
+  Bounds region_;
+  double goal_bias_;
+  Rng rng_;
+};
+
+/// The edge between two poses, the first of which costs `cost_so_far` [m], if it is free and
+/// reaches the second below the cutoff of cost.
+[[nodiscard]] std::optional<search::Connection> edge_between(
+    search::Connector& connector, const Pose& from, const Pose& to, double cost_so_far = 0.0,
+    double cutoff = std::numeric_limits<double>::infinity());
+
+/// A pose on the way from one to another, `range` metres along it or as near to that as the way may
+/// be cut; none where that is hardly anywhere. The other pose itself if it is nearer.
+[[nodiscard]] std::optional<Pose> part_way(search::Connector& connector, const Pose& from,
+                                           const Pose& to, double range);
+
+/// The segments along poses, joined as `Connector::steer` joins them.
+[[nodiscard]] std::vector<Segment> segments_along(search::Connector& connector,
+                                                  const std::vector<Pose>& poses);
+
+/// What was counted in a run with so many nodes: `found` exact lengths found nearest nodes.
+[[nodiscard]] std::vector<Counter> counters_of(std::size_t nodes,
+                                               const search::Connector& connector,
+                                               std::int64_t found);
+
+// ---- Options ----
+
+/// "goal_bias": share of samples that are the goal.
+[[nodiscard]] OptionInfo goal_bias_option();
+/// "max_nodes": size of the tree.
+[[nodiscard]] OptionInfo max_nodes_option(std::int64_t standard);
+/// "try_goal": whether the goal is tried from every new node.
+[[nodiscard]] OptionInfo try_goal_option(bool standard);
+/// "range": how long an edge may be [turning radii].
+[[nodiscard]] OptionInfo range_option(double standard);
+/// "keep_tree": whether the tree is part of the answer.
+[[nodiscard]] OptionInfo keep_tree_option();
+/// "profile": whether phases are measured.
+[[nodiscard]] OptionInfo profile_option();
+
+}  // namespace vandplan::planning
