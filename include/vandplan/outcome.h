@@ -57,7 +57,8 @@ struct PhaseTime {
   bool operator==(const PhaseTime&) const = default;
 };
 
-/// A search tree: poses, and each node's parent, -1 for the root. Parents come before children.
+/// A search tree: poses, and each node's parent, -1 for a root. Parents come before children. A
+/// search that grows several trees has several roots.
 struct TreeSnapshot {
   std::vector<Pose> poses;
   std::vector<std::int32_t> parents;

@@ -81,7 +81,8 @@ void paint_tree(cairo_t* cairo, const Scene& scene, const View& view) {
   const double step = std::max(0.25, 4.0 / view.scale);
   constexpr int edges_per_stroke = 250;  // few enough to be fast, many enough to be small
   int count = 0;
-  for (std::size_t i = 1; i < tree.poses.size(); ++i) {
+  for (std::size_t i = 0; i < tree.poses.size(); ++i) {
+    if (tree.parents[i] < 0) continue;
     const Pose& from = tree.poses[static_cast<std::size_t>(tree.parents[i])];
     const Piece piece = reeds_shepp(from, tree.poses[i], scene.vehicle.min_turning_radius);
     if (distance(view.visible, {from.x, from.y}) > piece.length) continue;

@@ -56,10 +56,11 @@ Pose node_pose(const Document& file) {
 /// The parent of node number `index`.
 std::int32_t parent_from(const Document& file, std::size_t index) {
   const std::int64_t parent = file.integer(file.root());
-  if (parent >= static_cast<std::int64_t>(index) || (index > 0 && parent < 0)) {
-    file.fail(file.root(), fmt::format("is {}, expected a node before node {}", parent, index));
+  if (parent >= static_cast<std::int64_t>(index) || parent < -1) {
+    file.fail(file.root(),
+              fmt::format("is {}, expected a node before node {}, or -1", parent, index));
   }
-  return index == 0 ? -1 : static_cast<std::int32_t>(parent);
+  return static_cast<std::int32_t>(parent);
 }
 
 void expect_room(const Document& file, std::size_t count, std::size_t most) {
