@@ -13,7 +13,10 @@
 #include "planners/lattice_planners.h"
 #include "planners/field_d_star.h"
 #include "planners/prm.h"
+#include "planners/hrrt.h"
 #include "planners/rrt.h"
+#include "planners/rrt_connect.h"
+#include "planners/rrt_star.h"
 #include "planners/shared_options.h"
 
 namespace vandplan::planning {
@@ -117,6 +120,12 @@ std::vector<Planner> registered_planners() {
   for (Planner& planner : lattice::planners()) planners.push_back(std::move(planner));
   planners.push_back(field_d_star::planner());
   planners.push_back(prm::planner());
+  for (const auto selection :
+       {hrrt::Selection::nearest, hrrt::Selection::first_of_k, hrrt::Selection::best_of_k}) {
+    planners.push_back(hrrt::planner(selection));
+  }
+  planners.push_back(rrt_connect::planner());
+  planners.push_back(rrt_star::planner());
   for (Planner& planner : planners) name_estimate(planner);
   return planners;
 }

@@ -84,7 +84,7 @@ OptionInfo try_goal_option(bool standard) {
 
 OptionInfo range_option(double standard) {
   return {.name = "range",
-          .summary = "of one edge, at most [turning radii]",
+          .summary = "of one step towards a sample, at most [turning radii]",
           .standard = standard,
           .least = 0.1,
           .most = 1e6};

@@ -67,7 +67,7 @@ class Sampler {
 [[nodiscard]] OptionInfo max_nodes_option(std::int64_t standard);
 /// "try_goal": whether the goal is tried from every new node.
 [[nodiscard]] OptionInfo try_goal_option(bool standard);
-/// "range": how long an edge may be [turning radii].
+/// "range": how long a step towards a sample may be [turning radii].
 [[nodiscard]] OptionInfo range_option(double standard);
 /// "keep_tree": whether the tree is part of the answer.
 [[nodiscard]] OptionInfo keep_tree_option();

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Random trees that grow where paths are good: hRRT, IkRRT and BkRRT (Urmson & Simmons 2003).
+// Theory and pseudo-code: docs/algorithms/hrrt.md.
+
+#include "vandplan/planner.h"
+
+namespace vandplan::hrrt {
+
+/// Which of the nodes near a sample are tested for their quality.
+enum class Selection {
+  nearest,     ///< hRRT: the nearest alone
+  first_of_k,  ///< IkRRT: the k nearest, one by one, until one passes
+  best_of_k    ///< BkRRT: the best of the k nearest alone
+};
+
+/// Name, properties, options and function.
+[[nodiscard]] Planner planner(Selection selection);
+
+}  // namespace vandplan::hrrt

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// A search tree whose nodes may get better parents.
+
+#include <vector>
+
+#include "vandplan/search.h"
+
+namespace vandplan::search {
+
+/// A tree that knows the cost of every edge. When a node gets another parent, the costs-to-come of
+/// all nodes below it follow.
+class RewiredTree {
+ public:
+  explicit RewiredTree(const Pose& root);
+
+  /// Adds a node below another, at the end of an edge of that cost [m].
+  NodeId add(const Pose& pose, NodeId parent, double edge_cost);
+
+  /// Puts a node with all below it under another parent, which is not one of them.
+  void move(NodeId node, NodeId parent, double edge_cost);
+
+  [[nodiscard]] std::size_t size() const noexcept { return nodes_.size(); }
+  [[nodiscard]] const Pose& pose(NodeId id) const noexcept { return at(id).pose; }
+  [[nodiscard]] NodeId parent(NodeId id) const noexcept { return at(id).parent; }
+  /// Cost of the path from the root [m].
+  [[nodiscard]] double cost_to_come(NodeId id) const noexcept { return at(id).cost_to_come; }
+
+  /// The poses from the root to the node, both included.
+  [[nodiscard]] std::vector<Pose> branch(NodeId id) const;
+
+  /// The nodes as they were added, but for those whose parent came after them: they follow it.
+  [[nodiscard]] TreeSnapshot snapshot() const;
+
+ private:
+  /// The children of a node are a list that goes both ways; -1: there is none.
+  struct Node {
+    Pose pose;
+    double edge_cost;
+    double cost_to_come = 0.0;
+    NodeId parent = -1, first_child = -1, next = -1, previous = -1;
+  };
+
+  [[nodiscard]] const Node& at(NodeId id) const noexcept {
+    return nodes_[static_cast<std::size_t>(id)];
+  }
+  Node& at(NodeId id) noexcept { return nodes_[static_cast<std::size_t>(id)]; }
+  void take_out(NodeId id);
+  void put_in(NodeId id, NodeId parent, double edge_cost);
+
+  std::vector<Node> nodes_;
+  std::vector<NodeId> below_;  // buffer
+};
+
+}  // namespace vandplan::search
