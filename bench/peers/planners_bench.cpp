@@ -3,6 +3,7 @@
 // How do OMPL's planners do on the same problems, in turns with ours?
 // usage: peer_planners_bench SEEDS SECONDS bounds|scene PLANNER,...|all SCENARIO.yaml...
 //
+// Planners are OMPL's, as named below, and ours beside "anytime": "RRT*,rrt-star/informed=false".
 // Region of the samples, for all alike. Times are processor time, of all threads together.
 // Each of OMPL's planners runs twice: with an ordinary test of the footprint's polygon every 0.1 m,
 // and with our checker as its motion validator. Every path goes through our judge.
@@ -29,6 +30,8 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -159,12 +162,19 @@ struct Settings {
   [[nodiscard]] bool wants(const std::string& name) const {
     return planners == ",all," || planners.find("," + name + ",") != std::string::npos;
   }
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    std::istringstream text(planners);
+    for (std::string name; std::getline(text, name, ',');) all.push_back(name);
+    return all;
+  }
 };
 
 struct Outcome {
   double first = never;  // [ms]
   double cost = never;   // at the end [m]
   bool valid = true;
+  double rate = 0.0;  // iterations in a second, where they are known
 };
 
 using MakePlanner = std::function<ob::PlannerPtr(const ob::SpaceInformationPtr&)>;
@@ -241,6 +251,9 @@ Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool o
   };
   setup.getProblemDefinition()->setIntermediateSolutionCallback(found);
   setup.solve(settings.seconds);
+  if (const auto* star = dynamic_cast<const og::RRTstar*>(setup.getPlanner().get())) {
+    outcome.rate = star->numIterations() / elapsed();
+  }
   if (!setup.haveExactSolutionPath()) return outcome;
   outcome.first = std::min(outcome.first, 1e3 * elapsed());
   const Path path = path_of(setup.getSolutionPath(), problem);
@@ -250,14 +263,40 @@ Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool o
   return outcome;
 }
 
-Outcome run_ours(const Problem& problem, std::uint64_t seed, double seconds, Region region) {
+/// One of our planners with options of its own: "rrt-star/informed=false".
+struct Ours {
+  Planner planner;
+  std::vector<std::pair<std::string, std::string>> options = {};
+};
+
+std::optional<Ours> ours_named(const std::string& text) {
+  std::istringstream parts(text);
+  std::string part;
+  std::getline(parts, part, '/');
+  const std::optional<Planner> planner = find_planner(part);
+  if (!planner) return std::nullopt;
+  Ours ours{*planner};
+  while (std::getline(parts, part, '/')) {
+    const std::size_t equals = part.find('=');
+    ours.options.emplace_back(part.substr(0, equals), part.substr(equals + 1));
+  }
+  return ours;
+}
+
+Outcome run_ours(const Problem& problem, const Ours& ours, int seed, double seconds,
+                 Region region) {
   PlanOptions options{.cost = shortest_style};
-  options.budget.seed = seed;
+  options.budget.seed = static_cast<std::uint64_t>(seed);
   options.budget.time_limit = seconds;
   options.planner.set("region", region == Region::scene ? "scene" : "bounds");
-  const PlanResult result = plan(problem, planner_named("anytime"), options);
-  if (!result.path) return {};
-  return {1e3 * result.anytime.front().time, result.cost, true};
+  for (const auto& [name, value] : ours.options) set_option(options, ours.planner, name, value);
+  const PlanResult result = plan(problem, ours.planner, options);
+  Outcome outcome{.rate = static_cast<double>(result.iterations) / result.time_total};
+  outcome.valid = result.status != PlanStatus::rejected;
+  if (!result.path) return outcome;
+  outcome.first = 1e3 * result.anytime.front().time;
+  outcome.cost = result.cost;
+  return outcome;
 }
 
 // ---- the table ----
@@ -268,16 +307,19 @@ double quantile(std::vector<double> values, double share) {
 }
 
 void print(const char* planner, const std::vector<Outcome>& outcomes) {
-  std::vector<double> first, cost;
+  std::vector<double> first, cost, rate;
   int judged = 0;
   for (const Outcome& outcome : outcomes) {
     first.push_back(outcome.first);
     cost.push_back(outcome.cost);
+    rate.push_back(outcome.rate);
     judged += outcome.valid ? 0 : 1;
   }
-  std::printf("  %-26s first %9.3f %9.3f %9.3f ms   length %8.2f %8.2f %8.2f m   rejected %d\n",
-              planner, quantile(first, 0.5), quantile(first, 0.95), quantile(first, 1.0),
-              quantile(cost, 0.5), quantile(cost, 0.95), quantile(cost, 1.0), judged);
+  std::printf(
+      "  %-26s first %9.3f %9.3f %9.3f ms   length %8.2f %8.2f %8.2f m   rejected %d"
+      "   %7.0f iterations/s\n",
+      planner, quantile(first, 0.5), quantile(first, 0.95), quantile(first, 1.0),
+      quantile(cost, 0.5), quantile(cost, 0.95), quantile(cost, 1.0), judged, quantile(rate, 0.5));
 }
 
 void compare(const std::string& scenario, const Problem& problem, const Settings& settings) {
@@ -290,7 +332,11 @@ void compare(const std::string& scenario, const Problem& problem, const Settings
   for (int seed = 1; seed <= settings.seeds; ++seed) {
     for (const double time : {0.01, 0.1, settings.seconds}) {
       const std::string name = "anytime, " + std::to_string(std::lround(1e3 * time)) + " ms";
-      add(name, run_ours(problem, static_cast<std::uint64_t>(seed), time, settings.region));
+      add(name, run_ours(problem, {default_planner()}, seed, time, settings.region));
+    }
+    for (const std::string& name : settings.names()) {
+      const std::optional<Ours> ours = ours_named(name);
+      if (ours) add(name, run_ours(problem, *ours, seed, settings.seconds, settings.region));
     }
     for (const auto& [name, make_planner] : ompl_planners()) {
       if (!settings.wants(name)) continue;
