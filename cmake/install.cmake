@@ -5,7 +5,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vandplan)
 # One export per component, so that nobody needs the dependencies of what he does not use.
 install(TARGETS vandplan EXPORT vandplan-targets FILE_SET HEADERS)
 install(EXPORT vandplan-targets NAMESPACE vandplan:: DESTINATION ${package_folder})
-foreach(component io draw evaluation)
+foreach(component io draw ompl evaluation)
   if(TARGET vandplan_${component})
     set_target_properties(vandplan_${component} PROPERTIES EXPORT_NAME ${component})
     install(TARGETS vandplan_${component} EXPORT vandplan-${component}-targets FILE_SET HEADERS)
@@ -13,6 +13,10 @@ foreach(component io draw evaluation)
     install(FILES cmake/vandplan-${component}.cmake DESTINATION ${package_folder})
   endif()
 endforeach()
+
+if(TARGET vandplan_ompl)
+  install(FILES cmake/ompl.cmake DESTINATION ${package_folder} RENAME vandplan-find-ompl.cmake)
+endif()
 
 configure_package_config_file(cmake/vandplan-config.cmake.in vandplan-config.cmake
                               INSTALL_DESTINATION ${package_folder})

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do OMPL's planners find the nearest nodes by exact Reeds-Shepp length?
+//
+//   planner->setNearestNeighbors<vandplan::ompl::NearestByLength>();
+//
+// for planners whose nodes lead to their states: RRT, RRTConnect, RRTstar and most others.
+// ompl_geometric.h has planners that need not be told.
+
+#include <ompl/datastructures/NearestNeighbors.h>
+#include <ompl/util/Exception.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "vandplan/nearest.h"
+#include "vandplan/ompl_spaces.h"
+
+namespace vandplan::ompl {
+
+/// The state that a planner's node leads to, wherever the planner keeps it.
+template <typename T>
+concept HasState = requires(const T& node) {
+  node->state;
+}
+|| requires(const T& node) { node->state(); }
+|| requires(const T& node) { node->getState(); }
+|| requires(const T& node) { node->state_; };
+
+template <HasState T>
+[[nodiscard]] const ::ompl::base::State* state_of(const T& node) {
+  if constexpr (requires { node->getState(); }) {
+    return node->getState();
+  } else if constexpr (requires { node->state(); }) {
+    return node->state();
+  } else if constexpr (requires { node->state; }) {
+    return node->state;
+  } else {
+    return node->state_;
+  }
+}
+
+/// Nodes of an OMPL planner, found by Reeds-Shepp length: exactly, ties to the older node. Queries
+/// may run in many threads at once.
+template <typename T>
+class NearestByLength : public ::ompl::NearestNeighbors<T> {
+ public:
+  using StateOf = std::function<const ::ompl::base::State*(const T&)>;
+
+  /// Learns the turning radius from the distance function that the planner sets: that of our
+  /// Reeds-Shepp space. The first node throws ompl::Exception if it is another one.
+  NearestByLength() requires HasState<T> : state_of_(ompl::state_of<T>) {}
+
+  /// For a turning radius > 0 [m] and nodes of any kind; the distance function does not count.
+  NearestByLength(double turning_radius, StateOf state_of)
+      : radius_(turning_radius),
+        state_of_(std::move(state_of)),
+        nodes_(std::in_place, turning_radius) {}
+
+  [[nodiscard]] bool reportsSortedResults() const override { return true; }
+
+  void clear() override {
+    data_.clear();
+    if (nodes_) nodes_.emplace(radius_);
+  }
+
+  using ::ompl::NearestNeighbors<T>::add;
+  void add(const T& data) override {
+    if (!nodes_) {
+      radius_ = learned_radius(data);
+      nodes_.emplace(radius_);
+    }
+    nodes_->add(pose(data));
+    data_.emplace_back(data);
+  }
+
+  /// Takes out the youngest equal one whose state has not changed since it was added.
+  bool remove(const T& data) override {
+    if (size() == 0) return false;
+    const std::vector<NearNode> there = nodes_->nearest(pose(data), {.within = 0.0});
+    const auto found = std::find_if(there.rbegin(), there.rend(),
+                                    [&](const NearNode& near) { return at(near.node) == data; });
+    if (found == there.rend()) return false;
+    nodes_->remove(found->node);
+    data_[static_cast<std::size_t>(found->node)].reset();
+    if (data_.size() > 64 && data_.size() > 2 * size()) close_up();
+    return true;
+  }
+
+  T nearest(const T& data) const override {
+    if (size() == 0) {
+      throw ::ompl::Exception("No elements found in nearest neighbors data structure");
+    }
+    return at(nodes_->nearest(pose(data))->node);
+  }
+
+  void nearestK(const T& data, std::size_t k, std::vector<T>& found) const override {
+    find(data, {.count = k}, found);
+  }
+
+  void nearestR(const T& data, double radius, std::vector<T>& found) const override {
+    find(data, {.within = radius}, found);
+  }
+
+  [[nodiscard]] std::size_t size() const override { return nodes_ ? nodes_->size() : 0; }
+
+  void list(std::vector<T>& data) const override {
+    data.clear();
+    for (const std::optional<T>& one : data_) {
+      if (one) data.push_back(*one);
+    }
+  }
+
+ private:
+  [[nodiscard]] Pose pose(const T& data) const { return pose_of(state_of_(data)); }
+  [[nodiscard]] const T& at(std::int32_t node) const {
+    return *data_[static_cast<std::size_t>(node)];
+  }
+
+  double learned_radius(const T& data) const {
+    const auto* const space = space_behind([&] { (void)this->distFun_(data, data); });
+    if (space == nullptr) {
+      throw ::ompl::Exception("NearestByLength", "needs a vandplan::ompl::ReedsSheppStateSpace");
+    }
+    return space->turning_radius();
+  }
+
+  void find(const T& data, const NearWanted& wanted, std::vector<T>& found) const {
+    found.clear();
+    if (size() == 0) return;
+    for (const NearNode& near : nodes_->nearest(pose(data), wanted)) found.push_back(at(near.node));
+  }
+
+  /// Forgets the numbers of those that were taken out.
+  void close_up() {
+    std::erase(data_, std::nullopt);
+    nodes_.emplace(radius_);
+    for (const std::optional<T>& one : data_) nodes_->add(pose(*one));
+  }
+
+  double radius_ = 0.0;  // of turning [m]
+  StateOf state_of_;
+  std::optional<NearestNodes> nodes_ = {};
+  std::vector<std::optional<T>> data_ = {};  // by number of the node
+};
+
+}  // namespace vandplan::ompl
