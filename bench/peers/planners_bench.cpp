@@ -7,9 +7,7 @@
 // Region of the samples, for all alike. Times are processor time, of all threads together.
 // Each of OMPL's planners runs twice: with an ordinary test of the footprint's polygon every 0.1 m,
 // and with our checker as its motion validator. Every path goes through our judge.
-#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
-#include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/informedtrees/ABITstar.h>
@@ -35,121 +33,19 @@
 #include <string>
 #include <vector>
 
+#include "support/ompl_run.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
+namespace ob = ::ompl::base;
+namespace og = ::ompl::geometric;
 using Space = ob::ReedsSheppStateSpace;
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double check_distance = 0.1;  // [m] between two tests of the ordinary checker
-
-Pose pose_of(const ob::State* state) {
-  const auto* s = state->as<Space::StateType>();
-  return {s->getX(), s->getY(), s->getYaw()};
-}
-
-// ---- the ordinary checker: sides of footprint and polygon cross, or one holds the other ----
-
-double cross(const Point& a, const Point& b, const Point& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-bool sides_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return cross(a, b, c) * cross(a, b, d) <= 0 && cross(c, d, a) * cross(c, d, b) <= 0;
-}
-
-template <typename Corners>
-bool holds(const Corners& polygon, const Point& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Point& a = polygon[i];
-    const Point& b = polygon[j];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
-bool overlap(const std::array<Point, 4>& body, const Polygon& polygon) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < polygon.size(); ++j) {
-      const Point& next = polygon[(j + 1) % polygon.size()];
-      if (sides_cross(body[i], body[(i + 1) % 4], polygon[j], next)) return true;
-    }
-  }
-  return holds(polygon, body[0]) || holds(body, polygon[0]);
-}
-
-class SampledChecker : public ob::StateValidityChecker {
- public:
-  SampledChecker(const ob::SpaceInformationPtr& si, const Task& task)
-      : StateValidityChecker(si), body_(footprint(task.vehicle)) {
-    for (const Polygon& polygon : task.world->local().obstacles) {
-      obstacles_.push_back({polygon, bounding_box(polygon)});
-    }
-  }
-  bool isValid(const ob::State* state) const override {
-    if (!si_->satisfiesBounds(state)) return false;
-    const std::array<Point, 4> body = corners(body_, pose_of(state));
-    const Bounds box = bounding_box(body);
-    return std::none_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& o) {
-      const bool apart = o.box.x_min > box.x_max || o.box.x_max < box.x_min ||
-                         o.box.y_min > box.y_max || o.box.y_max < box.y_min;
-      return !apart && overlap(body, o.polygon);
-    });
-  }
-
- private:
-  struct Obstacle {
-    Polygon polygon;
-    Bounds box;
-  };
-  Footprint body_;
-  std::vector<Obstacle> obstacles_;
-};
-
-// ---- our checker in OMPL's place ----
-
-class OurPoses : public ob::StateValidityChecker {
- public:
-  OurPoses(const ob::SpaceInformationPtr& si, const Task& task)
-      : StateValidityChecker(si), task_(task) {}
-  bool isValid(const ob::State* state) const override {
-    return task_.checker->is_free(pose_of(state));
-  }
-
- private:
-  const Task& task_;
-};
-
-class OurEdges : public ob::MotionValidator {
- public:
-  OurEdges(const ob::SpaceInformationPtr& si, const Task& task)
-      : MotionValidator(si), task_(task) {}
-  bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    const Piece piece = reeds_shepp(pose_of(a), pose_of(b), task_.vehicle.min_turning_radius);
-    return task_.checker->is_free(pose_of(a), piece.view());
-  }
-  // The last valid state is looked for by halving.
-  bool checkMotion(const ob::State* a, const ob::State* b,
-                   std::pair<ob::State*, double>& last) const override {
-    if (checkMotion(a, b)) return true;
-    last.second = 0.0;
-    if (last.first != nullptr) si_->copyState(last.first, a);
-    return false;
-  }
-
- private:
-  const Task& task_;
-};
 
 // ---- one run ----
 
@@ -199,47 +95,12 @@ const std::vector<std::pair<const char*, MakePlanner>>& ompl_planners() {
   return table;
 }
 
-void set_pose(ob::ScopedState<Space>& state, const Pose& pose) {
-  state->setXY(pose.x, pose.y);
-  state->setYaw(wrap_angle(pose.heading));
-}
-
-Path path_of(const og::PathGeometric& found, const Problem& problem) {
-  Path path{problem.start(), {}};
-  for (unsigned i = 1; i < found.getStateCount(); ++i) {
-    const Piece piece = reeds_shepp(pose_of(found.getState(i - 1)), pose_of(found.getState(i)),
-                                    problem.vehicle().min_turning_radius);
-    path.segments.insert(path.segments.end(), piece.view().begin(), piece.view().end());
-  }
-  return path;
-}
-
 Outcome run_ompl(const Problem& problem, const MakePlanner& make_planner, bool ours,
                  const Settings& settings) {
-  const Task& task = problem.task();
-  const auto space = std::make_shared<Space>(task.vehicle.min_turning_radius);
-  const Bounds region = sampling_region(task, settings.region);
-  ob::RealVectorBounds bounds(2);
-  bounds.setLow(0, region.x_min);
-  bounds.setHigh(0, region.x_max);
-  bounds.setLow(1, region.y_min);
-  bounds.setHigh(1, region.y_max);
-  space->setBounds(bounds);
+  const auto space = std::make_shared<Space>(problem.vehicle().min_turning_radius);
   og::SimpleSetup setup(space);
-  const ob::SpaceInformationPtr si = setup.getSpaceInformation();
-  if (ours) {
-    setup.setStateValidityChecker(std::make_shared<OurPoses>(si, task));
-    si->setMotionValidator(std::make_shared<OurEdges>(si, task));
-  } else {
-    setup.setStateValidityChecker(std::make_shared<SampledChecker>(si, task));
-  }
-  si->setStateValidityCheckingResolution(check_distance / space->getMaximumExtent());
-  ob::ScopedState<Space> start(space), goal(space);
-  set_pose(start, task.start);
-  set_pose(goal, task.goal);
-  setup.setStartAndGoalStates(start, goal, 1e-9);
-  setup.setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(si));
-  setup.setPlanner(make_planner(si));
+  set_up(setup, problem, settings.region, ours);
+  setup.setPlanner(make_planner(setup.getSpaceInformation()));
   setup.setup();
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
@@ -363,8 +224,8 @@ int main(int argc, char** argv) {
   const Settings settings{std::atoi(argv[1]), std::atof(argv[2]),
                           argv[3] == std::string("bounds") ? Region::bounds : Region::scene,
                           "," + std::string(argv[4]) + ","};
-  ompl::msg::noOutputHandler();
-  ompl::RNG::setSeed(1);
+  ::ompl::msg::noOutputHandler();
+  ::ompl::RNG::setSeed(1);
   std::printf("median, 95 %%, worst of %d; region %s; processor time, without OMPL's setup\n",
               settings.seeds, argv[3]);
   for (int i = 5; i < argc; ++i) {

@@ -5,6 +5,7 @@
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/PlannerData.h>
 #include <ompl/base/SolutionNonExistenceProof.h>
+#include <ompl/base/goals/GoalLazySamples.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Console.h>
@@ -162,7 +163,8 @@ ob::PlannerStatus Planner::solve(const ob::PlannerTerminationCondition& ptc) {
   pis_.restart();
   const ob::State* const start = pis_.nextStart();
   if (start == nullptr) return ob::PlannerStatus::INVALID_START;
-  const ob::State* const goal = pis_.nextGoal(ptc);
+  const bool may_come_later = dynamic_cast<ob::GoalLazySamples*>(pdef_->getGoal().get()) != nullptr;
+  const ob::State* const goal = may_come_later ? pis_.nextGoal(ptc) : pis_.nextGoal();
   if (goal == nullptr) return ob::PlannerStatus::INVALID_GOAL;
 
   const StateValidityChecker& checker = our_checker(*si_);

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// What do OMPL's planners gain from each of our parts?
+// usage: peer_ompl_parts_bench SEEDS SECONDS bounds|scene SCENARIO.yaml...
+//
+// RRTConnect: time to the first path, up to ten times SECONDS. RRT* and BIT*: iterations a second,
+// over SECONDS. In turns on the same problems; times are processor time. Ordinary checks test the
+// polygon of the footprint every 0.1 m. Every path goes through our judge.
+#include <ompl/geometric/planners/informedtrees/BITstar.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/util/Console.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/ompl_run.h"
+#include "support/rounds.h"
+#include "vandplan/ompl_geometric.h"
+#include "vandplan/scenario_file.h"
+
+namespace vandplan {
+namespace {
+
+namespace ob = ::ompl::base;
+namespace og = ::ompl::geometric;
+
+/// Which of our parts take the place of OMPL's.
+struct Parts {
+  const char* name;
+  bool space, checkers, nearest;
+};
+constexpr std::array all_parts = {
+    Parts{"OMPL", false, false, false},          Parts{"space", true, false, false},
+    Parts{"checkers", false, true, false},       Parts{"space, nearest", true, false, true},
+    Parts{"space, checkers", true, true, false}, Parts{"all", true, true, true},
+};
+
+struct Settings {
+  int seeds;
+  double seconds;
+  Region region;
+};
+
+struct Outcome {
+  double figure = 0.0;  ///< [ms] to the first path, or iterations a second
+  bool valid = true;
+};
+
+template <typename Planner>
+struct Run {
+  const Problem& problem;
+  const Settings& settings;
+
+  template <typename ThisPlanner>
+  Outcome with(const Parts& parts) const {
+    constexpr bool counts = !std::is_base_of_v<og::RRTConnect, Planner>;
+    const double radius = problem.vehicle().min_turning_radius;
+    ob::StateSpacePtr space = std::make_shared<ob::ReedsSheppStateSpace>(radius);
+    if (parts.space) space = std::make_shared<ompl::ReedsSheppStateSpace>(radius);
+    og::SimpleSetup setup(space);
+    set_up(setup, problem, settings.region, parts.checkers);
+    const auto planner = std::make_shared<ThisPlanner>(setup.getSpaceInformation());
+    setup.setPlanner(planner);
+    setup.setup();
+    const auto begin = std::chrono::steady_clock::now();
+    setup.solve(counts ? settings.seconds : 10 * settings.seconds);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    Outcome outcome{.figure = 1e3 * time.count()};
+    if constexpr (counts) {
+      outcome.figure = static_cast<double>(planner->numIterations()) / time.count();
+    }
+    if (setup.haveExactSolutionPath()) {
+      outcome.valid = check_path(problem, path_of(setup.getSolutionPath(), problem)).valid;
+    }
+    return outcome;
+  }
+
+  Outcome operator()(const Parts& parts) const {
+    if (!parts.nearest) return with<Planner>(parts);
+    if constexpr (std::is_same_v<Planner, og::BITstar>) {
+      return with<ompl::BITstar>(parts);
+    } else {
+      return with<ompl::ByLength<Planner>>(parts);
+    }
+  }
+};
+
+/// Adds a planner's figures to a row of each kind of parts, as how many times better they are.
+template <typename Planner>
+void compare(const char* name, const Problem& problem, const Settings& settings) {
+  constexpr bool counts = !std::is_base_of_v<og::RRTConnect, Planner>;
+  std::array<std::vector<double>, all_parts.size()> figures;
+  std::array<int, all_parts.size()> rejected{};
+  for (int seed = 0; seed < settings.seeds; ++seed) {
+    for (std::size_t i = 0; i < all_parts.size(); ++i) {
+      const Outcome outcome = Run<Planner>{problem, settings}(all_parts[i]);
+      figures[i].push_back(outcome.figure);
+      rejected[i] += outcome.valid ? 0 : 1;
+    }
+  }
+  std::printf("  %-11s %s", name, counts ? "it/s" : "ms  ");
+  for (std::size_t i = 0; i < all_parts.size(); ++i) {
+    const double figure = median(figures[i]);
+    const double base = median(figures[0]);
+    std::printf(" %11.5g", figure);
+    if (i > 0) std::printf(" %6.1f x", counts ? figure / base : base / figure);
+    if (rejected[i] > 0) std::printf(" (%d rejected)", rejected[i]);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace vandplan
+
+int main(int argc, char** argv) {
+  using namespace vandplan;
+  if (argc < 5) {
+    std::fprintf(stderr,
+                 "usage: peer_ompl_parts_bench SEEDS SECONDS bounds|scene SCENARIO.yaml...\n");
+    return 2;
+  }
+  const Settings settings{std::atoi(argv[1]), std::atof(argv[2]),
+                          argv[3] == std::string("bounds") ? Region::bounds : Region::scene};
+  ::ompl::msg::noOutputHandler();
+  ::ompl::RNG::setSeed(1);
+  std::printf("medians of %d; region %s; processor time, without OMPL's setup\n%-16s",
+              settings.seeds, argv[3], "");
+  for (const Parts& parts : all_parts) std::printf(" %20s", parts.name);
+  std::printf("\n");
+  for (int i = 4; i < argc; ++i) {
+    const auto [file, problems] = read_problems(argv[i]);
+    // Of a row the goal that counts 200 m; otherwise the only one.
+    const auto goal = std::ranges::find(file.row, 200.0, &RowGoal::distance);
+    const auto number = goal == file.row.end() ? 0 : goal - file.row.begin();
+    const Problem& problem = problems[static_cast<std::size_t>(number)];
+    std::printf("%s\n", file.scenario.name.c_str());
+    compare<og::RRTConnect>("RRTConnect", problem, settings);
+    compare<og::RRTstar>("RRT*", problem, settings);
+    compare<og::BITstar>("BIT*", problem, settings);
+  }
+}
