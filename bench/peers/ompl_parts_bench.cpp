@@ -88,7 +88,8 @@ struct Run {
     if constexpr (std::is_same_v<Planner, og::BITstar>) {
       return with<ompl::BITstar>(parts);
     } else {
-      return with<ompl::ByLength<Planner>>(parts);
+      return with<std::conditional_t<std::is_same_v<Planner, og::RRTstar>, ompl::geometric::RRTstar,
+                                     ompl::ByLength<Planner>>>(parts);
     }
   }
 };

@@ -64,6 +64,11 @@ class NearestNodes {
   /// The nodes with the least exact lengths to the sample, by length; ties go to the older node.
   [[nodiscard]] std::vector<NearNode> nearest(const Pose& sample, const NearWanted& wanted) const;
 
+  /// The nodes that `nearest(sample, wanted)` has, in no order: sooner, for few lengths have to
+  /// be computed.
+  [[nodiscard]] std::vector<std::int32_t> nearest_in_any_order(const Pose& sample,
+                                                               const NearWanted& wanted) const;
+
   /// How many nodes there are.
   [[nodiscard]] std::size_t size() const noexcept;
 

@@ -15,9 +15,9 @@
 
 namespace vandplan::ompl {
 
-/// A planner of OMPL that uses `NearestByLength` where the space is our Reeds-Shepp space, and is
+/// A planner of OMPL that uses `Nearest` where the space is our Reeds-Shepp space, and is
 /// as it was over any other space.
-template <typename Base>
+template <typename Base, template <typename> class Nearest = NearestByLength>
 class ByLength : public Base {
  public:
   using Base::Base;
@@ -30,7 +30,7 @@ class ByLength : public Base {
       return;
     }
     by_length_ = true;
-    this->template setNearestNeighbors<NearestByLength>();  // which calls `setup`
+    this->template setNearestNeighbors<Nearest>();  // which calls `setup`
   }
 
  private:
@@ -59,8 +59,8 @@ namespace vandplan::ompl::geometric {
 using namespace ::ompl::geometric;  // NOLINT(google-build-using-namespace)
 using ompl::BITstar;
 using ompl::PRM;
-using InformedRRTstar = ByLength<::ompl::geometric::InformedRRTstar>;
+using InformedRRTstar = ByLength<::ompl::geometric::InformedRRTstar, NearestSetByLength>;
 using RRT = ByLength<::ompl::geometric::RRT>;
 using RRTConnect = ByLength<::ompl::geometric::RRTConnect>;
-using RRTstar = ByLength<::ompl::geometric::RRTstar>;
+using RRTstar = ByLength<::ompl::geometric::RRTstar, NearestSetByLength>;
 }  // namespace vandplan::ompl::geometric

@@ -63,7 +63,7 @@ class NearestByLength : public ::ompl::NearestNeighbors<T> {
         state_of_(std::move(state_of)),
         nodes_(std::in_place, turning_radius) {}
 
-  [[nodiscard]] bool reportsSortedResults() const override { return true; }
+  [[nodiscard]] bool reportsSortedResults() const override { return is_sorted_; }
 
   void clear() override {
     data_.clear();
@@ -117,6 +117,10 @@ class NearestByLength : public ::ompl::NearestNeighbors<T> {
     }
   }
 
+ protected:
+  /// From now on `nearestK` and `nearestR` may find in any order.
+  void leave_unsorted() { is_sorted_ = false; }
+
  private:
   [[nodiscard]] Pose pose(const T& data) const { return pose_of(state_of_(data)); }
   [[nodiscard]] const T& at(std::int32_t node) const {
@@ -134,6 +138,12 @@ class NearestByLength : public ::ompl::NearestNeighbors<T> {
   void find(const T& data, const NearWanted& wanted, std::vector<T>& found) const {
     found.clear();
     if (size() == 0) return;
+    if (!is_sorted_) {
+      for (const std::int32_t node : nodes_->nearest_in_any_order(pose(data), wanted)) {
+        found.push_back(at(node));
+      }
+      return;
+    }
     for (const NearNode& near : nodes_->nearest(pose(data), wanted)) found.push_back(at(near.node));
   }
 
@@ -145,9 +155,18 @@ class NearestByLength : public ::ompl::NearestNeighbors<T> {
   }
 
   double radius_ = 0.0;  // of turning [m]
+  bool is_sorted_ = true;
   StateOf state_of_;
   std::optional<NearestNodes> nodes_ = {};
   std::vector<std::optional<T>> data_ = {};  // by number of the node
+};
+
+/// Finds the nodes that `NearestByLength` finds, several of them in any order: sooner, and enough
+/// for planners that look at all of them, such as RRT*.
+template <typename T>
+class NearestSetByLength : public NearestByLength<T> {
+ public:
+  NearestSetByLength() requires HasState<T> { this->leave_unsorted(); }
 };
 
 }  // namespace vandplan::ompl

@@ -28,7 +28,7 @@ template struct Reached<&og::BITstar::graphPtr_, &og::BITstar::ImplicitGraph::sa
 
 template <typename T>
 void find_by_length(std::shared_ptr<::ompl::NearestNeighbors<T>>& nodes) {
-  if (!nodes) nodes = std::make_shared<NearestByLength<T>>();
+  if (!nodes) nodes = std::make_shared<NearestSetByLength<T>>();
 }
 
 }  // namespace

@@ -26,9 +26,10 @@ struct Nodes : tables::PoseGrid {
   double radius = 0.0;
 };
 
-/// A node that may be wanted, and a lower bound of its length [m].
+/// A node that may be wanted, and bounds of its length [m].
 struct Candidate {
   float low;
+  float high;
   std::int32_t node;
 };
 
@@ -45,7 +46,7 @@ class One {
     for (std::size_t i = 0; i < low.size(); ++i) {
       if (low[i] > limit_) continue;
       if (candidates_ == candidate_.size()) decide();
-      candidate_[candidates_++] = {low[i], node[i]};
+      candidate_[candidates_++] = {low[i], high[i], node[i]};
     }
   }
 
@@ -77,8 +78,8 @@ class One {
   std::array<Candidate, 64> candidate_;
 };
 
-// What a query for several nodes keeps. The limit is the greatest of the least upper bounds, as
-// many as nodes are wanted.
+// What a query for several nodes keeps. The limit is the k-th least upper bound, for k nodes that
+// are wanted, or a little above it.
 class Several {
  public:
   Several(const Nodes& nodes, const Pose& sample, const NearWanted& wanted)
@@ -87,41 +88,47 @@ class Several {
         within_(wanted.within),
         count_(std::min(wanted.count, nodes.count)),
         limit_(std::nextafter(static_cast<float>(wanted.within),
-                              std::numeric_limits<float>::infinity())) {
-    if (count_ < nodes.count) bounds_.reserve(count_);
-  }
+                              std::numeric_limits<float>::infinity())) {}
 
   [[nodiscard]] float limit() const { return limit_; }
 
   void take(std::span<const float> low, std::span<const float> high,
             std::span<const std::int32_t> node) {
-    if (count_ < all_.count) {
-      for (const float bound : high) take_bound(bound);
-    }
     for (std::size_t i = 0; i < low.size(); ++i) {
-      if (low[i] <= limit_) candidates_.push_back({low[i], node[i]});
+      if (low[i] > limit_) continue;
+      candidates_.push_back({low[i], high[i], node[i]});
+      bounds_.push_back(high[i]);
     }
+    if (bounds_.size() >= next_) lower_limit();
   }
 
-  // The worst of those that are kept is at the front of the heap.
-  std::vector<NearNode> result() {
-    std::vector<NearNode> kept;
-    std::ranges::sort(candidates_, {}, &Candidate::low);
-    for (const auto& [low, node] : candidates_) {
-      const bool is_full = kept.size() == count_;
-      const double worst = is_full ? kept.front().length : within_;
-      if (static_cast<double>(low) > worst) break;
-      const NearNode found{node, reeds_shepp_length(all_.pose(node), sample_, all_.radius)};
-      if (found.length > within_ || (is_full && !is_nearer(found, kept.front()))) continue;
-      if (is_full) {
-        std::ranges::pop_heap(kept, is_nearer);
-        kept.pop_back();
-      }
-      kept.push_back(found);
-      std::ranges::push_heap(kept, is_nearer);
+  std::vector<NearNode> in_order() {
+    drop_candidates();
+    std::vector<NearNode> found = measured(candidates_, count_);
+    std::ranges::sort(found, is_nearer);
+    return found;
+  }
+
+  // Nodes are measured only where their bounds leave it open whether they are among the first.
+  std::vector<std::int32_t> in_any_order() {
+    drop_candidates();
+    double sure = infinity;  // what is shorter is among the first
+    if (candidates_.size() > count_) {
+      const auto last = candidates_.begin() + static_cast<std::ptrdiff_t>(count_) - 1;
+      std::ranges::nth_element(candidates_, last, {}, &Candidate::low);
+      sure = static_cast<double>(last->low);
     }
-    std::ranges::sort_heap(kept, is_nearer);
-    return kept;
+    std::vector<std::int32_t> found;
+    std::erase_if(candidates_, [&](const Candidate& candidate) {
+      const auto high = static_cast<double>(candidate.high);
+      const bool is_sure = high < sure && high <= within_;
+      if (is_sure) found.push_back(candidate.node);
+      return is_sure;
+    });
+    for (const NearNode& near : measured(candidates_, count_ - found.size())) {
+      found.push_back(near.node);
+    }
+    return found;
   }
 
  private:
@@ -129,23 +136,42 @@ class Several {
     return a.length != b.length ? a.length < b.length : a.node < b.node;
   }
 
-  void take_bound(float bound) {
-    if (bounds_.size() == count_) {
-      if (bound >= bounds_.front()) return;
-      std::ranges::pop_heap(bounds_);
-      bounds_.pop_back();
+  void lower_limit() {
+    const auto last = bounds_.begin() + static_cast<std::ptrdiff_t>(count_) - 1;
+    std::ranges::nth_element(bounds_, last);
+    limit_ = std::min(limit_, *last);
+    bounds_.resize(count_);
+    next_ = count_ + count_ / 4 + 8;
+  }
+
+  void drop_candidates() {
+    if (bounds_.size() >= count_) lower_limit();
+    std::erase_if(candidates_, [&](const Candidate& c) { return c.low > limit_; });
+  }
+
+  /// The first `count` of the candidates, in any order.
+  std::vector<NearNode> measured(std::span<const Candidate> candidates, std::size_t count) const {
+    std::vector<NearNode> found;
+    found.reserve(candidates.size());
+    for (const auto& [low, high, node] : candidates) {
+      const double length = reeds_shepp_length(all_.pose(node), sample_, all_.radius);
+      if (length <= within_) found.push_back({node, length});
     }
-    bounds_.push_back(bound);
-    std::ranges::push_heap(bounds_);
-    if (bounds_.size() == count_) limit_ = std::min(limit_, bounds_.front());
+    if (found.size() > count) {
+      std::ranges::nth_element(found, found.begin() + static_cast<std::ptrdiff_t>(count),
+                               is_nearer);
+      found.resize(count);
+    }
+    return found;
   }
 
   const Nodes& all_;
   const Pose& sample_;
-  double within_;      // [m]
-  std::size_t count_;  // wanted, no more than there are
-  float limit_;
-  std::vector<float> bounds_ = {};  // the least upper bounds, a heap with the greatest in front
+  double within_;                   // [m]
+  std::size_t count_;               // wanted, no more than there are
+  float limit_;                     // [m]
+  std::size_t next_ = count_;       // so many bounds give a new limit
+  std::vector<float> bounds_ = {};  // upper ones, the least `count_` among them
   std::vector<Candidate> candidates_ = {};
 };
 
@@ -173,8 +199,8 @@ class Search {
 
   void run() {
     for (std::int32_t ring = 0;; ++ring) {
-      collect_ring(ring);                                            // [1]
-      find_candidates();                                             // [2] [3]
+      collect_ring(ring);  // [1]
+      find_candidates();   // [2] [3]
       const double further = beyond(ring);
       if (further > static_cast<double>(kept_.limit()) || further == infinity) break;  // [4]
     }
@@ -282,7 +308,15 @@ std::vector<NearNode> NearestNodes::nearest(const Pose& sample, const NearWanted
   if (grid_->count == 0 || wanted.count == 0) return {};
   Several kept(*grid_, sample, wanted);
   Search(*grid_, sample, kept).run();
-  return kept.result();
+  return kept.in_order();
+}
+
+std::vector<std::int32_t> NearestNodes::nearest_in_any_order(const Pose& sample,
+                                                             const NearWanted& wanted) const {
+  if (grid_->count == 0 || wanted.count == 0) return {};
+  Several kept(*grid_, sample, wanted);
+  Search(*grid_, sample, kept).run();
+  return kept.in_any_order();
 }
 
 }  // namespace vandplan

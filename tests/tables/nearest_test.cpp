@@ -204,7 +204,14 @@ TEST(NearestNodes, SeveralAreTheFirstOfAllByLengthWhateverIsAddedAndRemoved) {
       const double within = uniform(0.0, 60.0, rng);
       for (const NearWanted& wanted :
            {NearWanted{}, {.count = most}, {.within = within}, {.count = most, .within = within}}) {
-        EXPECT_EQ(all.nearest(sample, wanted), by_length(nodes, removed, sample, wanted));
+        const std::vector<NearNode> expected = by_length(nodes, removed, sample, wanted);
+        EXPECT_EQ(all.nearest(sample, wanted), expected);
+        std::vector<std::int32_t> found = all.nearest_in_any_order(sample, wanted);
+        std::vector<std::int32_t> numbers;
+        for (const NearNode& near : expected) numbers.push_back(near.node);
+        std::ranges::sort(found);
+        std::ranges::sort(numbers);
+        EXPECT_EQ(found, numbers);
       }
       const auto nearest = all.nearest(sample);
       ASSERT_EQ(nearest.has_value(), left > 0);
@@ -223,6 +230,9 @@ TEST(NearestNodes, AmongEquallyNearOnesTheOlderComeFirst) {
   for (std::size_t i = 0; i < 10; ++i) {
     EXPECT_EQ(found[i], (NearNode{static_cast<std::int32_t>(i), 5.0}));
   }
+  std::vector<std::int32_t> unordered = all.nearest_in_any_order({0, 0, 0}, {.count = 10});
+  std::ranges::sort(unordered);
+  EXPECT_EQ(unordered, (std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
   EXPECT_EQ(all.nearest({0, 0, 0}, {.within = 5.0}).size(), 100U);
   EXPECT_TRUE(all.nearest({0, 0, 0}, {.within = std::nextafter(5.0, 0.0)}).empty());
   EXPECT_TRUE(all.nearest({0, 0, 0}, {.count = 0}).empty());
