@@ -28,6 +28,12 @@ namespace vandplan {
 void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
                          std::span<float> out) noexcept;
 
+/// Lengths of the shortest paths of many pairs, `reeds_shepp_length(from[i], to[i], radius)`, bit
+/// for bit [m]: several at a time where the processor has vectors of double. Either side may be one
+/// pose for all; otherwise it has as many as `out`. `radius` > 0 [m].
+void reeds_shepp_lengths(std::span<const Pose> from, std::span<const Pose> to, double radius,
+                         std::span<double> out) noexcept;
+
 /// The path of every one of the 48 words that joins the poses, shortest or not. `radius` > 0 [m].
 [[nodiscard]] std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double radius);
 

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/trigonometry_series.h"
+
 namespace vandplan::base {
 namespace {
 
@@ -19,23 +21,16 @@ struct Reduced {
   std::uint64_t quarters;  ///< modulo 4
 };
 
-/// For |angle| <= 400 (Cody & Waite 1980): pi/2 in three parts, the first two so short that their
-/// multiples by up to 255 are exact.
+/// For |angle| <= `series::moderate` (Cody & Waite 1980).
 Reduced reduced_moderate(double angle) {
-  constexpr double per_quarter = 0x1.45f306dc9c883p-1;  // 2 / pi
-  constexpr double half_pi_1 = 0x1.921fb54442p+0;
-  constexpr double half_pi_2 = 0x1.a308d31318p-41;
-  constexpr double half_pi_3 = 0x1.8a2e03707344ap-81;
-  constexpr double round = 0x1.8p52;  // adding it leaves no bits behind the point
-
-  const double shifted = angle * per_quarter + round;
-  const double n = shifted - round;
-  const double coarse = angle - n * half_pi_1;
-  const double fine = n * half_pi_2;
+  const double shifted = angle * series::per_quarter + series::round;
+  const double n = shifted - series::round;
+  const double coarse = angle - n * series::half_pi_1;
+  const double fine = n * series::half_pi_2;
   const double difference = coarse - fine;
   const double back = difference - coarse;
   const double error = (coarse - (difference - back)) - (fine + back);
-  const double rest = error - n * half_pi_3;
+  const double rest = error - n * series::half_pi_3;
   const double sum = difference + rest;
   return {sum, rest - (sum - difference), std::bit_cast<std::uint64_t>(shifted) & 3};
 }
@@ -106,18 +101,16 @@ SinCos sin_cos(double angle) noexcept {
   if (!std::isfinite(angle)) {
     return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   }
-  const Reduced reduced = std::abs(angle) <= 400 ? reduced_moderate(angle) : reduced_large(angle);
+  const Reduced reduced =
+      std::abs(angle) <= series::moderate ? reduced_moderate(angle) : reduced_large(angle);
   const double r = reduced.angle;
   const double z = r * r;
   const double z3 = z * z * z;
 
-  // Minimax polynomials, relative error 2^-58: sin r = r + r^3 S(z), cos r = 1 - z/2 + z^2 C(z).
-  const double s =
-      (-0x1.5555555555549p-3 + z * (0x1.111111110f880p-7 + z * -0x1.a01a019c12698p-13)) +
-      z3 * (0x1.71de357872f0bp-19 + z * (-0x1.ae5e66d3b513bp-26 + z * 0x1.5d932eece0247p-33));
-  const double c =
-      (0x1.555555555554cp-5 + z * (-0x1.6c16c16c15184p-10 + z * 0x1.a01a019cb26dap-16)) +
-      z3 * (-0x1.27e4f80a75567p-22 + z * (0x1.1ee9ec46f8c3dp-29 + z * -0x1.8faececa1dcc4p-37));
+  constexpr auto& S = series::sine;
+  constexpr auto& C = series::cosine;
+  const double s = (S[0] + z * (S[1] + z * S[2])) + z3 * (S[3] + z * (S[4] + z * S[5]));
+  const double c = (C[0] + z * (C[1] + z * C[2])) + z3 * (C[3] + z * (C[4] + z * C[5]));
   // Each with the first-order effect of the rest, the large terms added last.
   const double sine = r + (r * z * s + reduced.rest * (1 - 0.5 * z));
   const double large = 1 - 0.5 * z;
@@ -129,11 +122,6 @@ SinCos sin_cos(double angle) noexcept {
 }
 
 double atan_2(double y, double x) noexcept {
-  // Multiples of pi/4 as sums.
-  constexpr std::array<double, 5> eighths = {0, 0x1.921fb54442d18p-1, 0x1.921fb54442d18p+0,
-                                             0x1.2d97c7f3321d2p+1, 0x1.921fb54442d18p+1};
-  constexpr std::array<double, 5> rests = {0, 0x1.1a62633145c07p-55, 0x1.1a62633145c07p-54,
-                                           0x1.a79394c9e8a0ap-54, 0x1.1a62633145c07p-53};
   if (std::isnan(x) || std::isnan(y)) return x + y;
   double a = std::min(std::abs(x), std::abs(y));
   double b = std::max(std::abs(x), std::abs(y));
@@ -148,17 +136,15 @@ double atan_2(double y, double x) noexcept {
     b *= 0x1p-4;
   }
   // The angle from the nearer of 0 and 45 degrees: |q| <= tan(pi/8).
-  const std::uint64_t middle = a > b * 0x1.a827999fcef32p-2 ? 1 : 0;
+  const std::uint64_t middle = a > b * series::tan_eighth ? 1 : 0;
   const double q = (a - select(-middle, b, 0.0)) / (b + select(-middle, a, 0.0));
   const double z = q * q;
   const double z2 = z * z;
   const double z4 = z2 * z2;
-  // Minimax polynomial, relative error 2^-59: atan q = q + q z A(z).
-  const double p0 = (-0x1.555555555553dp-2 + z * 0x1.99999999958fap-3) +
-                    z2 * (-0x1.24924922b1848p-3 + z * 0x1.c71c70e7cb136p-4);
-  const double p1 = (-0x1.745cf90fdcd2ap-4 + z * 0x1.3b111cbc033a1p-4) +
-                    z2 * (-0x1.10ebe19dd74c3p-4 + z * 0x1.df11a33190cbcp-5);
-  const double p2 = (-0x1.9cdd3a259de15p-5 + z * 0x1.37f00a92da422p-5) + z2 * -0x1.25a3844610dbdp-6;
+  constexpr auto& A = series::arc_tangent;
+  const double p0 = (A[0] + z * A[1]) + z2 * (A[2] + z * A[3]);
+  const double p1 = (A[4] + z * A[5]) + z2 * (A[6] + z * A[7]);
+  const double p2 = (A[8] + z * A[9]) + z2 * A[10];
   const double angle = q + q * (z * (p0 + z4 * (p1 + z4 * p2)));
 
   // Then mirrored at 45 degrees where y is larger, and at 90 degrees where x is negative.
@@ -167,7 +153,7 @@ double atan_2(double y, double x) noexcept {
   std::uint64_t eighth = steep != 0 ? 2 - middle : middle;
   eighth = back != 0 ? 4 - eighth : eighth;
   const double turned = with_sign_flipped(angle, (steep ^ back) << 63);
-  return std::copysign(eighths[eighth] + (rests[eighth] + turned), y);
+  return std::copysign(series::eighths[eighth] + (series::rests[eighth] + turned), y);
 }
 
 }  // namespace vandplan::base

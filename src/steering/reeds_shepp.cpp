@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "simd/length_kernels.h"
+#include "simd/pair_kernels.h"
 #include "steering/mean_frame.h"
 #include "steering/reeds_shepp_formulas.h"
 #include "steering/word.h"
@@ -30,6 +31,12 @@ Symmetry unfolding(const MeanFrame& f) {
   return {backwards, is_negative(f.y), is_negative(f.half_turn)};
 }
 
+/// Poses as kernels see them: three numbers each.
+std::span<const double> numbers(std::span<const Pose> poses) {
+  static_assert(sizeof(Pose) == 3 * sizeof(double));
+  return {&poses.front().x, 3 * poses.size()};
+}
+
 }  // namespace
 
 double reeds_shepp_length(const Pose& from, const Pose& to, double radius) noexcept {
@@ -49,6 +56,17 @@ void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double ra
   const simd::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
                               static_cast<float>(wrap_angle(sample.heading))};
   simd::reeds_shepp_lengths(nodes.x, nodes.y, nodes.heading, to, static_cast<float>(radius), out);
+}
+
+void reeds_shepp_lengths(std::span<const Pose> from, std::span<const Pose> to, double radius,
+                         std::span<double> out) noexcept {
+  assert((from.size() == 1 || from.size() == out.size()) &&
+         (to.size() == 1 || to.size() == out.size()));
+  simd::exact_lengths(numbers(from), numbers(to), radius, out);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (!std::isnan(out[i])) continue;
+    out[i] = reeds_shepp_length(from[from.size() == 1 ? 0 : i], to[to.size() == 1 ? 0 : i], radius);
+  }
 }
 
 }  // namespace vandplan

@@ -20,6 +20,7 @@ add_library(
   base/trigonometry.cpp)
 if(VANDPLAN_SIMD)
   target_sources(vandplan_tables PRIVATE simd/kernels_highway_lengths.cpp
+                                         simd/kernels_highway_pairs.cpp
                                          simd/kernels_highway_tables.cpp)
 else()
   target_sources(vandplan_tables PRIVATE simd/kernels_plain.cpp)

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do arrays of Python become poses, polygons and numbers, and these arrays?
+//
+// What lies in memory as we need it is looked at where it is; everything else is copied once.
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "vandplan/geometry.h"
+#include "vandplan/path.h"
+
+namespace vandplan::python {
+
+namespace py = pybind11;
+
+/// Numbers in order, without gaps.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Poses that somebody gave: an array whose last axis is [x, y, heading], or what numpy makes one
+/// of. One pose from a list or tuple of three numbers is read without numpy.
+class Poses {
+ public:
+  /// Throws InputError naming `where` if it is no such array.
+  Poses(const py::handle& given, const char* where);
+  Poses(const Poses&) = delete;
+  Poses& operator=(const Poses&) = delete;
+
+  [[nodiscard]] std::span<const Pose> view() const noexcept { return view_; }
+  /// The axes but the last: none for one pose.
+  [[nodiscard]] std::span<const py::ssize_t> shape() const noexcept { return shape_; }
+
+ private:
+  bool read_one(const py::handle& given);
+
+  Pose one_ = {};
+  py::object array_;  // keeps what is looked at
+  std::span<const Pose> view_;
+  std::span<const py::ssize_t> shape_;
+};
+
+/// One pose. Throws InputError naming `where` if it is none.
+[[nodiscard]] Pose pose_from(const py::handle& given, const char* where);
+
+/// The corners of a polygon, an (N, 2) array.
+[[nodiscard]] Polygon polygon_from(const py::handle& given, const std::string& where);
+
+/// Numbers in an array of any shape. Throws InputError naming `where` if they are none.
+[[nodiscard]] Numbers numbers_from(const py::handle& given, const char* where);
+
+[[nodiscard]] py::array_t<double> array_of(const Pose& pose);
+[[nodiscard]] py::array_t<double> array_of(std::span<const Pose> poses);
+[[nodiscard]] py::array_t<double> array_of(std::span<const Point> points);
+/// A row [curvature, length, curvature_rate] for each segment.
+[[nodiscard]] py::array_t<double> array_of(std::span<const Segment> segments);
+
+/// An array of these axes and, if it is not 0, a last one of that many numbers.
+[[nodiscard]] py::array_t<double> empty_array(std::span<const py::ssize_t> shape, int last = 0);
+
+/// A number for each pair of poses: `from` and `to` are one pose or as many as `out`.
+using PairLoop =
+    std::function<void(std::span<const Pose> from, std::span<const Pose> to, std::size_t first)>;
+
+/// The axes of pairs of poses, by numpy's rules. Throws InputError if they do not fit.
+[[nodiscard]] std::vector<py::ssize_t> shape_of_pairs(const Poses& from, const Poses& to);
+
+/// Calls `loop` for runs of pairs that together are all, `first` being the number of the first pair
+/// in the order of the array; without Python's lock if there are many.
+void for_pairs(const Poses& from, const Poses& to, std::span<const py::ssize_t> shape,
+               const PairLoop& loop);
+
+/// `work`, without Python's lock unless it is over in a moment.
+template <typename Work>
+void unlocked(std::size_t size, Work work) {
+  if (size < 64) {
+    work();
+    return;
+  }
+  const py::gil_scoped_release release;
+  work();
+}
+
+/// Throws InputError unless the number is finite and above 0.
+void expect_positive(double value, const char* where);
+
+}  // namespace vandplan::python

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Of which parts is the module made? Each adds its own to it.
+
+#include <pybind11/pybind11.h>
+
+namespace vandplan::python {
+
+void bind_errors(pybind11::module_& module);
+void bind_path(pybind11::module_& module);
+void bind_lengths(pybind11::module_& module);
+void bind_vehicle(pybind11::module_& module);
+void bind_scenario(pybind11::module_& module);
+void bind_result(pybind11::module_& module);
+void bind_own_planner(pybind11::module_& module);
+void bind_planning(pybind11::module_& module);
+void bind_speed(pybind11::module_& module);
+void bind_evaluation(pybind11::module_& module);
+
+}  // namespace vandplan::python

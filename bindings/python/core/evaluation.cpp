@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Planners compared.
+
+#include "vandplan/evaluation.h"
+
+#include <fmt/format.h>
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/interrupt.h"
+#include "bindings/python/core/options.h"
+#include "bindings/python/core/scenario.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+using evaluation::Campaign, evaluation::Comparison;
+
+std::vector<Planner> planners_from(const py::iterable& given) {
+  std::vector<Planner> planners;
+  for (const py::handle item : given) {
+    if (py::isinstance<py::str>(item)) {
+      for (Planner& planner : evaluation::planners_called(item.cast<std::string>())) {
+        planners.push_back(std::move(planner));
+      }
+    } else {
+      planners.push_back(*planner_from(item));
+    }
+  }
+  return planners;
+}
+
+std::vector<Region> regions_from(const std::vector<std::string>& given) {
+  std::vector<Region> regions;
+  for (const std::string& word : given) {
+    if (word != "bounds" && word != "scene") {
+      throw InputError("regions", "has \"" + word + "\", expected bounds or scene");
+    }
+    regions.push_back(word == "bounds" ? Region::bounds : Region::scene);
+  }
+  return regions;
+}
+
+std::vector<evaluation::CampaignScenario> scenarios_from(const py::iterable& given) {
+  std::vector<evaluation::CampaignScenario> scenarios;
+  for (const py::handle item : given) {
+    const ScenarioFile file = item.cast<const CheckedScenario&>().file();
+    scenarios.push_back({file, file.scenario.name + ".yaml"});
+  }
+  return scenarios;
+}
+
+/// A function of Python that is told how far a campaign is.
+std::function<void(const evaluation::Progress&)> report_to(const py::object& progress) {
+  if (progress.is_none()) return {};
+  return [&progress](const evaluation::Progress& now) {
+    const py::gil_scoped_acquire lock;
+    progress(now.kept + now.done, now.total);
+  };
+}
+
+Comparison compare(const py::iterable& scenarios, const py::iterable& planners,
+                   const std::string& folder, int repeats, int repeats_per_goal,
+                   std::optional<double> time, std::optional<std::int64_t> max_iterations,
+                   std::uint64_t seed, const std::vector<std::string>& regions, int jobs,
+                   const py::object& progress, const py::kwargs& options) {
+  Campaign campaign{.scenarios = scenarios_from(scenarios),
+                    .planners = planners_from(planners),
+                    .regions = regions_from(regions),
+                    .repeats = repeats,
+                    .repeats_per_goal = repeats_per_goal,
+                    .seed = seed,
+                    .settings = settings_from(options)};
+  if (time) campaign.settings.push_back({"time_limit", typed(py::float_(*time))});
+  if (max_iterations) {
+    campaign.settings.push_back({"max_iterations", std::to_string(*max_iterations)});
+  }
+  Comparison comparison;
+  {
+    const Interruptible interruptible;
+    const evaluation::RunnerOptions runner{
+        .jobs = jobs, .stop = interruptible.stop(), .report = report_to(progress)};
+    const py::gil_scoped_release release;
+    comparison = evaluation::compare(campaign, folder, runner);
+  }
+  raise_signals();
+  return comparison;
+}
+
+}  // namespace
+
+void bind_evaluation(py::module_& module) {
+  py::class_<Comparison>(module, "Comparison", R"(What a comparison of planners has shown.)")
+      .def_readonly("missing", &Comparison::missing, "Runs that were not done.")
+      .def_readonly("headline", &Comparison::headline, "The answer and its tables, as Markdown.")
+      .def_property_readonly(
+          "figures",
+          [](const Comparison& self) {
+            return py::module_::import("json").attr("loads")(self.json);
+          },
+          "The figures of the headline as a dict.")
+      .def_readonly("store", &Comparison::store, "File with every run (SQLite).")
+      .def_readonly("page", &Comparison::page, "File: one page for a browser.")
+      .def_readonly("text", &Comparison::text, "File: everything as Markdown.")
+      .def_readonly("gallery", &Comparison::gallery, "File: the best path of every scenario (PNG).")
+      .def(
+          "runs",
+          [](const Comparison& self) {
+            return py::module_::import("vandplan.stores").attr("read_store")(self.store);
+          },
+          "runs() -> pandas.DataFrame\n\nA row for every run, as `read_store` gives it.")
+      .def("_repr_markdown_", [](const Comparison& self) { return self.headline; })
+      .def("__repr__", [](const Comparison& self) {
+        return fmt::format("<vandplan.Comparison in {}>", self.page);
+      });
+  module.def("compare", &compare, "scenarios"_a, "planners"_a, "folder"_a, py::kw_only(),
+             "repeats"_a = 5, "repeats_per_goal"_a = 1, "time"_a = py::none(),
+             "max_iterations"_a = py::none(), "seed"_a = 1,
+             "regions"_a = std::vector<std::string>{"bounds"}, "jobs"_a = 1,
+             "progress"_a = py::none(),
+             R"(compare(scenarios, planners, folder, *, repeats=5, repeats_per_goal=1, time=None,
+    max_iterations=None, seed=1, regions=["bounds"], jobs=1, progress=None, **options) -> Comparison
+
+Runs every planner on every scenario with the same seeds, lets the judge look at every path, keeps
+every run in `folder`, and writes a report there; what the folder holds already is not run again.
+`planners` are names, words such as "thesis" or "all", values of `Planner`, or functions of a
+`Task`. `options` go to those that honour them. `progress(done, total)` is called now and then.)");
+}
+
+}  // namespace vandplan::python

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Lengths of shortest paths between many poses, and the nearest of many nodes.
+
+#include <cmath>
+#include <cstdint>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/path.h"
+#include "vandplan/bound_table.h"
+#include "vandplan/continuous_steering.h"
+#include "vandplan/dubins.h"
+#include "vandplan/input_error.h"
+#include "vandplan/nearest.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan::python {
+namespace {
+
+/// An array of one number for each pair, or that number if there is one pair of single poses.
+template <typename Loop>
+py::object numbers_of_pairs(const Poses& from, const Poses& to, Loop loop) {
+  if (from.shape().empty() && to.shape().empty()) {
+    double value = 0.0;
+    loop(from.view(), to.view(), std::span(&value, 1));
+    return py::float_(value);
+  }
+  const std::vector<py::ssize_t> shape = shape_of_pairs(from, to);
+  py::array_t<double> out = empty_array(shape);
+  double* const values = out.mutable_data();
+  for_pairs(from, to, shape,
+            [&](std::span<const Pose> a, std::span<const Pose> b, std::size_t first) {
+              loop(a, b, std::span(values + first, std::max(a.size(), b.size())));
+            });
+  return out;
+}
+
+/// Calls `length(from, to)` for one pair after the other.
+template <typename Length>
+auto one_by_one(Length length) {
+  return [length](std::span<const Pose> from, std::span<const Pose> to, std::span<double> out) {
+    const std::size_t from_step = from.size() == 1 ? 0 : 1;
+    const std::size_t to_step = to.size() == 1 ? 0 : 1;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = length(from[i * from_step], to[i * to_step]);
+    }
+  };
+}
+
+py::object python_reeds_shepp_length(const py::object& starts, const py::object& goals,
+                                     double radius, bool exact) {
+  expect_positive(radius, "radius");
+  const Poses from(starts, "starts");
+  const Poses to(goals, "goals");
+  if (exact) {
+    return numbers_of_pairs(from, to, one_by_one([=](const Pose& a, const Pose& b) {
+                              return reeds_shepp_length(a, b, radius);
+                            }));
+  }
+  return numbers_of_pairs(
+      from, to, [=](std::span<const Pose> a, std::span<const Pose> b, std::span<double> out) {
+        reeds_shepp_lengths(a, b, radius, out);
+      });
+}
+
+py::object python_dubins_length(const py::object& starts, const py::object& goals, double radius) {
+  expect_positive(radius, "radius");
+  return numbers_of_pairs(
+      Poses(starts, "starts"), Poses(goals, "goals"),
+      one_by_one([=](const Pose& a, const Pose& b) { return dubins_length(a, b, radius); }));
+}
+
+py::tuple python_length_bounds(const py::object& starts, const py::object& goals, double radius) {
+  expect_positive(radius, "radius");
+  const Poses from(starts, "starts");
+  const Poses to(goals, "goals");
+  if (from.shape().empty() && to.shape().empty()) {
+    const LengthBounds bounds = length_bounds(from.view().front(), to.view().front(), radius);
+    return py::make_tuple(bounds.low, bounds.high);
+  }
+  const std::vector<py::ssize_t> shape = shape_of_pairs(from, to);
+  py::array_t<double> low = empty_array(shape);
+  py::array_t<double> high = empty_array(shape);
+  double* const lows = low.mutable_data();
+  double* const highs = high.mutable_data();
+  for_pairs(from, to, shape,
+            [&](std::span<const Pose> a, std::span<const Pose> b, std::size_t first) {
+              for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+                const LengthBounds bounds =
+                    length_bounds(a[a.size() == 1 ? 0 : i], b[b.size() == 1 ? 0 : i], radius);
+                lows[first + i] = bounds.low;
+                highs[first + i] = bounds.high;
+              }
+            });
+  return py::make_tuple(low, high);
+}
+
+py::object python_continuous_length(const py::object& starts, const py::object& goals,
+                                    double radius, double curvature_rate,
+                                    const std::string& continuity) {
+  const ContinuousSteering steering(radius, curvature_rate, continuity_named(continuity));
+  return numbers_of_pairs(
+      Poses(starts, "starts"), Poses(goals, "goals"),
+      one_by_one([&](const Pose& a, const Pose& b) { return steering.length(a, b); }));
+}
+
+void add_all(NearestNodes& nodes, std::span<const Pose> poses) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Pose& pose = poses[i];
+    if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.heading)) {
+      throw InputError("nodes[" + std::to_string(i) + "]", "is not finite");
+    }
+  }
+  for (const Pose& pose : poses) nodes.add(pose);
+}
+
+/// (index, length) of the nearest node of each sample.
+py::tuple nearest_of(const NearestNodes& nodes, const Poses& samples) {
+  if (nodes.size() == 0) throw InputError("nodes", "are none, expected one at least");
+  if (samples.shape().empty()) {
+    const NearestNode found = *nodes.nearest(samples.view().front());
+    return py::make_tuple(found.node, found.length);
+  }
+  const std::vector<py::ssize_t> shape(samples.shape().begin(), samples.shape().end());
+  py::array_t<std::int64_t> index(shape);
+  py::array_t<double> length(shape);
+  std::int64_t* const indices = index.mutable_data();
+  double* const lengths = length.mutable_data();
+  unlocked(samples.view().size(), [&] {
+    for (std::size_t i = 0; i < samples.view().size(); ++i) {
+      const NearestNode found = *nodes.nearest(samples.view()[i]);
+      indices[i] = found.node;
+      lengths[i] = found.length;
+    }
+  });
+  return py::make_tuple(index, length);
+}
+
+NearestNodes nodes_of(const py::object& nodes, double radius) {
+  expect_positive(radius, "radius");
+  NearestNodes all(radius);
+  if (!nodes.is_none()) {
+    const Poses poses(nodes, "nodes");
+    unlocked(poses.view().size(), [&] { add_all(all, poses.view()); });
+  }
+  return all;
+}
+
+void bind_nearest(py::module_& module) {
+  using namespace py::literals;
+  module.def(
+      "nearest",
+      [](const py::object& nodes, const py::object& samples, double radius) {
+        return nearest_of(nodes_of(nodes, radius), Poses(samples, "samples"));
+      },
+      "nodes"_a, "samples"_a, "radius"_a,
+      R"(nearest(nodes, samples, radius) -> (index, length)
+
+Which of the nodes is nearest to each sample by the exact Reeds-Shepp length, and how far [m]; ties
+go to the first one. Arrays of the samples' leading shape; an int and a float for one sample. Keep a
+`NearestNodes` where the same nodes are asked again.)");
+
+  py::class_<NearestNodes>(module, "NearestNodes", R"(NearestNodes(radius, nodes=None)
+
+Nodes among which the nearest by Reeds-Shepp length is found quickly, for a turning radius [m].)")
+      .def(py::init([](double radius, const py::object& nodes) { return nodes_of(nodes, radius); }),
+           "radius"_a, "nodes"_a = py::none())
+      .def(
+          "add",
+          [](NearestNodes& self, const py::object& nodes) {
+            add_all(self, Poses(nodes, "nodes").view());
+          },
+          "nodes"_a, "add(nodes)\n\nAdds poses; their numbers go on from those that are there.")
+      .def(
+          "nearest",
+          [](const NearestNodes& self, const py::object& samples) {
+            return nearest_of(self, Poses(samples, "samples"));
+          },
+          "samples"_a,
+          "nearest(samples) -> (index, length)\n\nThe nearest node of each sample, and its length "
+          "from there [m].")
+      .def("__len__", &NearestNodes::size);
+}
+
+}  // namespace
+
+void bind_lengths(py::module_& module) {
+  using namespace py::literals;
+  module.def("reeds_shepp_length", &python_reeds_shepp_length, "starts"_a, "goals"_a, "radius"_a,
+             "exact"_a = false, R"(reeds_shepp_length(starts, goals, radius, exact=False) -> length
+
+Length of the shortest path in either gear from each start to its goal on open ground, for a turning
+radius [m]. Poses are [x, y, heading], of the shape (3,) or (..., 3); they fit together by numpy's
+rules, so that starts[:, None] and goals[None] give a table. A float for one pair of single poses.
+
+Vector units compute many pairs at once, in double. With `exact` the one-pair function of the C++
+library does, one pair after the other; the answers are the same bits.)");
+  module.def("dubins_length", &python_dubins_length, "starts"_a, "goals"_a, "radius"_a,
+             R"(dubins_length(starts, goals, radius) -> length
+
+Length of the shortest path that only drives forward, from each start to its goal on open ground
+[m]. Poses and shapes as in `reeds_shepp_length`.)");
+  module.def("length_bounds", &python_length_bounds, "starts"_a, "goals"_a, "radius"_a,
+             R"(length_bounds(starts, goals, radius) -> (low, high)
+
+Two lengths between which `reeds_shepp_length` lies [m], looked up in a table. Poses and shapes as
+there.)");
+  module.def("continuous_length", &python_continuous_length, "starts"_a, "goals"_a, "radius"_a,
+             "curvature_rate"_a, "continuity"_a = "between-stops",
+             R"(continuous_length(starts, goals, radius, curvature_rate, continuity="between-stops")
+
+Length of a short path in either gear whose curvature changes by at most `curvature_rate` per metre
+[1/m^2]. It jumps only where the vehicle stands ("between-stops") or nowhere ("throughout"). Poses
+and shapes as in `reeds_shepp_length`; the wheels are straight at both ends, or as the path wants
+them where the vehicle stands.)");
+  bind_nearest(module);
+}
+
+}  // namespace vandplan::python

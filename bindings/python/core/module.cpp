@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// The module vandplan._core: all that the package vandplan has in C++.
+
+#include <pybind11/pybind11.h>
+
+#include "bindings/python/core/bind.h"
+#include "vandplan/input_error.h"
+#include "vandplan/version.h"
+
+namespace vandplan::python {
+namespace {
+
+namespace py = pybind11;
+
+/// The class in Python; lives as long as the module.
+PyObject* input_error_type = nullptr;
+
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const InputError& error) {
+    const py::object type = py::reinterpret_borrow<py::object>(input_error_type);
+    py::object raised = type(error.what());
+    raised.attr("where") = error.where();
+    raised.attr("problem") = error.problem();
+    PyErr_SetObject(input_error_type, raised.ptr());
+  }
+}
+
+}  // namespace
+
+void bind_errors(py::module_& module) {
+  input_error_type = PyErr_NewExceptionWithDoc(
+      "vandplan.InputError",
+      "Input that cannot be used, a ValueError. The message is that of the command line: `where`, "
+      "the\nplace that is wrong, and `problem`, what is wrong there and what was expected.",
+      PyExc_ValueError, nullptr);
+  module.add_object("InputError", input_error_type);
+  py::register_exception_translator(&translate);
+}
+
+}  // namespace vandplan::python
+
+PYBIND11_MODULE(_core, module) {
+  namespace own = vandplan::python;
+  pybind11::options options;
+  options.disable_function_signatures();  // the docstrings have readable ones
+  module.doc() = "The part of vandplan that is written in C++.";
+  own::bind_errors(module);
+  own::bind_path(module);
+  own::bind_vehicle(module);
+  own::bind_scenario(module);
+  own::bind_lengths(module);
+  own::bind_own_planner(module);
+  own::bind_result(module);
+  own::bind_planning(module);
+  own::bind_speed(module);
+  own::bind_evaluation(module);
+  const vandplan::BuildInfo build = vandplan::build_info();
+  module.attr("__version__") = build.version;
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "bindings/python/core/options.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "bindings/python/core/own_planner.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::python {
+namespace {
+
+namespace py = pybind11;
+
+std::shared_ptr<const Planner> named(const std::string& name) {
+  // One of the list, which lives as long as the program.
+  return {std::shared_ptr<const Planner>(), &planner_named(name)};
+}
+
+}  // namespace
+
+std::shared_ptr<const Planner> planner_from(const py::handle& given) {
+  if (py::isinstance<py::str>(given)) return named(given.cast<std::string>());
+  if (py::isinstance<Planner>(given)) {
+    return std::const_pointer_cast<const Planner>(given.cast<std::shared_ptr<Planner>>());
+  }
+  if (PyCallable_Check(given.ptr()) != 0) {
+    return own_planner(py::reinterpret_borrow<py::function>(given));
+  }
+  throw InputError("planner", "expected a name, a Planner, or a function of a task");
+}
+
+std::string typed(const py::handle& value) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+  return py::str(value);
+}
+
+std::vector<Setting> settings_from(const py::dict& given) {
+  std::vector<Setting> settings;
+  for (const auto& [name, value] : given) settings.push_back({py::str(name), typed(value)});
+  return settings;
+}
+
+PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,
+                        const RunKeywords& keywords) {
+  PlanOptions options = usual_options(planner);
+  set_honoured(options, planner, wanted);
+  std::vector<Setting> typed = settings_from(keywords.options);
+  std::ranges::stable_partition(  // what is given beside a style wins
+      typed, [](const Setting& setting) { return setting.name == "style"; });
+  for (const auto& [name, value] : typed) set_option(options, planner, name, value);
+  if (keywords.time) options.budget.time_limit = keywords.time;
+  if (keywords.max_iterations) options.budget.max_iterations = keywords.max_iterations;
+  options.budget.seed = keywords.seed;
+  return complete(planner, options);
+}
+
+py::object object_of(const OptionValue& value) {
+  return std::visit([](const auto& v) -> py::object { return py::cast(v); }, value);
+}
+
+namespace {
+
+/// What a common option's JSON means: a number, a word or null.
+py::object object_of_json(const std::string& json) {
+  if (json == "null") return py::none();
+  if (json == "true" || json == "false") return py::bool_(json == "true");
+  if (json.starts_with('"')) return py::str(json.substr(1, json.size() - 2));
+  if (json.find_first_of(".eE") == std::string::npos) return py::int_(py::str(json));
+  return py::float_(py::str(json));
+}
+
+}  // namespace
+
+py::dict dict_of(const Planner& planner, const PlanOptions& options) {
+  py::dict all;
+  for (const CommonOption& common : common_options()) {
+    if (!honours(planner, common.name)) continue;
+    all[py::str(common.name)] = object_of_json(common.get(options));
+  }
+  for (const auto& [name, value] : options.planner.values()) all[name.c_str()] = object_of(value);
+  return all;
+}
+
+}  // namespace vandplan::python

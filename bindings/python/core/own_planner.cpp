@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Planners: those of the library, and those that are functions of Python.
+
+#include "bindings/python/core/own_planner.h"
+
+#include <fmt/format.h>
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+#include <limits>
+
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/options.h"
+#include "bindings/python/core/task.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+PlannerAnswer call(const py::function& function, const Task& task, const PlanOptions& options) {
+  const py::gil_scoped_acquire lock;
+  const auto given = std::make_shared<PlanningTask>(task, options);
+  PlannerAnswer answer;
+  try {
+    answer = answer_from(function(given), *given);
+  } catch (...) {
+    given->close();
+    throw;
+  }
+  given->close();
+  return answer;
+}
+
+OptionValue value_from(const py::handle& given, const std::string& name) {
+  if (py::isinstance<py::bool_>(given)) return given.cast<bool>();
+  if (py::isinstance<py::int_>(given)) return given.cast<std::int64_t>();
+  if (py::isinstance<py::float_>(given)) return given.cast<double>();
+  if (py::isinstance<py::str>(given)) return given.cast<std::string>();
+  throw InputError("options." + name, "expected a default that is a bool, a number or a word");
+}
+
+/// An option by its default alone, or (default, least, most), or (default, [word, ...]).
+OptionInfo option_from(const std::string& name, const py::handle& given) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  OptionInfo info{
+      .name = name, .summary = name, .standard = {}, .least = -infinity, .most = infinity};
+  if (!py::isinstance<py::tuple>(given)) {
+    info.standard = value_from(given, name);
+    if (const auto* const word = std::get_if<std::string>(&info.standard)) info.words = {*word};
+    return info;
+  }
+  const auto parts = py::reinterpret_borrow<py::tuple>(given);
+  if (parts.size() != 2 && parts.size() != 3) {
+    throw InputError("options." + name,
+                     "expected a default, (default, least, most) or (default, words)");
+  }
+  info.standard = value_from(parts[0], name);
+  if (parts.size() == 2) {
+    info.words = parts[1].cast<std::vector<std::string>>();
+  } else {
+    info.least = parts[1].cast<double>();
+    info.most = parts[2].cast<double>();
+  }
+  return info;
+}
+
+std::shared_ptr<Planner> make_planner(const std::string& name, const py::function& function,
+                                      const std::string& summary, const py::dict& options,
+                                      bool honours_prices, bool anytime, bool deterministic) {
+  auto planner = std::make_shared<Planner>();
+  planner->name = name;
+  planner->summary = summary;
+  planner->properties = {.family = name,
+                         .honours_prices = honours_prices,
+                         .anytime = anytime,
+                         .deterministic = deterministic};
+  for (const auto& [key, value] : options) {
+    planner->options.push_back(option_from(py::str(key), value));
+  }
+  planner->function = planner_function(function);
+  return planner;
+}
+
+py::dict options_of(const Planner& planner) {
+  py::dict options;
+  for (const OptionInfo& info : planner.options) {
+    options[info.name.c_str()] = py::dict("default"_a = object_of(info.standard),
+                                          "range"_a = info.range(), "summary"_a = info.summary);
+  }
+  return options;
+}
+
+py::dict properties_of(const Planner& planner) {
+  const PlannerProperties& p = planner.properties;
+  return py::dict("family"_a = p.family, "strategy"_a = p.strategy, "estimate"_a = p.estimate,
+                  "tries_goal"_a = p.tries_goal, "honours_prices"_a = p.honours_prices,
+                  "honours_threads"_a = p.honours_threads,
+                  "honours_target_gap"_a = p.honours_target_gap,
+                  "honours_steering"_a = p.honours_steering, "anytime"_a = p.anytime,
+                  "deterministic"_a = p.deterministic, "groups"_a = p.groups);
+}
+
+}  // namespace
+
+PlannerFunction planner_function(const py::function& function) {
+  const std::shared_ptr<const py::function> kept(new py::function(function),
+                                                 [](const py::function* last) {
+                                                   const py::gil_scoped_acquire lock;
+                                                   delete last;
+                                                 });
+  return
+      [kept](const Task& task, const PlanOptions& options) { return call(*kept, task, options); };
+}
+
+std::shared_ptr<const Planner> own_planner(const py::function& function) {
+  const std::string name = py::str(py::getattr(function, "__name__", py::str("own")));
+  return make_planner(name, function, "a function of Python", {}, false, false, true);
+}
+
+void bind_own_planner(py::module_& module) {
+  bind_task(module);
+  py::class_<Planner, std::shared_ptr<Planner>>(
+      module, "Planner",
+      R"(Planner(name, function, *, summary="", options={}, honours_prices=False, anytime=False,
+    deterministic=True)
+
+A planner as a value, to be handed to `plan` and `compare`. `function` takes a `Task` and returns
+what is said there; the judge sees every path before anybody else does. `options` are its own: a
+default for each name, or (default, least, most), or (default, [word, ...]). Without
+`honours_prices` the cost is the length.)")
+      .def(py::init(&make_planner), "name"_a, "function"_a, py::kw_only(), "summary"_a = "",
+           "options"_a = py::dict(), "honours_prices"_a = false, "anytime"_a = false,
+           "deterministic"_a = true)
+      .def_readonly("name", &Planner::name, "What it is chosen by.")
+      .def_readonly("summary", &Planner::summary, "One line.")
+      .def_property_readonly("options", &options_of,
+                             "Its own options: default, range and summary by name.")
+      .def_property_readonly("properties", &properties_of, "What it honours and promises.")
+      .def("__repr__", [](const Planner& self) {
+        return fmt::format("<vandplan.Planner {}: {}>", self.name, self.summary);
+      });
+  module.def(
+      "planners",
+      [] {
+        std::vector<std::shared_ptr<Planner>> all;
+        for (const Planner& planner : planners()) all.push_back(std::make_shared<Planner>(planner));
+        return all;
+      },
+      "planners() -> list of Planner\n\nThe planners of the library, the default one first.");
+}
+
+}  // namespace vandplan::python

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Paths, and the steering functions that make them.
+
+#include "bindings/python/core/path.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "vandplan/dubins.h"
+#include "vandplan/input_error.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+
+Path path_from(const py::object& start, const py::object& segments) {
+  return {pose_from(start, "start"), segments_from(segments)};
+}
+
+/// `of(s)` for each number: `last` numbers for each if that is not 0.
+template <typename Write>
+py::object at_distances(const py::object& given, int last, Write write) {
+  const Numbers distances = numbers_from(given, "s");
+  const std::span shape(distances.shape(), static_cast<std::size_t>(distances.ndim()));
+  py::array_t<double> out = empty_array(shape, last);
+  const double* const s = distances.data();
+  double* const values = out.mutable_data();
+  const auto size = static_cast<std::size_t>(distances.size());
+  unlocked(size, [&] {
+    for (std::size_t i = 0; i < size; ++i) write(s[i], values + i * static_cast<std::size_t>(last));
+  });
+  return out;
+}
+
+py::object poses_at(const Path& path, const py::object& s) {
+  return at_distances(s, 3, [&](double distance, double* out) {
+    const Pose pose = pose_at(path, distance);
+    out[0] = pose.x;
+    out[1] = pose.y;
+    out[2] = pose.heading;
+  });
+}
+
+std::vector<PathPoint> points_of(const Path& path, double step) {
+  expect_positive(step, "step");
+  constexpr double most_points = 1e8;
+  if (!(length(path) / step < most_points)) {
+    throw InputError("step", "is too small: there would be more than 1e8 poses");
+  }
+  return sampled(path, step);
+}
+
+py::array_t<double> poses_of(const Path& path, double step) {
+  std::vector<Pose> poses;
+  for (const PathPoint& point : points_of(path, step)) poses.push_back(point.pose);
+  return array_of(poses);
+}
+
+py::dict samples_of(const Path& path, double step) {
+  const std::vector<PathPoint> points = points_of(path, step);
+  const auto column = [&](auto value_of) {
+    py::array_t<decltype(value_of(points[0]))> array(static_cast<py::ssize_t>(points.size()));
+    auto* out = array.mutable_data();
+    for (const PathPoint& point : points) *out++ = value_of(point);
+    return array;
+  };
+  py::dict columns;
+  columns["s"] = column([](const PathPoint& p) { return p.s; });
+  columns["x"] = column([](const PathPoint& p) { return p.pose.x; });
+  columns["y"] = column([](const PathPoint& p) { return p.pose.y; });
+  columns["heading"] = column([](const PathPoint& p) { return p.pose.heading; });
+  columns["curvature"] = column([](const PathPoint& p) { return p.curvature; });
+  columns["direction"] = column([](const PathPoint& p) { return p.direction; });
+  return columns;
+}
+
+std::string text_of(const Path& path) {
+  return fmt::format("<vandplan.Path: {:.3f} m, {} segments, {} gear changes>", length(path),
+                     path.segments.size(), gear_changes(path));
+}
+
+void bind_path_class(py::module_& module) {
+  py::class_<Path>(module, "Path", R"(Path(start, segments)
+
+What is driven from a start pose [x, y, heading]: rows [curvature, length, curvature_rate], of which
+the last number may be left out. A curvature is that at the segment's start [1/m], positive to the
+left; a length [m] is negative in reverse; a rate [1/m^2] is the change of curvature per metre.)")
+      .def(py::init(&path_from), "start"_a, "segments"_a)
+      .def_property_readonly(
+          "start", [](const Path& self) { return array_of(self.start); },
+          "The first pose [x, y, heading].")
+      .def_property_readonly(
+          "end", [](const Path& self) { return array_of(end_pose(self)); }, "The last pose.")
+      .def_property_readonly(
+          "segments",
+          [](const Path& self) { return array_of(std::span<const Segment>(self.segments)); },
+          "A row [curvature, length, curvature_rate] for each segment; shape (K, 3).")
+      .def_property_readonly(
+          "length", [](const Path& self) { return length(self); },
+          "Driven distance [m]; reverse metres count like others.")
+      .def_property_readonly(
+          "gear_changes", [](const Path& self) { return gear_changes(self); },
+          "How often the direction of travel changes.")
+      .def("poses", &poses_of, "step"_a = 0.1, R"(poses(step=0.1) -> array of shape (N, 3)
+
+Poses at most `step` apart [m], both ends of every segment among them.)")
+      .def("samples", &samples_of, "step"_a = 0.1, R"(samples(step=0.1) -> dict of arrays
+
+Columns s [m], x, y, heading, curvature [1/m] and direction (1 forward, -1 reverse) at the same
+places as `poses`; `pandas.DataFrame(path.samples())` is a table of them.)")
+      .def("pose_at", &poses_at, "s"_a, R"(pose_at(s) -> array
+
+The pose after `s` metres, clamped to [0, length]: shape (3,) for a number, (..., 3) for an array.)")
+      .def("__eq__", [](const Path& self, const Path& other) { return self == other; })
+      .def("__eq__", [](const Path&, const py::object&) { return false; })
+      .def("__repr__", &text_of)
+      .def(py::pickle(
+          [](const Path& self) {
+            return py::make_tuple(array_of(self.start),
+                                  array_of(std::span<const Segment>(self.segments)));
+          },
+          [](const py::tuple& state) { return path_from(state[0], state[1]); }))
+      .attr("__hash__") = py::none();
+}
+
+}  // namespace
+
+Continuity continuity_named(std::string_view name) {
+  if (name == "between-stops") return Continuity::between_stops;
+  if (name == "throughout") return Continuity::throughout;
+  throw InputError("continuity",
+                   "is \"" + std::string(name) + "\", expected between-stops or throughout");
+}
+
+Path path_of(const Pose& start, const Piece& piece) {
+  return {start, {piece.view().begin(), piece.view().end()}};
+}
+
+std::vector<Segment> segments_from(const py::handle& given) {
+  const Numbers rows = numbers_from(given, "segments");
+  if (rows.size() == 0) return {};
+  if (rows.ndim() != 2 || rows.shape(1) < 2 || rows.shape(1) > 3) {
+    throw InputError("segments",
+                     "expected rows [curvature, length] or [curvature, length, curvature_rate]");
+  }
+  std::vector<Segment> segments;
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    const double rate = rows.shape(1) == 3 ? rows.at(i, 2) : 0.0;
+    const Segment segment{rows.at(i, 0), rows.at(i, 1), rate};
+    if (!std::isfinite(segment.curvature) || !std::isfinite(segment.length) ||
+        !std::isfinite(rate)) {
+      throw InputError(fmt::format("segments[{}]", i), "is not finite");
+    }
+    segments.push_back(segment);
+  }
+  return segments;
+}
+
+void bind_path(py::module_& module) {
+  bind_path_class(module);
+  const auto between = [&](const char* name, auto steer, const char* about) {
+    module.def(
+        name,
+        [steer](const py::object& start, const py::object& goal, double radius) {
+          expect_positive(radius, "radius");
+          const Pose from = pose_from(start, "start");
+          return path_of(from, steer(from, pose_from(goal, "goal"), radius));
+        },
+        "start"_a, "goal"_a, "radius"_a, about);
+  };
+  between("reeds_shepp", &reeds_shepp, R"(reeds_shepp(start, goal, radius) -> Path
+
+The shortest path in either gear on open ground for a turning radius [m].)");
+  between("dubins", &dubins, R"(dubins(start, goal, radius) -> Path
+
+The shortest path that only drives forward, on open ground, for a turning radius [m].)");
+  module.def(
+      "continuous_path",
+      [](const py::object& start, const py::object& goal, double radius, double curvature_rate,
+         const std::string& continuity) {
+        const ContinuousSteering steering(radius, curvature_rate, continuity_named(continuity));
+        const Pose from = pose_from(start, "start");
+        return path_of(from, steering.steer(from, pose_from(goal, "goal")));
+      },
+      "start"_a, "goal"_a, "radius"_a, "curvature_rate"_a, "continuity"_a = "between-stops",
+      R"(continuous_path(start, goal, radius, curvature_rate, continuity="between-stops") -> Path
+
+A short path in either gear whose curvature changes by at most `curvature_rate` per metre [1/m^2];
+see `continuous_length`.)");
+}
+
+}  // namespace vandplan::python

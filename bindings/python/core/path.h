@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What do other parts of the module need of paths?
+
+#include <pybind11/pybind11.h>
+
+#include <string_view>
+
+#include "vandplan/continuous_steering.h"
+#include "vandplan/path.h"
+
+namespace vandplan::python {
+
+/// "between-stops" or "throughout". Throws InputError for another word.
+[[nodiscard]] Continuity continuity_named(std::string_view name);
+
+/// A piece that begins at a pose.
+[[nodiscard]] Path path_of(const Pose& start, const Piece& piece);
+
+/// Rows [curvature, length] or [curvature, length, curvature_rate].
+[[nodiscard]] std::vector<Segment> segments_from(const pybind11::handle& given);
+
+}  // namespace vandplan::python

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Planning, of one problem and of many, the judge, and smoothing.
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/interrupt.h"
+#include "bindings/python/core/options.h"
+#include "bindings/python/core/result.h"
+#include "vandplan/input_error.h"
+#include "vandplan/smooth.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+
+/// What becomes of Ctrl-C.
+bool returns_at_interrupt(const std::string& word) {
+  if (word == "raise" || word == "return") return word == "return";
+  throw InputError("on_interrupt", "is \"" + word + "\", expected raise or return");
+}
+
+/// Runs `work` with the options, which Ctrl-C ends soon. Then KeyboardInterrupt is raised, unless
+/// the caller wants what there is.
+template <typename Work>
+void run_interruptibly(PlanOptions& options, bool returns, Work work) {
+  {
+    const Interruptible interruptible;
+    options.budget.stop = interruptible.stop();
+    const py::gil_scoped_release release;
+    work();
+  }
+  options.budget.stop = nullptr;
+  try {
+    raise_signals();
+  } catch (const py::error_already_set& error) {
+    if (!returns || !error.matches(PyExc_KeyboardInterrupt)) throw;
+  }
+}
+
+RunResult planned(const CheckedScenario& scenario, std::shared_ptr<const Planner> planner,
+                  PlanOptions options, bool returns) {
+  RunResult run{scenario, std::move(planner), {}};
+  const Problem& problem = scenario.problem();
+  run_interruptibly(options, returns,
+                    [&] { run.record.result = plan(problem, *run.planner, options); });
+  run.record.scenario = scenario.scenario().name;
+  run.record.planner = run.planner->name;
+  run.record.options = std::move(options);
+  return run;
+}
+
+RunResult plan_one(const CheckedScenario& scenario, const py::object& planner,
+                   std::optional<double> time, std::optional<std::int64_t> max_iterations,
+                   std::uint64_t seed, const std::string& on_interrupt, const py::kwargs& options) {
+  const bool returns = returns_at_interrupt(on_interrupt);
+  std::shared_ptr<const Planner> chosen = planner_from(planner);
+  PlanOptions all = options_for(*chosen, scenario.options(), {time, max_iterations, seed, options});
+  return planned(scenario, std::move(chosen), std::move(all), returns);
+}
+
+/// A scenario for each pair of start and goal, in one world.
+std::vector<CheckedScenario> scenarios_for(const CheckedScenario& scenario,
+                                           const py::object& starts, const py::object& goals) {
+  const Poses from(starts, "starts");
+  const Poses to(goals, "goals");
+  const std::vector<py::ssize_t> shape = shape_of_pairs(from, to);
+  if (shape.size() > 1) throw InputError("starts, goals", "expected the shape (N, 3) or (3,)");
+  const std::size_t size = std::max(from.view().size(), to.view().size());
+  std::vector<CheckedScenario> scenarios;
+  scenarios.reserve(size);
+  for (std::size_t i = 0; i < size && !from.view().empty() && !to.view().empty(); ++i) {
+    scenarios.push_back(scenario.with_poses(from.view()[from.view().size() == 1 ? 0 : i],
+                                            to.view()[to.view().size() == 1 ? 0 : i], {}));
+  }
+  return scenarios;
+}
+
+std::vector<RunResult> plan_pairs(const CheckedScenario& scenario, const py::object& starts,
+                                  const py::object& goals, const py::object& planner, int threads,
+                                  std::optional<double> time,
+                                  std::optional<std::int64_t> max_iterations, std::uint64_t seed,
+                                  const py::kwargs& keywords) {
+  if (threads < 1 || threads > 1024) throw InputError("threads", "expected 1 to 1024");
+  const std::shared_ptr<const Planner> chosen = planner_from(planner);
+  PlanOptions options =
+      options_for(*chosen, scenario.options(), {time, max_iterations, seed, keywords});
+  std::vector<CheckedScenario> scenarios = scenarios_for(scenario, starts, goals);
+  std::vector<Problem> problems;
+  for (const CheckedScenario& one : scenarios) problems.push_back(one.problem());
+  std::vector<PlanResult> results(problems.size());
+  run_interruptibly(options, false, [&] {
+    plan_many(problems, *chosen, options, threads,
+              [&](std::size_t i, PlanResult result) { results[i] = std::move(result); });
+  });
+  std::vector<RunResult> runs;
+  runs.reserve(results.size());
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    runs.push_back({std::move(scenarios[i]), chosen, {}});
+    runs.back().record = {.scenario = scenario.scenario().name,
+                          .planner = chosen->name,
+                          .options = options,
+                          .result = std::move(results[i])};
+  }
+  return runs;
+}
+
+PathCheck check(const CheckedScenario& scenario, const py::object& given, double margin,
+                double margin_ramp, const std::string& steering) {
+  const Path& path = path_from(given);
+  PathClaims claims{.clearance = {margin, margin_ramp}, .steering = steering_named(steering)};
+  if (py::isinstance<RunResult>(given)) claims = claims_of(given.cast<const RunResult&>());
+  const Problem& problem = scenario.problem();
+  const py::gil_scoped_release release;
+  return check_path(problem, path, claims);
+}
+
+RunResult smooth(const CheckedScenario& scenario, const py::object& given,
+                 const std::string& method, std::optional<double> time,
+                 std::optional<std::int64_t> max_iterations, std::uint64_t seed,
+                 const py::kwargs& keywords) {
+  const auto planner =
+      std::make_shared<const Planner>(smoother(path_from(given), smooth_method_named(method)));
+  std::vector<Setting> wanted{
+      {"steering", std::string(name_of(Steering::continuous_between_stops))}};
+  wanted.insert(wanted.end(), scenario.options().begin(), scenario.options().end());
+  return planned(scenario, planner,
+                 options_for(*planner, wanted, {time, max_iterations, seed, keywords}), false);
+}
+
+}  // namespace
+
+void bind_planning(py::module_& module) {
+  module.def("plan", &plan_one, "scenario"_a, "planner"_a = default_planner().name, py::kw_only(),
+             "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
+             "on_interrupt"_a = "raise",
+             R"(plan(scenario, planner="anytime", *, time=None, max_iterations=None, seed=1,
+    on_interrupt="raise", **options) -> Result
+
+Plans a path, which the judge has seen before it is returned. `planner` is a name, a `Planner`, or a
+function of a `Task`. Without a limit of `time` [s] or `max_iterations` a run takes 1 s; with
+`max_iterations` alone it repeats bit for bit. `options` are those that the command line takes with
+--set: margin=0.3, style="shortest", steering="continuous", threads=2; those of the scenario's file
+hold unless given here.
+
+Ctrl-C ends the run and raises KeyboardInterrupt; with on_interrupt="return" it returns the best so
+far. Throws InputError, a ValueError, for what cannot be used.)");
+  module.def("plan_many", &plan_pairs, "scenario"_a, "starts"_a, "goals"_a,
+             "planner"_a = default_planner().name, py::kw_only(), "threads"_a = 1,
+             "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
+             R"(plan_many(scenario, starts, goals, planner="anytime", *, threads=1, time=None,
+    max_iterations=None, seed=1, **options) -> list of Result
+
+Plans from each start to its goal in the world of the scenario, `threads` of them at a time; starts
+and goals are poses of the shape (N, 3), or one for all. Each plan has the whole budget and the same
+answer as alone.)");
+  module.def(
+      "check", &check, "scenario"_a, "path"_a, py::kw_only(), "margin"_a = 0.0,
+      "margin_ramp"_a = 0.0, "steering"_a = "reeds-shepp",
+      R"(check(scenario, path, *, margin=0, margin_ramp=0, steering="reeds-shepp") -> PathCheck
+
+Lets the independent judge look at a `Path`, which has to keep the margin and steer as is said, or
+at a `Result`, which is held to its own options, cost and bound.)");
+  module.def(
+      "smooth", &smooth, "scenario"_a, "path"_a, py::kw_only(), "method"_a = "optimised",
+      "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
+      R"(smooth(scenario, path, *, method="optimised", time=None, max_iterations=None, seed=1,
+    **options) -> Result
+
+A path along the way of a `Path` or `Result` that the wheels can follow, checked like any other.
+`method` is "optimised" or "clothoids"; steering="continuous" lets the curvature jump nowhere.)");
+}
+
+}  // namespace vandplan::python

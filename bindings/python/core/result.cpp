@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "bindings/python/core/result.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cmath>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/options.h"
+#include "vandplan/draw.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+
+// ---- what the judge says ----
+
+py::object place_of(const PathCheck& check) {
+  if (!check.at) return py::none();
+  return py::dict("s"_a = check.at->s, "pose"_a = array_of(check.at->pose));
+}
+
+void bind_check(py::module_& module) {
+  py::class_<PathCheck>(module, "PathCheck",
+                        R"(The judge's verdict on a path; true if it is valid.)")
+      .def_readonly("valid", &PathCheck::valid, "Whether nothing is wrong.")
+      .def_readonly("reason", &PathCheck::reason, "The first thing found wrong; or empty.")
+      .def_property_readonly("at", &place_of, "Where it is wrong: a dict of s and pose; or None.")
+      .def_readonly("length", &PathCheck::length, "Driven distance [m].")
+      .def_readonly("reverse_length", &PathCheck::reverse_length, "Of it in reverse [m].")
+      .def_readonly("gear_changes", &PathCheck::gear_changes, "How often the direction changes.")
+      .def_readonly("curvature_change", &PathCheck::curvature_change,
+                    "Total variation of the curvature [1/m].")
+      .def_readonly("clearance", &PathCheck::clearance, R"(Least distance from an obstacle [m].
+
+Infinite without obstacles; None if something was wrong before.)")
+      .def("__bool__", [](const PathCheck& self) { return self.valid; })
+      .def("__repr__", [](const PathCheck& self) {
+        if (!self.valid) return fmt::format("<vandplan.PathCheck: {}>", self.reason);
+        return fmt::format("<vandplan.PathCheck: valid, {:.3f} m, clearance {:.3f} m>", self.length,
+                           self.clearance.value_or(0.0));
+      });
+}
+
+// ---- results ----
+
+const PlanResult& plan_of(const RunResult& self) { return self.record.result; }
+
+std::optional<double> cost_of(const RunResult& self) {
+  if (!plan_of(self).path) return std::nullopt;
+  return plan_of(self).cost;
+}
+
+std::optional<double> gap_of(const RunResult& self) {
+  const PlanResult& result = plan_of(self);
+  if (!result.path || !(result.lower_bound > 0.0)) return std::nullopt;
+  return result.cost / result.lower_bound - 1.0;
+}
+
+py::array_t<double> trace_of(const RunResult& self) {
+  const std::vector<CostSample>& samples = plan_of(self).anytime;
+  py::array_t<double> array({static_cast<py::ssize_t>(samples.size()), py::ssize_t{3}});
+  double* out = array.mutable_data();
+  for (const CostSample& sample : samples) {
+    *out++ = sample.time;
+    *out++ = static_cast<double>(sample.iteration);
+    *out++ = sample.cost;
+  }
+  return array;
+}
+
+py::object tree_of(const RunResult& self) {
+  const std::optional<TreeSnapshot>& tree = plan_of(self).tree;
+  if (!tree) return py::none();
+  py::array_t<std::int32_t> parents(static_cast<py::ssize_t>(tree->parents.size()));
+  std::ranges::copy(tree->parents, parents.mutable_data());
+  return py::make_tuple(array_of(std::span<const Pose>(tree->poses)), parents);
+}
+
+py::dict counters_of(const RunResult& self) {
+  py::dict counters;
+  for (const auto& [name, value] : plan_of(self).counters) counters[name.c_str()] = value;
+  return counters;
+}
+
+py::dict phases_of(const RunResult& self) {
+  py::dict phases;
+  for (const auto& [name, seconds] : plan_of(self).phases) phases[name.c_str()] = seconds;
+  return phases;
+}
+
+py::object options_of(const RunResult& self) {
+  if (!self.planner) return py::none();
+  return dict_of(*self.planner, self.record.options);
+}
+
+std::string text_of(const RunResult& self) {
+  const PlanResult& result = plan_of(self);
+  if (!result.path) {
+    const std::string why = result.reason.empty() ? "" : ", " + result.reason;
+    return fmt::format("<vandplan.Result: {}{}>", name_of(result.status), why);
+  }
+  const std::optional<double> gap = gap_of(self);
+  const std::string proven = gap ? fmt::format(", gap {:.1f} %", 100 * *gap) : "";
+  return fmt::format("<vandplan.Result: {}, {:.2f} m, gear changes: {}, cost {:.2f} m{}, {:.3g} s>",
+                     name_of(result.status), length(*result.path), gear_changes(*result.path),
+                     result.cost, proven, result.time_total);
+}
+
+std::string picture_of(const CheckedScenario& scenario, const RunResult* result,
+                       PictureFormat format, int width) {
+  Drawing drawing{.scenario = &scenario.scenario()};
+  if (result != nullptr && plan_of(*result).path) drawing.path = &*plan_of(*result).path;
+  if (result != nullptr && plan_of(*result).tree) drawing.tree = &*plan_of(*result).tree;
+  const py::gil_scoped_release release;
+  return vandplan::draw(drawing, format, width);
+}
+
+void draw_to(const CheckedScenario& scenario, const RunResult* result, const std::string& file,
+             int width) {
+  write_file(file, picture_of(scenario, result, picture_format(file), width));
+}
+
+void bind_result_class(py::module_& module) {
+  py::class_<RunResult> result(module, "Result", R"(What a run brought; true if there is a path.)");
+  const auto property = [&](const char* name, auto get, const char* about) {
+    result.def_property_readonly(
+        name, [get](const RunResult& self) { return get(plan_of(self)); }, about);
+  };
+  property(
+      "status", [](const PlanResult& r) { return name_of(r.status); },
+      R"("solved", or why there is no path: "start_in_collision", "goal_in_collision",
+"iteration_limit", "node_limit", "time_limit", "stopped", "no_path" (proven), "rejected".)");
+  property(
+      "reason", [](const PlanResult& r) { return r.reason; },
+      "Why there is no path, one line; or empty.");
+  property(
+      "path", [](const PlanResult& r) { return r.path; }, "The path, or None.");
+  property(
+      "bound", [](const PlanResult& r) { return r.lower_bound; },
+      "No path costs less [m]; proven. 0: nothing is.");
+  property(
+      "time", [](const PlanResult& r) { return r.time_total; }, "Time in the planner [s].");
+  property(
+      "iterations", [](const PlanResult& r) { return r.iterations; }, "Of the planner.");
+  property(
+      "check", [](const PlanResult& r) { return r.check; },
+      "What the judge found, of a path that it rejected as well; or None.");
+  result.def_property_readonly("cost", &cost_of, "Cost of the path [m], or None.")
+      .def_property_readonly("gap", &gap_of, "cost / bound - 1, or None where nothing is proven.")
+      .def_property_readonly("trace", &trace_of,
+                             "A row [time, iteration, cost] for each better path; shape (N, 3).")
+      .def_property_readonly("counters", &counters_of, "What the planner counted, by name.")
+      .def_property_readonly("phases", &phases_of, "Seconds by phase, with the option profile.")
+      .def_property_readonly("tree", &tree_of, "(poses, parents) of a search tree, or None.")
+      .def_property_readonly("options", &options_of, "What was in force, by name.")
+      .def_property_readonly(
+          "planner", [](const RunResult& self) { return self.record.planner; }, "Its name.")
+      .def_property_readonly(
+          "scenario", [](const RunResult& self) { return self.scenario; }, "What was planned.")
+      .def(
+          "save",
+          [](const RunResult& self, const std::string& file) {
+            write_results(file, self.scenario.file(), {self.record});
+          },
+          "file"_a, "save(file)\n\nWrites a result file (JSON) for the command line.")
+      .def("__bool__", [](const RunResult& self) { return plan_of(self).path.has_value(); })
+      .def("__repr__", &text_of)
+      .def("_repr_png_", [](const RunResult& self) {
+        return py::bytes(picture_of(self.scenario, &self, PictureFormat::png, 700));
+      });
+}
+
+}  // namespace
+
+PathClaims claims_of(const RunResult& result) {
+  if (!result.planner) return result.record.claims;
+  const PlanOptions& options = result.record.options;
+  StatedCost cost{.cost = result.record.result.cost, .rule = options.cost};
+  if (result.record.result.lower_bound > 0.0) cost.bound = result.record.result.lower_bound;
+  return {.cost = cost,
+          .clearance = options.clearance,
+          .steering = options.steering.value_or(Steering::reeds_shepp)};
+}
+
+const Path& path_from(const py::handle& given) {
+  if (py::isinstance<Path>(given)) return given.cast<const Path&>();
+  if (!py::isinstance<RunResult>(given)) throw InputError("path", "expected a Path or a Result");
+  const PlanResult& result = plan_of(given.cast<const RunResult&>());
+  if (result.path) return *result.path;
+  throw InputError("path", "there is none, the result is " + std::string(name_of(result.status)));
+}
+
+void bind_result(py::module_& module) {
+  bind_check(module);
+  bind_result_class(module);
+  module.def("draw", &draw_to, "scenario"_a, "result"_a.none(true), "file"_a, "width"_a = 800,
+             R"(draw(scenario, result, file, width=800)
+
+Draws a scenario and, unless it is None, a result into a file (.png, .svg or .pdf), as the command
+line does; `width` in pixels or points. `plot` draws into a figure of matplotlib.)");
+  module.def(
+      "read_result",
+      [](const std::string& file, const CheckedScenario& scenario) {
+        std::vector<ResultRecord> records = read_results(file, scenario.file());
+        return RunResult{scenario, nullptr, std::move(records.front())};
+      },
+      "file"_a, "scenario"_a,
+      "read_result(file, scenario) -> Result\n\nReads a result file of this scenario.");
+}
+
+}  // namespace vandplan::python

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Scenarios from arguments, arrays and files, and occupancy grids.
+
+#include "bindings/python/core/scenario.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/options.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+
+// ---- occupancy grids ----
+
+template <typename Number>
+std::shared_ptr<const std::vector<Cell>> cells_from(const py::array& array) {
+  const auto values = py::array_t<Number, py::array::c_style | py::array::forcecast>(array);
+  auto cells = std::make_shared<std::vector<Cell>>(static_cast<std::size_t>(values.size()));
+  const Number* const given = values.data();
+  for (std::size_t i = 0; i < cells->size(); ++i) {
+    const Number value = given[i];
+    (*cells)[i] = value == Number{0}  ? Cell::free
+                  : value > Number{0} ? Cell::occupied
+                                      : Cell::unknown;
+  }
+  return cells;
+}
+
+OccupancyGrid grid_from(const py::object& given, double resolution, const py::object& origin,
+                        bool unknown_is_free) {
+  auto array = py::array::ensure(given);
+  if (!array || array.ndim() != 2 || array.size() == 0) {
+    throw InputError("grid", "expected a 2-D array of bool or whole numbers");
+  }
+  const char kind = array.dtype().kind();
+  if (kind != 'b' && kind != 'i' && kind != 'u') {
+    throw InputError("grid", "is an array of " + std::string(py::str(array.dtype())) +
+                                 ", expected bool or whole numbers");
+  }
+  if (array.size() > most_map_cells) {
+    throw InputError("grid", fmt::format("has more than {} cells", most_map_cells));
+  }
+  OccupancyGrid grid{.origin = pose_from(origin, "grid.origin"),
+                     .resolution = resolution,
+                     .columns = static_cast<std::int32_t>(array.shape(1)),
+                     .rows = static_cast<std::int32_t>(array.shape(0)),
+                     .unknown_is_free = unknown_is_free};
+  const bool is_small = array.itemsize() == 1 && kind != 'u';
+  grid.cells = is_small ? cells_from<std::int8_t>(array.view("int8"))
+                        : cells_from<std::int64_t>(array);
+  check_map(grid);
+  return grid;
+}
+
+py::array_t<std::int8_t> cells_of(const OccupancyGrid& grid) {
+  py::array_t<std::int8_t> array({grid.rows, grid.columns});
+  std::int8_t* out = array.mutable_data();
+  for (const Cell cell : *grid.cells) {
+    *out++ = static_cast<std::int8_t>(cell == Cell::free ? 0 : cell == Cell::occupied ? 100 : -1);
+  }
+  return array;
+}
+
+void bind_grid(py::module_& module) {
+  py::class_<OccupancyGrid>(
+      module, "OccupancyGrid",
+      R"(OccupancyGrid(cells, resolution, origin=(0, 0, 0), unknown_is_free=False)
+
+A 2-D array of square cells with sides of `resolution` [m]: 0 or False is free, negative is unknown,
+everything else is an obstacle. cells[0, 0] has its corner at `origin`, a pose [x, y, heading];
+columns count along its heading, rows to the left, as in ROS. The rows of an image count downwards:
+cells[::-1] turns one over.)")
+      .def(py::init(&grid_from), "cells"_a, "resolution"_a, "origin"_a = py::make_tuple(0, 0, 0),
+           "unknown_is_free"_a = false)
+      .def_property_readonly("cells", &cells_of,
+                             "0 free, 100 occupied, -1 unknown: a new array of int8.")
+      .def_property_readonly(
+          "shape",
+          [](const OccupancyGrid& grid) { return py::make_tuple(grid.rows, grid.columns); },
+          "Rows and columns.")
+      .def_readonly("resolution", &OccupancyGrid::resolution, "Side of a cell [m].")
+      .def_property_readonly(
+          "origin", [](const OccupancyGrid& grid) { return array_of(grid.origin); },
+          "Corner of cells[0, 0], and where columns count to: [x, y, heading].")
+      .def_readonly("unknown_is_free", &OccupancyGrid::unknown_is_free,
+                    "Whether unknown cells, and all outside of the grid, are free.")
+      .def_property_readonly(
+          "outline",
+          [](const OccupancyGrid& grid) { return array_of(std::span<const Point>(outline(grid))); },
+          "Corners of the whole grid; shape (4, 2).")
+      .def("__repr__", [](const OccupancyGrid& grid) {
+        return fmt::format("<vandplan.OccupancyGrid: {} x {} cells of {} m>", grid.rows,
+                           grid.columns, grid.resolution);
+      });
+  module.def("read_map", &read_map, "file"_a,
+             "read_map(file) -> OccupancyGrid\n\nReads a map of ROS' map_server: its YAML file and "
+             "the image that it names.");
+}
+
+// ---- scenarios ----
+
+std::optional<OccupancyGrid> map_from(const py::object& grid, const py::object& resolution,
+                                      const py::object& origin) {
+  if (grid.is_none()) {
+    if (resolution.is_none() && origin.is_none()) return std::nullopt;
+    throw InputError("grid", "is missing: its resolution or origin is given");
+  }
+  if (py::isinstance<OccupancyGrid>(grid)) {
+    if (resolution.is_none() && origin.is_none()) return grid.cast<OccupancyGrid>();
+    throw InputError("resolution", "and origin are those of the grid");
+  }
+  if (resolution.is_none()) throw InputError("resolution", "is missing: the side of a cell [m]");
+  const py::object corner = origin.is_none() ? py::make_tuple(0, 0, 0) : origin;
+  return grid_from(grid, resolution.cast<double>(), corner, false);
+}
+
+Bounds bounds_from(const py::object& given, const std::optional<OccupancyGrid>& map) {
+  if (given.is_none()) {
+    if (map) return bounding_box(outline(*map));
+    throw InputError("bounds",
+                     "are missing: (x_min, x_max, y_min, y_max), where the rear axle may be");
+  }
+  const Numbers numbers = numbers_from(given, "bounds");
+  if (numbers.size() != 4) {
+    throw InputError("bounds", "expected (x_min, x_max, y_min, y_max)");
+  }
+  const double* const b = numbers.data();
+  return {b[0], b[1], b[2], b[3]};
+}
+
+std::vector<Polygon> polygons_from(const py::iterable& given, const char* where) {
+  std::vector<Polygon> polygons;
+  for (const py::handle polygon : given) {
+    polygons.push_back(polygon_from(polygon, fmt::format("{}[{}]", where, polygons.size())));
+  }
+  return polygons;
+}
+
+py::list arrays_of(const std::vector<Polygon>& polygons) {
+  py::list list;
+  for (const Polygon& polygon : polygons) list.append(array_of(std::span<const Point>(polygon)));
+  return list;
+}
+
+CheckedScenario make_scenario(const py::object& start, const py::object& goal,
+                              const py::object& bounds, const py::iterable& obstacles,
+                              const py::iterable& kerbs, const py::object& grid,
+                              const py::object& resolution, const py::object& origin,
+                              const py::object& vehicle, double start_curvature,
+                              double goal_curvature, const std::string& name,
+                              const py::dict& options) {
+  Scenario scenario{.name = name,
+                    .vehicle = vehicle_from(vehicle),
+                    .start = pose_from(start, "start"),
+                    .goal = pose_from(goal, "goal"),
+                    .curvatures = {start_curvature, goal_curvature},
+                    .obstacles = polygons_from(obstacles, "obstacles"),
+                    .kerbs = polygons_from(kerbs, "kerbs"),
+                    .map = map_from(grid, resolution, origin)};
+  scenario.bounds = bounds_from(bounds, scenario.map);
+  if (scenario.map) scenario.map_file = name + ".map.yaml";
+  return CheckedScenario(std::move(scenario), settings_from(options));
+}
+
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 2) != 0) throw py::error_already_set();
+  }
+}
+
+std::vector<CheckedScenario> scenarios_of(const std::string& file) {
+  const ScenarioFile read = read_scenario_file(file);
+  warn(read.warnings);
+  std::vector<CheckedScenario> scenarios;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    scenarios.emplace_back(scenario_at(read, i), read.options);
+  }
+  return scenarios;
+}
+
+CheckedScenario scenario_of(const std::string& file) {
+  std::vector<CheckedScenario> scenarios = scenarios_of(file);
+  if (scenarios.size() == 1) return std::move(scenarios.front());
+  throw InputError(file, "has a row of goals, which read_scenarios reads");
+}
+
+/// Writes the scenario, and a map that has no file yet beside it.
+void save(const CheckedScenario& self, const std::string& file) {
+  ScenarioFile content = self.file();
+  if (content.scenario.map) {
+    const std::string stem = file.substr(0, file.rfind(".yaml"));
+    const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
+    content.scenario.map_file = name_of(stem) + ".map.yaml";
+    write_file(stem + ".map.pgm", map_to_pgm(*content.scenario.map));
+    write_file(stem + ".map.yaml", map_to_yaml(*content.scenario.map, name_of(stem) + ".map.pgm"));
+  }
+  write_file(file, to_yaml(content));
+}
+
+CheckedScenario moved(const CheckedScenario& self, const py::object& start,
+                      const py::object& goal) {
+  const Scenario& scenario = self.scenario();
+  return self.with_poses(start.is_none() ? scenario.start : pose_from(start, "start"),
+                         goal.is_none() ? scenario.goal : pose_from(goal, "goal"),
+                         scenario.curvatures);
+}
+
+std::string text_of(const CheckedScenario& self) {
+  const Scenario& s = self.scenario();
+  return fmt::format(
+      "<vandplan.Scenario {}: ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {} obstacles{}>", s.name,
+      s.start.x, s.start.y, s.start.heading, s.goal.x, s.goal.y, s.goal.heading, s.obstacles.size(),
+      s.map ? ", a grid" : "");
+}
+
+void bind_scenario_class(py::module_& module) {
+  py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
+    obstacles=(), kerbs=(), grid=None, resolution=None, origin=None, vehicle=None,
+    start_curvature=0, goal_curvature=0, name="scenario", options={})
+
+What is to be planned, checked and unchangeable; metres and radians, counter-clockwise. `start` and
+`goal` are poses [x, y, heading] of the midpoint of the rear axle, which has to stay in `bounds`
+(x_min, x_max, y_min, y_max); with a grid these are those of the grid unless given. `obstacles` and
+`kerbs` are simple polygons, arrays of the shape (N, 2); only the wheels keep off kerbs. `grid` is an
+`OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
+or a dict; None is a truck. `options` are what this scenario wants of planners: {"margin": 0.3}.)");
+  scenario
+      .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
+           "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
+           "resolution"_a = py::none(), "origin"_a = py::none(), "vehicle"_a = py::none(),
+           "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "name"_a = "scenario",
+           "options"_a = py::dict())
+      .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
+           R"(with_poses(start=None, goal=None) -> Scenario
+
+The one with another start or goal. It shares the world, so that nothing is built again.)")
+      .def(
+          "to_yaml", [](const CheckedScenario& self) { return to_yaml(self.file()); },
+          "to_yaml() -> str\n\nThe text of a scenario file; a grid stays in its own file.")
+      .def("save", &save, "file"_a, R"(save(file)
+
+Writes a scenario file for the command line, and a grid beside it (.map.yaml, .map.pgm).)")
+      .def("__repr__", &text_of);
+  const auto property = [&](const char* name, auto get, const char* about) {
+    scenario.def_property_readonly(
+        name, [get](const CheckedScenario& self) { return get(self.scenario()); }, about);
+  };
+  property(
+      "name", [](const Scenario& s) { return s.name; }, "Its name, which results hold.");
+  property(
+      "description", [](const Scenario& s) { return s.description; }, "What its file says.");
+  property(
+      "vehicle", [](const Scenario& s) { return s.vehicle; }, "The vehicle.");
+  property(
+      "bounds",
+      [](const Scenario& s) {
+        return py::make_tuple(s.bounds.x_min, s.bounds.x_max, s.bounds.y_min, s.bounds.y_max);
+      },
+      "Where the rear axle may be: (x_min, x_max, y_min, y_max) [m].");
+  property(
+      "start", [](const Scenario& s) { return array_of(s.start); }, "[x, y, heading]");
+  property(
+      "goal", [](const Scenario& s) { return array_of(s.goal); }, "[x, y, heading]");
+  property(
+      "start_curvature", [](const Scenario& s) { return s.curvatures.start; },
+      "How far the wheels are turned at the start [1/m].");
+  property(
+      "goal_curvature", [](const Scenario& s) { return s.curvatures.goal; },
+      "How far the wheels are turned at the goal [1/m].");
+  property(
+      "obstacles", [](const Scenario& s) { return arrays_of(s.obstacles); },
+      "Polygons, each an array of the shape (N, 2).");
+  property(
+      "kerbs", [](const Scenario& s) { return arrays_of(s.kerbs); },
+      "Polygons that overhangs may swing over.");
+  property(
+      "grid", [](const Scenario& s) { return s.map; }, "The occupancy grid, or None.");
+  scenario.def_property_readonly(
+      "options",
+      [](const CheckedScenario& self) {
+        py::dict options;
+        for (const auto& [name, value] : self.options()) options[name.c_str()] = value;
+        return options;
+      },
+      "What it wants of planners, as text.");
+}
+
+}  // namespace
+
+CheckedScenario::CheckedScenario(Scenario scenario, std::vector<Setting> options)
+    : scenario_(std::make_shared<const Scenario>(std::move(scenario))),
+      options_(std::move(options)) {
+  check_scenario(*scenario_);
+  for (const auto& [name, value] : options_) {
+    for (const Planner& planner : planners()) {
+      if (!honours(planner, name)) continue;
+      PlanOptions any;
+      set_option(any, planner, name, value);
+      break;
+    }
+  }
+}
+
+const Problem& CheckedScenario::problem() const {
+  if (!problem_) {
+    std::shared_ptr<const Problem> made;
+    {
+      const py::gil_scoped_release release;
+      made = std::make_shared<const Problem>(make_problem(*scenario_));
+    }
+    if (!problem_) problem_ = std::move(made);
+  }
+  return *problem_;
+}
+
+CheckedScenario CheckedScenario::with_poses(const Pose& start, const Pose& goal,
+                                            const EndCurvatures& curvatures) const {
+  CheckedScenario other = *this;
+  other.problem_ = std::make_shared<const Problem>(
+      make_problem(problem().world(), scenario_->vehicle, start, goal, curvatures));
+  Scenario changed = *scenario_;
+  changed.start = start;
+  changed.goal = goal;
+  changed.curvatures = curvatures;
+  other.scenario_ = std::make_shared<const Scenario>(std::move(changed));
+  return other;
+}
+
+void bind_scenario(py::module_& module) {
+  bind_grid(module);
+  bind_scenario_class(module);
+  module.def("read_scenario", &scenario_of, "file"_a,
+             "read_scenario(file) -> Scenario\n\nReads a scenario file (YAML) with one goal.");
+  module.def("read_scenarios", &scenarios_of, "file"_a,
+             "read_scenarios(file) -> list of Scenario\n\nReads a scenario file: one scenario, or "
+             "one for each goal of a row.");
+  module.def(
+      "read_tpcap", [](const std::string& file) { return CheckedScenario(read_tpcap(file)); },
+      "file"_a,
+      "read_tpcap(file) -> Scenario\n\nReads a case of the Trajectory Planning Competition for "
+      "Automated Parking 2022 (CSV).");
+}
+
+}  // namespace vandplan::python

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What is a scenario in Python?
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vandplan/problem.h"
+#include "vandplan/scenario_file.h"
+
+namespace vandplan::python {
+
+/// A scenario that was checked and does not change, with what its file wants of planners. Its world
+/// is built when it is needed first, and shared with copies that differ in their poses.
+class CheckedScenario {
+ public:
+  /// Throws InputError naming the key that is wrong.
+  explicit CheckedScenario(Scenario scenario, std::vector<Setting> options = {});
+
+  [[nodiscard]] const Scenario& scenario() const noexcept { return *scenario_; }
+  [[nodiscard]] const std::vector<Setting>& options() const noexcept { return options_; }
+
+  /// The problem; with Python's lock, which it gives away while a world is built.
+  [[nodiscard]] const Problem& problem() const;
+
+  /// The one that differs in start and goal.
+  [[nodiscard]] CheckedScenario with_poses(const Pose& start, const Pose& goal,
+                                           const EndCurvatures& curvatures) const;
+
+  /// As files hold it.
+  [[nodiscard]] ScenarioFile file() const { return {.scenario = *scenario_, .options = options_}; }
+
+ private:
+  std::shared_ptr<const Scenario> scenario_;
+  std::vector<Setting> options_;
+  mutable std::shared_ptr<const Problem> problem_;
+};
+
+/// A vehicle, the name of one, or a dict of its lengths.
+[[nodiscard]] Vehicle vehicle_from(const pybind11::handle& given);
+
+}  // namespace vandplan::python

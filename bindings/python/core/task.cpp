@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// The task that a planner in Python is given, and its answer.
+
+#include "bindings/python/core/task.h"
+
+#include <pybind11/stl.h>
+
+#include <limits>
+#include <map>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/options.h"
+#include "bindings/python/core/path.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What a planner says beside its path.
+struct Answer {
+  py::object path = py::none();
+  double lower_bound = 0.0;
+  bool proven = false;
+  std::string reason = {};
+  std::map<std::string, std::int64_t> counters = {};
+  py::object tree = py::none();
+};
+
+/// The segments of a path, or of paths that go on from each other.
+std::vector<Segment> segments_of(const py::handle& given) {
+  if (py::isinstance<Path>(given)) return given.cast<const Path&>().segments;
+  if (!py::isinstance<py::sequence>(given)) {
+    throw InputError("planner", "expected a path, a list of paths, None or an Answer from it");
+  }
+  std::vector<Segment> all;
+  for (const py::handle part : given) {
+    const std::vector<Segment> segments = segments_of(part);
+    all.insert(all.end(), segments.begin(), segments.end());
+  }
+  return all;
+}
+
+TreeSnapshot tree_from(const py::handle& given) {
+  const auto pair = given.cast<std::pair<py::object, std::vector<std::int32_t>>>();
+  const Poses poses(pair.first, "tree");
+  if (poses.view().size() != pair.second.size()) {
+    throw InputError("tree", "expected as many parents as poses");
+  }
+  for (std::size_t i = 0; i < pair.second.size(); ++i) {
+    if (pair.second[i] < -1 || pair.second[i] >= static_cast<std::int64_t>(i)) {
+      throw InputError("tree", "expected parents before their children, -1 for the root");
+    }
+  }
+  return {{poses.view().begin(), poses.view().end()}, pair.second};
+}
+
+py::object free_at(PlanningTask& self, const py::object& given) {
+  const Poses poses(given, "poses");
+  const CollisionChecker& checker = *self.task().checker;
+  if (poses.shape().empty()) return py::bool_(checker.is_free(poses.view().front()));
+  py::array_t<bool> out(std::vector<py::ssize_t>(poses.shape().begin(), poses.shape().end()));
+  bool* const values = out.mutable_data();
+  unlocked(poses.view().size(), [&] {
+    for (std::size_t i = 0; i < poses.view().size(); ++i) {
+      values[i] = checker.is_free(poses.view()[i]);
+    }
+  });
+  return out;
+}
+
+py::object is_free(PlanningTask& self, const py::object& given) {
+  if (!py::isinstance<Path>(given)) return free_at(self, given);
+  const auto& path = given.cast<const Path&>();
+  return py::bool_(self.task().checker->is_free(path.start, path.segments));
+}
+
+py::object clearance(PlanningTask& self, const py::object& given, double most) {
+  const Poses poses(given, "poses");
+  const CollisionChecker& checker = *self.task().checker;
+  if (poses.shape().empty()) {
+    return py::float_(checker.clearance(poses.view().front(), most));
+  }
+  py::array_t<double> out = empty_array(poses.shape());
+  double* const values = out.mutable_data();
+  unlocked(poses.view().size(), [&] {
+    for (std::size_t i = 0; i < poses.view().size(); ++i) {
+      values[i] = checker.clearance(poses.view()[i], most);
+    }
+  });
+  return out;
+}
+
+std::optional<Path> steer(PlanningTask& self, const py::object& from, const py::object& to) {
+  const Pose start = pose_from(from, "start");
+  const auto piece = self.connector().steer(start, pose_from(to, "goal"));
+  if (!piece) return std::nullopt;
+  return path_of(start, *piece);
+}
+
+std::optional<Path> connect(PlanningTask& self, const py::object& from, const py::object& to,
+                            double cutoff) {
+  const Pose start = pose_from(from, "start");
+  const auto edge = self.connector().connect(start, pose_from(to, "goal"), {.cutoff = cutoff});
+  if (!edge) return std::nullopt;
+  return path_of(start, edge->piece);
+}
+
+double cost_of(PlanningTask& self, const py::object& given) {
+  const std::vector<Segment> segments = segments_of(given);
+  search::Driven driven = self.rule().initial_gear;
+  double cost = search::drive_cost(self.rule(), segments, driven);
+  if (self.rule().clearance_weight == 0.0) return cost;
+  const Pose start = py::isinstance<Path>(given) ? given.cast<const Path&>().start
+                     : py::len(given) == 0       ? self.task().start
+                                                 : given[py::int_(0)].cast<const Path&>().start;
+  return cost +
+         search::clearance_cost(self.task(), self.rule(), start, segments, search::Looks::search);
+}
+
+py::tuple bounds_tuple(const Bounds& b) {
+  return py::make_tuple(b.x_min, b.x_max, b.y_min, b.y_max);
+}
+
+py::dict own_options(const PlanningTask& self) {
+  py::dict options;
+  for (const auto& [name, value] : self.options().planner.values()) {
+    options[name.c_str()] = object_of(value);
+  }
+  return options;
+}
+
+void bind_task_data(py::class_<PlanningTask>& task) {
+  task.def_property_readonly(
+          "start", [](const PlanningTask& self) { return array_of(self.task().start); },
+          "[x, y, heading]; it is free.")
+      .def_property_readonly(
+          "goal", [](const PlanningTask& self) { return array_of(self.task().goal); },
+          "[x, y, heading]; it is free.")
+      .def_property_readonly(
+          "vehicle", [](const PlanningTask& self) { return self.task().vehicle; }, "The vehicle.")
+      .def_property_readonly(
+          "radius", [](const PlanningTask& self) { return self.task().vehicle.min_turning_radius; },
+          "Its turning radius [m].")
+      .def_property_readonly(
+          "bounds",
+          [](const PlanningTask& self) { return bounds_tuple(self.task().world->local().bounds); },
+          "Where the rear axle may be: (x_min, x_max, y_min, y_max).")
+      .def_property_readonly(
+          "scene",
+          [](const PlanningTask& self) {
+            return bounds_tuple(sampling_region(self.task(), Region::scene));
+          },
+          "The box of start, goal and obstacles with 20 m around it, cut to the bounds.")
+      .def_property_readonly(
+          "seed", [](const PlanningTask& self) { return self.options().budget.seed; },
+          "Where random numbers begin: numpy.random.default_rng(task.seed).")
+      .def_property_readonly("options", &own_options, "The planner's own options by name.");
+}
+
+}  // namespace
+
+PlanningTask::PlanningTask(const Task& task, const PlanOptions& options)
+    : task_(task),
+      options_(options),
+      rule_(search::cost_rule(options.cost)),
+      connector_(task_, rule_),
+      budget_(options.budget) {}
+
+search::Budget& PlanningTask::budget() {
+  if (budget_) return *budget_;
+  throw InputError("task", "its run is over");
+}
+
+void PlanningTask::found(double cost) {
+  trace_.push_back({budget().elapsed(), budget().iterations(), cost});
+}
+
+PlannerAnswer answer_from(const py::handle& returned, PlanningTask& task) {
+  Answer said{.path = py::reinterpret_borrow<py::object>(returned)};
+  if (py::isinstance<Answer>(returned)) said = returned.cast<const Answer&>();
+  PlannerAnswer answer{.lower_bound = said.lower_bound,
+                       .iterations = task.budget().iterations(),
+                       .reason = said.reason};
+  for (const auto& [name, value] : said.counters) answer.counters.push_back({name, value});
+  if (!said.tree.is_none()) answer.tree = tree_from(said.tree);
+  if (said.path.is_none()) {
+    const std::optional<PlanStatus> exhausted = task.budget().exhausted();
+    answer.status = said.proven ? PlanStatus::no_path : exhausted.value_or(PlanStatus::stopped);
+    return answer;
+  }
+  answer.status = PlanStatus::solved;
+  answer.segments = merged(segments_of(said.path));
+  answer.anytime = task.trace();
+  return answer;
+}
+
+void bind_task(py::module_& module) {
+  py::class_<Answer>(module, "Answer", R"(Answer(path=None, *, lower_bound=0, proven=False,
+    reason="", counters={}, tree=None)
+
+What a planner may return instead of a path alone. `lower_bound`: no path costs less [m]. `proven`,
+without a path: there is none. `reason`: why, one line. `counters`: what was counted, by name.
+`tree`: (poses, parents), parents before their children and -1 for the root.)")
+      .def(py::init([](py::object path, double lower_bound, bool proven, std::string reason,
+                       std::map<std::string, std::int64_t> counters, py::object tree) {
+             return Answer{std::move(path),   lower_bound,         proven,
+                           std::move(reason), std::move(counters), std::move(tree)};
+           }),
+           "path"_a = py::none(), py::kw_only(), "lower_bound"_a = 0.0, "proven"_a = false,
+           "reason"_a = "", "counters"_a = py::dict(), "tree"_a = py::none());
+
+  py::class_<PlanningTask> task(module, "Task", R"(What a planner in Python is given.
+
+Poses are in the frame of the task, whose origin lies near the start. A planner returns a path from
+`start` to `goal`, a list of paths that go on from each other, None, or an `Answer`.)");
+  bind_task_data(task);
+  task.def(
+          "next", [](PlanningTask& self) { return self.budget().next(); },
+          "next() -> bool\n\nBegins the next iteration; False when the run has to end.")
+      .def_property_readonly(
+          "elapsed", [](PlanningTask& self) { return self.budget().elapsed(); },
+          "Time since the run began [s].")
+      .def("is_free", &is_free, "what"_a, R"(is_free(what) -> bool or array of bool
+
+Whether the vehicle is free at a pose, at each pose of an array, or all along a path.)")
+      .def("clearance", &clearance, "poses"_a, "most"_a = infinity, R"(clearance(poses, most=inf)
+
+Distance from the nearest obstacle at each pose, no more than `most` [m].)")
+      .def("steer", &steer, "start"_a, "goal"_a, R"(steer(start, goal) -> Path or None
+
+The cheapest way between two poses on open ground; there may be none where the curvature is
+continuous.)")
+      .def("connect", &connect, "start"_a, "goal"_a, "cutoff"_a = infinity,
+           R"(connect(start, goal, cutoff=inf) -> Path or None
+
+That way, if it costs less than `cutoff` [m] and nothing stands in it.)")
+      .def("cost", &cost_of, "path"_a, R"(cost(path) -> float
+
+What a path, or a list of paths, costs: its length, unless the planner honours prices [m].)")
+      .def("found", &PlanningTask::found, "cost"_a,
+           "found(cost)\n\nNotes when the best path so far was found, for `Result.trace`.");
+}
+
+}  // namespace vandplan::python

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Vehicles: keyword arguments with the names that scenario files use.
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <string_view>
+
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/scenario.h"
+#include "vandplan/input_error.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A number of a vehicle by its name in files.
+struct Field {
+  const char* name;
+  void (*set)(Vehicle&, double);
+  std::optional<double> (*get)(const Vehicle&);
+  const char* about;
+};
+
+constexpr std::array fields = {
+    Field{"wheelbase", [](Vehicle& v, double x) { v.wheelbase = x; },
+          [](const Vehicle& v) { return std::optional(v.wheelbase); },
+          "Rear axle to front axle [m]."},
+    Field{"front_overhang", [](Vehicle& v, double x) { v.front_overhang = x; },
+          [](const Vehicle& v) { return std::optional(v.front_overhang); },
+          "Front axle to front bumper [m]."},
+    Field{"rear_overhang", [](Vehicle& v, double x) { v.rear_overhang = x; },
+          [](const Vehicle& v) { return std::optional(v.rear_overhang); },
+          "Rear axle to rear bumper [m]."},
+    Field{"width", [](Vehicle& v, double x) { v.width = x; },
+          [](const Vehicle& v) { return std::optional(v.width); }, "Width of the body [m]."},
+    Field{"min_turning_radius", [](Vehicle& v, double x) { v.min_turning_radius = x; },
+          [](const Vehicle& v) { return std::optional(v.min_turning_radius); },
+          "Of the midpoint of the rear axle at full steering [m]."},
+    Field{"track_width", [](Vehicle& v, double x) { v.track_width = x; },
+          [](const Vehicle& v) { return v.track_width; },
+          "Width over the wheels of an axle [m]; None: as wide as the body."},
+    Field{"max_steering_rate", [](Vehicle& v, double x) { v.limits.max_steering_rate = x; },
+          [](const Vehicle& v) { return std::optional(v.limits.max_steering_rate); },
+          "Of the front wheel of a bicycle [rad/s]."},
+    Field{"max_curvature_rate", [](Vehicle& v, double x) { v.limits.max_curvature_rate = x; },
+          [](const Vehicle& v) { return v.limits.max_curvature_rate; },
+          "Change of curvature per metre driven [1/m^2]; None: what the steering rate allows."},
+    Field{"max_acceleration", [](Vehicle& v, double x) { v.limits.max_acceleration = x; },
+          [](const Vehicle& v) { return std::optional(v.limits.max_acceleration); },
+          "Along the path, gaining speed [m/s^2]."},
+    Field{"max_braking", [](Vehicle& v, double x) { v.limits.max_braking = x; },
+          [](const Vehicle& v) { return v.limits.max_braking; },
+          "Losing speed [m/s^2]; None: as `max_acceleration`."},
+    Field{"max_lateral_acceleration",
+          [](Vehicle& v, double x) { v.limits.max_lateral_acceleration = x; },
+          [](const Vehicle& v) { return std::optional(v.limits.max_lateral_acceleration); },
+          "speed^2 * |curvature| [m/s^2]."},
+    Field{"max_jerk", [](Vehicle& v, double x) { v.limits.max_jerk = x; },
+          [](const Vehicle& v) { return v.limits.max_jerk; },
+          "Change of the acceleration [m/s^3]; None: any."},
+};
+
+constexpr std::string_view speed_key = "max_speed";
+
+double number_of(const std::string& name, const py::handle& value) {
+  try {
+    return value.cast<double>();
+  } catch (const py::cast_error&) {
+    throw InputError("vehicle." + name, "is no number");
+  }
+}
+
+GearSpeeds speeds_from(const py::handle& value) {
+  if (py::isinstance<py::dict>(value)) {
+    const auto speeds = py::reinterpret_borrow<py::dict>(value);
+    if (speeds.size() == 2 && speeds.contains("forward") && speeds.contains("reverse")) {
+      return {number_of("max_speed.forward", speeds["forward"]),
+              number_of("max_speed.reverse", speeds["reverse"])};
+    }
+  } else if (py::isinstance<py::sequence>(value) && py::len(value) == 2) {
+    return {number_of("max_speed.forward", value[py::int_(0)]),
+            number_of("max_speed.reverse", value[py::int_(1)])};
+  }
+  throw InputError("vehicle.max_speed", "expected two numbers, forward and reverse");
+}
+
+void set_field(Vehicle& vehicle, const std::string& name, const py::handle& value) {
+  if (name == speed_key) {
+    vehicle.limits.max_speed = speeds_from(value);
+    return;
+  }
+  std::string names;
+  for (const Field& field : fields) {
+    if (name != field.name) {
+      names += std::string(field.name) + ", ";
+      continue;
+    }
+    const bool is_standard = value.is_none() && !field.get(Vehicle{});
+    if (!is_standard) field.set(vehicle, number_of(name, value));
+    return;
+  }
+  throw InputError("vehicle." + name, "unknown key, expected one of " + names + "max_speed");
+}
+
+Vehicle vehicle_of(const py::dict& values) {
+  Vehicle vehicle;
+  for (const auto& [name, value] : values) set_field(vehicle, py::str(name), value);
+  check_vehicle(vehicle);
+  return vehicle;
+}
+
+py::dict dict_of(const Vehicle& vehicle) {
+  py::dict values;
+  for (const Field& field : fields) values[field.name] = field.get(vehicle);
+  const GearSpeeds& speeds = vehicle.limits.max_speed;
+  values["max_speed"] = py::make_tuple(speeds.forward, speeds.reverse);
+  return values;
+}
+
+std::string text_of(const Vehicle& vehicle) {
+  return fmt::format("<vandplan.Vehicle: {} m by {} m, turning radius {} m>",
+                     vehicle.rear_overhang + vehicle.wheelbase + vehicle.front_overhang,
+                     vehicle.width, vehicle.min_turning_radius);
+}
+
+}  // namespace
+
+Vehicle vehicle_from(const py::handle& given) {
+  if (given.is_none()) return {};
+  if (py::isinstance<py::str>(given)) return vehicle_named(given.cast<std::string>());
+  if (py::isinstance<py::dict>(given)) return vehicle_of(py::reinterpret_borrow<py::dict>(given));
+  if (py::isinstance<Vehicle>(given)) return given.cast<Vehicle>();
+  throw InputError("vehicle", "expected a Vehicle, the name of one, or a dict of its lengths");
+}
+
+void bind_vehicle(py::module_& module) {
+  py::class_<Vehicle> vehicle(module, "Vehicle", R"(Vehicle(**lengths_and_limits)
+
+The lengths of a rigid vehicle that steers at the front [m], and how fast it may be driven. Keywords
+are those of scenario files: wheelbase, front_overhang, rear_overhang, width, min_turning_radius,
+track_width; max_steering_rate [rad/s], max_curvature_rate [1/m^2], max_speed (forward, reverse)
+[m/s], max_acceleration, max_braking, max_lateral_acceleration [m/s^2], max_jerk [m/s^3]. What is
+not given is that of a truck.)");
+  vehicle.def(py::init([](const py::kwargs& values) { return vehicle_of(values); }))
+      .def_static("named", &vehicle_named, py::arg("name"),
+                  "named(name) -> Vehicle\n\nA vehicle of the catalogue, such as \"city-bus\".")
+      .def_static("names", &vehicle_names, "names() -> list of str\n\nWhat the catalogue has.")
+      .def("as_dict", &dict_of, R"(as_dict() -> dict
+
+Every value by its keyword: `Vehicle(**{**vehicle.as_dict(), "width": 2.4})` is a narrower one.)")
+      .def("__eq__", [](const Vehicle& self, const Vehicle& other) { return self == other; })
+      .def("__eq__", [](const Vehicle&, const py::object&) { return false; })
+      .def("__repr__", &text_of)
+      .def(py::pickle([](const Vehicle& self) { return dict_of(self); },
+                      [](const py::dict& values) { return vehicle_of(values); }));
+  for (const Field& field : fields) {
+    vehicle.def_property_readonly(field.name, field.get, field.about);
+  }
+  vehicle.def_property_readonly(
+      "max_speed",
+      [](const Vehicle& self) {
+        return py::make_tuple(self.limits.max_speed.forward, self.limits.max_speed.reverse);
+      },
+      "Largest speeds, forward and in reverse [m/s].");
+  vehicle.attr("__hash__") = py::none();
+}
+
+}  // namespace vandplan::python
