@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "bindings/python/core/bind.h"
 #include "bindings/python/core/interrupt.h"
@@ -66,7 +67,7 @@ std::function<void(const evaluation::Progress&)> report_to(const py::object& pro
 }
 
 Comparison compare(const py::iterable& scenarios, const py::iterable& planners,
-                   const std::string& folder, int repeats, int repeats_per_goal,
+                   const std::filesystem::path& folder, int repeats, int repeats_per_goal,
                    std::optional<double> time, std::optional<std::int64_t> max_iterations,
                    std::uint64_t seed, const std::vector<std::string>& regions, int jobs,
                    const py::object& progress, const py::kwargs& options) {
@@ -87,7 +88,7 @@ Comparison compare(const py::iterable& scenarios, const py::iterable& planners,
     const evaluation::RunnerOptions runner{
         .jobs = jobs, .stop = interruptible.stop(), .report = report_to(progress)};
     const py::gil_scoped_release release;
-    comparison = evaluation::compare(campaign, folder, runner);
+    comparison = evaluation::compare(campaign, folder.string(), runner);
   }
   raise_signals();
   return comparison;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <array>
 #include <cmath>
@@ -19,6 +20,7 @@ namespace vandplan::python {
 namespace {
 
 using namespace py::literals;
+using FileName = std::filesystem::path;  // from str and from os.PathLike
 
 // ---- what the judge says ----
 
@@ -123,9 +125,10 @@ std::string picture_of(const CheckedScenario& scenario, const RunResult* result,
   return vandplan::draw(drawing, format, width);
 }
 
-void draw_to(const CheckedScenario& scenario, const RunResult* result, const std::string& file,
+void draw_to(const CheckedScenario& scenario, const RunResult* result, const FileName& file,
              int width) {
-  write_file(file, picture_of(scenario, result, picture_format(file), width));
+  const PictureFormat format = picture_format(file.string());
+  write_file(file.string(), picture_of(scenario, result, format, width));
 }
 
 void bind_result_class(py::module_& module) {
@@ -167,8 +170,8 @@ void bind_result_class(py::module_& module) {
           "scenario", [](const RunResult& self) { return self.scenario; }, "What was planned.")
       .def(
           "save",
-          [](const RunResult& self, const std::string& file) {
-            write_results(file, self.scenario.file(), {self.record});
+          [](const RunResult& self, const FileName& file) {
+            write_results(file.string(), self.scenario.file(), {self.record});
           },
           "file"_a, "save(file)\n\nWrites a result file (JSON) for the command line.")
       .def("__bool__", [](const RunResult& self) { return plan_of(self).path.has_value(); })
@@ -208,8 +211,8 @@ Draws a scenario and, unless it is None, a result into a file (.png, .svg or .pd
 line does; `width` in pixels or points. `plot` draws into a figure of matplotlib.)");
   module.def(
       "read_result",
-      [](const std::string& file, const CheckedScenario& scenario) {
-        std::vector<ResultRecord> records = read_results(file, scenario.file());
+      [](const FileName& file, const CheckedScenario& scenario) {
+        std::vector<ResultRecord> records = read_results(file.string(), scenario.file());
         return RunResult{scenario, nullptr, std::move(records.front())};
       },
       "file"_a, "scenario"_a,

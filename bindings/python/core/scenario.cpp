@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cstdint>
 
@@ -20,6 +21,7 @@ namespace vandplan::python {
 namespace {
 
 using namespace py::literals;
+using FileName = std::filesystem::path;  // from str and from os.PathLike
 
 // ---- occupancy grids ----
 
@@ -57,8 +59,8 @@ OccupancyGrid grid_from(const py::object& given, double resolution, const py::ob
                      .rows = static_cast<std::int32_t>(array.shape(0)),
                      .unknown_is_free = unknown_is_free};
   const bool is_small = array.itemsize() == 1 && kind != 'u';
-  grid.cells = is_small ? cells_from<std::int8_t>(array.view("int8"))
-                        : cells_from<std::int64_t>(array);
+  grid.cells =
+      is_small ? cells_from<std::int8_t>(array.view("int8")) : cells_from<std::int64_t>(array);
   check_map(grid);
   return grid;
 }
@@ -103,9 +105,10 @@ cells[::-1] turns one over.)")
         return fmt::format("<vandplan.OccupancyGrid: {} x {} cells of {} m>", grid.rows,
                            grid.columns, grid.resolution);
       });
-  module.def("read_map", &read_map, "file"_a,
-             "read_map(file) -> OccupancyGrid\n\nReads a map of ROS' map_server: its YAML file and "
-             "the image that it names.");
+  module.def(
+      "read_map", [](const FileName& file) { return read_map(file.string()); }, "file"_a,
+      "read_map(file) -> OccupancyGrid\n\nReads a map of ROS' map_server: its YAML file and "
+      "the image that it names.");
 }
 
 // ---- scenarios ----
@@ -179,8 +182,8 @@ void warn(const std::vector<std::string>& warnings) {
   }
 }
 
-std::vector<CheckedScenario> scenarios_of(const std::string& file) {
-  const ScenarioFile read = read_scenario_file(file);
+std::vector<CheckedScenario> scenarios_of(const FileName& file) {
+  const ScenarioFile read = read_scenario_file(file.string());
   warn(read.warnings);
   std::vector<CheckedScenario> scenarios;
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -189,14 +192,15 @@ std::vector<CheckedScenario> scenarios_of(const std::string& file) {
   return scenarios;
 }
 
-CheckedScenario scenario_of(const std::string& file) {
+CheckedScenario scenario_of(const FileName& file) {
   std::vector<CheckedScenario> scenarios = scenarios_of(file);
   if (scenarios.size() == 1) return std::move(scenarios.front());
-  throw InputError(file, "has a row of goals, which read_scenarios reads");
+  throw InputError(file.string(), "has a row of goals, which read_scenarios reads");
 }
 
 /// Writes the scenario, and a map that has no file yet beside it.
-void save(const CheckedScenario& self, const std::string& file) {
+void save(const CheckedScenario& self, const FileName& name) {
+  const std::string file = name.string();
   ScenarioFile content = self.file();
   if (content.scenario.map) {
     const std::string stem = file.substr(0, file.rfind(".yaml"));
@@ -346,7 +350,7 @@ void bind_scenario(py::module_& module) {
              "read_scenarios(file) -> list of Scenario\n\nReads a scenario file: one scenario, or "
              "one for each goal of a row.");
   module.def(
-      "read_tpcap", [](const std::string& file) { return CheckedScenario(read_tpcap(file)); },
+      "read_tpcap", [](const FileName& file) { return CheckedScenario(read_tpcap(file.string())); },
       "file"_a,
       "read_tpcap(file) -> Scenario\n\nReads a case of the Trajectory Planning Competition for "
       "Automated Parking 2022 (CSV).");

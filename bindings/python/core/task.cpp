@@ -136,7 +136,7 @@ py::dict own_options(const PlanningTask& self) {
   return options;
 }
 
-void bind_task_data(py::class_<PlanningTask>& task) {
+void bind_task_data(py::class_<PlanningTask, std::shared_ptr<PlanningTask>>& task) {
   task.def_property_readonly(
           "start", [](const PlanningTask& self) { return array_of(self.task().start); },
           "[x, y, heading]; it is free.")
@@ -216,7 +216,7 @@ without a path: there is none. `reason`: why, one line. `counters`: what was cou
            "path"_a = py::none(), py::kw_only(), "lower_bound"_a = 0.0, "proven"_a = false,
            "reason"_a = "", "counters"_a = py::dict(), "tree"_a = py::none());
 
-  py::class_<PlanningTask> task(module, "Task", R"(What a planner in Python is given.
+  py::class_<PlanningTask, std::shared_ptr<PlanningTask>> task(module, "Task", R"(What a planner in Python is given.
 
 Poses are in the frame of the task, whose origin lies near the start. A planner returns a path from
 `start` to `goal`, a list of paths that go on from each other, None, or an `Answer`.)");

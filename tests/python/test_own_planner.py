@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the Vändplan authors
+"""Planners written in Python: run, judged and compared."""
+
+import json
+
+import numpy as np
+import pytest
+
+import vandplan as vp
+
+pandas = pytest.importorskip("pandas")
+
+
+def grow(task):
+    """A random tree that ends at its first path."""
+    random = np.random.default_rng(task.seed)
+    x_min, x_max, y_min, y_max = task.scene
+    nodes = vp.NearestNodes(task.radius, task.start)
+    poses, parents, edges = [task.start], [-1], [None]
+    while task.next():
+        is_goal = random.random() < task.options.get("goal_share", 0.2)
+        sample = task.goal if is_goal else random.uniform((x_min, y_min, -3.14), (x_max, y_max, 3.14))
+        nearest, _ = nodes.nearest(sample)
+        edge = task.connect(poses[nearest], sample)
+        if edge is None:
+            continue
+        nodes.add(sample)
+        poses.append(sample)
+        parents.append(nearest)
+        edges.append(edge)
+        if is_goal:
+            way, node = [], len(poses) - 1
+            while node > 0:
+                way.append(edges[node])
+                node = parents[node]
+            way.reverse()
+            task.found(task.cost(way))
+            return vp.Answer(way, counters={"nodes": len(poses)}, tree=(poses, parents))
+    return None
+
+
+def test_a_function_is_a_planner(yard):
+    result = vp.plan(yard, grow, max_iterations=3000)
+    assert result and result.planner == "grow"
+    assert vp.check(yard, result)
+    assert result.cost == pytest.approx(result.path.length)
+    assert result.counters["nodes"] > 1
+    poses, parents = result.tree
+    assert len(poses) == len(parents) == result.counters["nodes"] and parents[0] == -1
+    assert result.trace[-1, 2] == pytest.approx(result.cost)
+    assert result.path == vp.plan(yard, grow, max_iterations=3000).path
+
+
+def test_its_frame_is_that_of_the_task(yard):
+    far = vp.Scenario((1e6, 2e6, 0), (1e6 + 20, 2e6, 0), bounds=(0, 3e6, 0, 3e6))
+    seen = []
+
+    def straight(task):
+        seen.append((task.start, task.goal))
+        return task.steer(task.start, task.goal)
+
+    result = vp.plan(far, straight, max_iterations=1)
+    assert np.array_equal(seen[0][0], [0, 0, 0]) and np.array_equal(seen[0][1], [20, 0, 0])
+    assert result.path.start == pytest.approx([1e6, 2e6, 0])
+
+
+def test_the_judge_refuses_what_hits_a_wall(yard):
+    result = vp.plan(yard, lambda task: task.steer(task.start, task.goal), max_iterations=1)
+    assert result.status == "rejected" and "obstacles[0]" in result.reason
+    assert result.check is not None and result.path is None
+
+
+def test_what_it_may_return(yard):
+    none = vp.plan(yard, lambda task: None, max_iterations=5)
+    assert none.status == "stopped"
+
+    def runs_out(task):
+        while task.next():
+            pass
+
+    assert vp.plan(yard, runs_out, max_iterations=5).status == "iteration_limit"
+    proven = vp.plan(yard, lambda task: vp.Answer(proven=True, reason="walls"), max_iterations=5)
+    assert (proven.status, proven.reason) == ("no_path", "walls")
+    with pytest.raises(vp.InputError, match="expected a path"):
+        vp.plan(yard, lambda task: 7, max_iterations=5)
+    with pytest.raises(ZeroDivisionError):
+        vp.plan(yard, lambda task: 1 / 0, max_iterations=5)
+    with pytest.raises(vp.InputError, match="parents before"):
+        vp.plan(yard, lambda task: vp.Answer(tree=([task.start], [0])), max_iterations=5)
+
+
+def test_what_a_task_answers(yard):
+    def look(task):
+        assert task.radius == task.vehicle.min_turning_radius == 7
+        assert task.bounds == (-50, 50, -50, 50)
+        assert task.scene[0] >= -50
+        assert task.seed == 3 and task.elapsed >= 0 and task.options == {}
+        poses = np.array([[0, 0, 0], [0, 6, 0]])
+        assert task.is_free((0, 0, 0)) is True
+        assert np.array_equal(task.is_free(poses), [True, False])
+        assert task.clearance(poses[1]) == 0 and task.clearance(poses, 0.5)[0] == 0.5
+        assert task.is_free(vp.Path((0, 0, 0), [(0, 5)]))
+        assert not task.is_free(vp.Path((0, 0, np.pi / 2), [(0, 5)]))
+        assert task.connect(task.start, task.goal) is None
+        assert task.connect(task.start, (5, 0, 0), cutoff=4) is None
+        edge = task.connect(task.start, (5, 0, 0))
+        assert task.cost(edge) == task.cost([edge]) == 5
+        kept.append(task)
+
+    kept = []
+    vp.plan(yard, look, max_iterations=5, seed=3)
+    with pytest.raises(vp.InputError, match="its run is over"):
+        kept[0].next()
+
+
+def test_options_of_its_own(yard):
+    seen = []
+    mine = vp.Planner(
+        "mine",
+        lambda task: seen.append(task.options),
+        summary="looks",
+        options={"share": (0.2, 0, 1), "deep": True, "count": 3, "mode": ("a", ["a", "b"])},
+    )
+    vp.plan(yard, mine, max_iterations=1, share=0.5, mode="b")
+    assert seen == [{"share": 0.5, "deep": True, "count": 3, "mode": "b"}]
+    assert mine.options["share"]["range"] == "0 to 1"
+    with pytest.raises(vp.InputError, match="share"):
+        vp.plan(yard, mine, max_iterations=1, share=2)
+    with pytest.raises(vp.InputError, match="reverse_weight"):
+        vp.plan(yard, mine, max_iterations=1, reverse_weight=2)
+    assert [planner.name for planner in vp.planners()][0] == "anytime"
+    assert mine.properties["deterministic"]
+
+
+def test_many_plans_of_a_planner_in_python(yard):
+    many = vp.plan_many(yard, [yard.start] * 4, yard.goal, grow, threads=2, max_iterations=3000)
+    assert all(many) and len({result.cost for result in many}) == 1
+
+
+def test_it_is_compared_with_ours(yard, tmp_path):
+    mine = vp.Planner("mine", grow, options={"goal_share": (0.2, 0, 1)})
+    cells = np.zeros((60, 80), dtype=bool)
+    cells[25:35, 20:60] = True
+    park = vp.Scenario((5, 5, 0), (5, 25, 0), grid=cells, resolution=0.5, name="park")
+    told = []
+    comparison = vp.compare(
+        [yard, park],
+        [mine, "rrt-opt-euc"],
+        tmp_path / "out",
+        repeats=2,
+        max_iterations=2000,
+        progress=lambda done, total: told.append((done, total)),
+    )
+    assert comparison.missing == 0
+    assert told[-1] == (8, 8)
+    assert "mine" in comparison.headline and "mine" in json.dumps(comparison.figures)
+    runs = comparison.runs()
+    assert isinstance(runs, pandas.DataFrame) and len(runs) == 8
+    assert set(runs.planner) == {"mine", "rrt-opt-euc"} and set(runs.scenario) == {"yard", "park"}
+    assert (runs.status == "solved").all()
+    assert np.allclose(runs.cost, runs.length)
+    assert (runs.first_cost >= runs.cost - 1e-9).all()
+    assert vp.read_store(comparison.store).equals(runs)
+    again = vp.compare([yard, park], [mine, "rrt-opt-euc"], tmp_path / "out", repeats=2, max_iterations=2000)
+    assert again.runs().equals(runs)  # kept
+
+
+def test_what_is_no_store_is_refused(tmp_path):
+    with pytest.raises(vp.InputError, match="no such file"):
+        vp.read_store(tmp_path / "none.sqlite")
+    (tmp_path / "x.sqlite").write_text("nothing of the kind, but long enough to be looked at" * 40)
+    with pytest.raises(vp.InputError, match="is not a result store"):
+        vp.read_store(tmp_path / "x.sqlite")
+
+
+def test_what_is_no_campaign_is_refused(yard, tmp_path):
+    with pytest.raises(vp.InputError, match="regions"):
+        vp.compare([yard], ["anytime"], tmp_path, regions=["moon"])
+    with pytest.raises(vp.InputError, match="nobody"):
+        vp.compare([yard], ["nobody"], tmp_path)

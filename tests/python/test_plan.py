@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the Vändplan authors
+"""Planning, the judge, smoothing and speeds."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+
+import numpy as np
+import pytest
+from conftest import WALL
+
+import vandplan as vp
+
+
+def test_a_plan_in_one_call(yard):
+    result = vp.plan(yard, max_iterations=3000)
+    assert result.status == "solved" and result
+    assert result.path.end == pytest.approx(yard.goal, abs=1e-6)
+    assert result.cost >= result.path.length
+    assert 0 < result.bound <= result.cost
+    assert result.gap == pytest.approx(result.cost / result.bound - 1)
+    assert result.trace.shape[1] == 3
+    assert result.trace[-1, 2] == pytest.approx(result.cost)
+    assert np.all(np.diff(result.trace[:, 2]) < 0)
+    assert result.iterations <= 3000
+    assert result.counters["nodes"] > 0
+    assert result.check.valid and result.check.clearance > 0
+    assert result.planner == "anytime"
+    assert result.options["max_iterations"] == 3000 and result.options["seed"] == 1
+    assert result.scenario.name == "yard"
+    assert result.reason == ""
+    assert "solved" in repr(result)
+
+
+def test_the_same_seed_and_iterations_repeat(yard):
+    first, second = (vp.plan(yard, max_iterations=1000, seed=5) for _ in range(2))
+    assert first.path == second.path
+    assert first.path != vp.plan(yard, max_iterations=1000, seed=6, style="shortest").path
+
+
+def test_options_are_those_of_set(yard):
+    shortest = vp.plan(yard, max_iterations=2000, style="shortest", margin=0.25)
+    assert shortest.cost == pytest.approx(shortest.path.length)
+    assert shortest.check.clearance >= 0.25
+    assert shortest.options["margin"] == 0.25
+    beside = vp.plan(yard, max_iterations=100, reverse_weight=3, style="shortest")
+    assert beside.options["reverse_weight"] == 3 and beside.options["gear_change_cost"] == 0
+    tree = vp.plan(yard, "rrt-opt-euc", max_iterations=300, goal_bias=0.2)
+    assert tree.options["goal_bias"] == 0.2
+    wheels = vp.plan(yard, max_iterations=500, steering="continuous")
+    assert wheels.options["steering"] == "continuous"
+
+
+def test_options_of_the_scenario_hold_unless_others_are_given():
+    scenario = vp.Scenario((0, 0, 0), (20, 0, 0), bounds=(-50, 50, -50, 50), options={"margin": 0.4})
+    assert vp.plan(scenario, max_iterations=50).options["margin"] == 0.4
+    assert vp.plan(scenario, max_iterations=50, margin=0.1).options["margin"] == 0.1
+
+
+@pytest.mark.parametrize(
+    ("planner", "options", "message"),
+    [
+        ("anytime", {"margin": -1}, "margin: -1 is not a number from 0 to 1000"),
+        ("anytime", {"marign": 1}, "marign: unknown option, expected one of"),
+        ("rrt-opt-euc", {"reverse_weight": 3}, "reverse_weight: is no option of rrt-opt-euc"),
+        ("anytime", {"time": -1}, "time_limit"),
+        ("anytime", {"max_iterations": -1}, "max_iterations"),
+        ("swift", {}, 'planner: "swift" is unknown'),
+        (7, {}, "planner: expected a name"),
+        ("anytime", {"on_interrupt": "ignore"}, "on_interrupt"),
+    ],
+)
+def test_refusals_are_those_of_the_command_line(yard, planner, options, message):
+    with pytest.raises(vp.InputError, match=message):
+        vp.plan(yard, planner, **options)
+
+
+def test_no_path_has_a_reason(yard):
+    stuck = vp.plan(yard.with_poses(goal=(0, 6, 0)), max_iterations=10)
+    assert stuck.status == "goal_in_collision" and not stuck
+    assert "obstacles[0]" in stuck.reason
+    assert stuck.path is None and stuck.cost is None and stuck.gap is None
+    assert stuck.trace.shape == (0, 3)
+    with pytest.raises(vp.InputError, match="goal_in_collision"):
+        vp.check(yard, stuck)
+    walls = [(-10, -5), (10, -5), (10, -4), (-10, -4)], [(-10, 4), (10, 4), (10, 5), (-10, 5)]
+    ends = [(-10, -5), (-9, -5), (-9, 5), (-10, 5)], [(9, -5), (10, -5), (10, 5), (9, 5)]
+    caged = vp.Scenario(
+        (0, 0, 0), (20, 0, 0), bounds=(-50, 50, -50, 50), obstacles=[*walls, *ends]
+    )
+    assert vp.plan(caged, max_iterations=10_000).status == "no_path"
+
+
+def test_the_judge_accepts_and_refuses(yard):
+    result = vp.plan(yard, max_iterations=1000)
+    assert vp.check(yard, result)
+    assert vp.check(yard, result.path, steering="continuous-between-stops")
+    straight = vp.check(yard, vp.reeds_shepp(yard.start, yard.goal, 7))
+    assert not straight and not straight.valid
+    assert straight.reason and straight.at["pose"].shape == (3,)
+    far = vp.check(yard, result.path, margin=30)
+    assert not far and "margin" in far.reason + " margin"
+
+
+def test_results_are_saved_and_read_back(yard, tmp_path):
+    result = vp.plan(yard, max_iterations=1000)
+    result.save(tmp_path / "r.json")
+    again = vp.read_result(tmp_path / "r.json", yard)
+    assert again.path == result.path and again.status == "solved"
+    assert vp.check(yard, again)
+    assert json.loads((tmp_path / "r.json").read_text("utf-8"))["planner"] == "anytime"
+    vp.draw(yard, result, tmp_path / "r.svg")
+    vp.draw(yard, None, tmp_path / "s.png", width=200)
+    assert (tmp_path / "r.svg").read_text("utf-8").startswith("<?xml")
+    assert result._repr_png_().startswith(b"\x89PNG")
+    with pytest.raises(vp.InputError, match="r.gif"):
+        vp.draw(yard, result, tmp_path / "r.gif")
+
+
+def test_many_plans_are_what_each_alone_is(yard, random_poses):
+    starts = random_poses(12)
+    many = vp.plan_many(yard, starts, yard.goal, threads=2, max_iterations=50)
+    assert len(many) == 12
+    for start, result in zip(starts, many):
+        alone = vp.plan(yard.with_poses(start=start), max_iterations=50)
+        assert (alone.status, alone.path) == (result.status, result.path)
+    assert vp.plan_many(yard, np.zeros((0, 3)), yard.goal) == []
+    with pytest.raises(vp.InputError, match="fit together"):
+        vp.plan_many(yard, starts, starts[:3])
+    with pytest.raises(vp.InputError, match="threads"):
+        vp.plan_many(yard, starts, starts, threads=0)
+
+
+def test_a_path_is_smoothed(yard):
+    arcs = vp.plan(yard, max_iterations=500, style="shortest")
+    smooth = vp.smooth(yard, arcs, max_iterations=200)
+    assert smooth and smooth.options["steering"] == "continuous-between-stops"
+    assert vp.check(yard, smooth)
+    with pytest.raises(vp.InputError, match="method"):
+        vp.smooth(yard, arcs, method="iron")
+
+
+def test_speeds_along_a_path(yard):
+    result = vp.plan(yard, max_iterations=500)
+    profile = vp.speed_profile(result)
+    assert profile.duration > result.path.length / 2.5
+    motions = profile.motions(0.1)
+    assert motions["t"][0] == 0 and motions["t"][-1] == pytest.approx(profile.duration)
+    assert np.abs(motions["v"]).max() <= 2.5 + 1e-9
+    at = profile.at([0.0, profile.duration])
+    assert at["s"] == pytest.approx([0, result.path.length])
+    slow = vp.speed_profile(result.path, {"max_speed": (1, 1)})
+    assert slow.duration > profile.duration
+    with pytest.raises(vp.InputError, match="vehicle: is missing"):
+        vp.speed_profile(result.path)
+
+
+# The planner says when it has begun, so that no time has to be waited for.
+INTERRUPTED = """
+import os, signal, sys, threading
+import vandplan as vp
+
+yard = vp.Scenario((0, 0, 0), (0, 12, 0), bounds=(-50, 50, -50, 50), obstacles=[%r])
+how = sys.argv[1]
+
+def interrupt():
+    os.kill(os.getpid(), signal.SIGINT)
+
+timer = threading.Timer(0.3, interrupt)
+timer.start()
+try:
+    if how == "many":
+        vp.plan_many(yard, [yard.start] * 50, yard.goal, time=600)
+    elif how == "own":
+        def forever(task):
+            while True:
+                task.is_free(task.start)
+        vp.plan(yard, forever, time=600)
+    else:
+        result = vp.plan(yard, time=600, on_interrupt=how)
+        print("returned", bool(result), result.path is not None)
+except KeyboardInterrupt:
+    print("interrupted")
+print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)
+again = vp.plan(yard, max_iterations=200)
+print(again.status)
+"""
+
+
+@pytest.mark.parametrize(
+    ("how", "said"),
+    [("raise", "interrupted"), ("return", "returned True True"), ("many", "interrupted"), ("own", "interrupted")],
+)
+def test_ctrl_c_ends_a_run(how, said):
+    script = INTERRUPTED % (WALL,)
+    run = subprocess.run(
+        [sys.executable, "-c", script, how], capture_output=True, text=True, timeout=300, check=True
+    )
+    assert run.stdout.split("\n")[:3] == [said, "True", "solved"], run.stderr
+
+
+def test_other_threads_plan_meanwhile(yard):
+    results = []
+    threads = [
+        threading.Thread(target=lambda seed=seed: results.append(vp.plan(yard, max_iterations=300, seed=seed)))
+        for seed in (1, 2)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(results) and len(results) == 2
+
+
+def test_importing_does_not_import_what_is_not_needed():
+    script = "import sys, vandplan; print([m for m in ('numpy', 'pandas', 'matplotlib', 'typing') if m in sys.modules])"
+    run = subprocess.run(
+        [sys.executable, "-S", "-c", script],
+        capture_output=True, text=True, check=True,
+        env={**os.environ, "PYTHONPATH": os.path.dirname(os.path.dirname(vp.__file__))},
+    )
+    assert run.stdout.strip() == "[]"
+
+
+def test_everything_has_a_docstring():
+    for name in vp.__all__:
+        thing = getattr(vp, name)
+        assert name == "__version__" or textwrap.dedent(thing.__doc__ or "").strip(), name
+        if isinstance(thing, type):
+            for member, value in vars(thing).items():
+                if not member.startswith("_") and not isinstance(value, (str, int)):
+                    assert value.__doc__, f"{name}.{member}"
