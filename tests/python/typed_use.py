@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the Vändplan authors
+"""What a user with mypy --strict writes: every wrong line is marked, every other one is right."""
+
+from __future__ import annotations
+
+import pathlib
+
+import numpy as np
+from numpy.typing import NDArray
+
+import vandplan as vp
+
+
+def lengths(poses: NDArray[np.float64]) -> float:
+    one: float = vp.reeds_shepp_length((0, 0, 0), (1.0, 2.0, 3.0), 7)
+    many = vp.reeds_shepp_length(poses, poses[0], 7, exact=True)
+    index, _ = vp.nearest(poses, (0, 0, 0), 7)
+    vp.reeds_shepp_length(poses, poses, "wide")  # type: ignore[call-overload]
+    return one + float(many.sum()) + float(vp.dubins_length([0, 0, 0], [1, 1, 1], 7)) + index
+
+
+def straight(task: vp.Task) -> vp.Path | None:
+    while task.next():
+        if task.is_free(task.start):
+            return task.steer(task.start, task.goal)
+    return None
+
+
+def wrong(task: vp.Task) -> str:
+    return "left"
+
+
+def plans(folder: pathlib.Path) -> None:
+    grid = vp.OccupancyGrid(np.zeros((40, 40), dtype=bool), 0.5)
+    vehicle = vp.Vehicle(wheelbase=3.0, max_speed=(2.0, 1.0))
+    yard = vp.Scenario((5, 5, 0), (12, 5, 0), grid=grid, vehicle=vehicle, options={"margin": 0.1})
+    result = vp.plan(yard, time=0.1, style="shortest", threads=2)
+    if result.path is not None:
+        poses: NDArray[np.float64] = result.path.poses(0.5)
+        clearance: float | None = vp.check(yard, result).clearance
+        print(poses.shape, clearance, vp.speed_profile(result).duration)
+    result.path.poses()  # type: ignore[union-attr]
+    vp.plan(yard, straight)
+    vp.plan(yard, vp.Planner("straight", straight, options={"share": (0.2, 0, 1)}))
+    vp.plan(yard, wrong)  # type: ignore[arg-type]
+    vp.plan(yard, time="soon")  # type: ignore[arg-type]
+    vp.Scenario((0, 0, 0), (1, 0, 0), bouns=(0, 1, 0, 1))  # type: ignore[call-arg]
+    for one in vp.plan_many(yard, [yard.start], yard.goal, threads=2):
+        one.save(folder / "r.json")
+    runs = vp.compare([yard], ["anytime", straight], folder).runs()
+    print(len(runs), vp.read_store(folder / "runs.sqlite"))
+    vp.plot(yard, result).set_title("yard")
