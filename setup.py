@@ -30,5 +30,5 @@ setup(
         "-DVANDPLAN_TESTS=OFF",
         "-DVANDPLAN_INSTALL=OFF",
     ],
-    cmake_install_target="install-python",
+    cmake_install_target="install",
 )

@@ -170,8 +170,9 @@ def test_what_is_no_store_is_refused(tmp_path):
     with pytest.raises(vp.InputError, match="no such file"):
         vp.read_store(tmp_path / "none.sqlite")
     (tmp_path / "x.sqlite").write_text("nothing of the kind, but long enough to be looked at" * 40)
-    with pytest.raises(vp.InputError, match="is not a result store"):
+    with pytest.raises(vp.InputError, match="is not a result store") as refused:
         vp.read_store(tmp_path / "x.sqlite")
+    assert refused.value.where == str(tmp_path / "x.sqlite")
 
 
 def test_what_is_no_campaign_is_refused(yard, tmp_path):

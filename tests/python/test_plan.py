@@ -52,6 +52,8 @@ def test_options_are_those_of_set(yard):
     assert beside.options["reverse_weight"] == 3 and beside.options["gear_change_cost"] == 0
     tree = vp.plan(yard, "rrt-opt-euc", max_iterations=300, goal_bias=0.2)
     assert tree.options["goal_bias"] == 0.2
+    numbers = vp.plan(yard, "rrt-opt-euc", max_iterations=9, goal_bias=np.float64(0.3), try_goal=np.bool_(True), margin=None)
+    assert (numbers.options["goal_bias"], numbers.options["try_goal"], numbers.options["margin"]) == (0.3, True, 0)
     wheels = vp.plan(yard, max_iterations=500, steering="continuous")
     assert wheels.options["steering"] == "continuous"
 

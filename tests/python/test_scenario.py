@@ -64,6 +64,8 @@ def test_a_vehicle_is_a_value_with_the_names_of_files():
         ({"vehicle": {"width": -1}}, "vehicle.width"),
         ({"vehicle": {"width": "wide"}}, "vehicle.width: is no number"),
         ({"options": {"margin": "wide"}}, "margin"),
+        ({"options": {"marign": 1}}, "marign: unknown option"),
+        ({"options": {"seed": 2}}, "options.seed: is an option of the budget"),
         ({"start": (0, 0)}, "start: has the shape"),
         ({"goal": (float("inf"), 0, 0)}, "goal"),
         ({"grid": np.zeros((4, 4), bool)}, "resolution: is missing"),

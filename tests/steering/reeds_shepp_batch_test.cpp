@@ -101,5 +101,28 @@ TEST(ReedsSheppBatch, LengthsBelongToTheirNodes) {
   }
 }
 
+// Also where there are no vectors; on every target of the machine: length_kernels_test.
+TEST(ReedsSheppBatch, PairsHaveTheExactLengths) {
+  Rng rng(5);
+  for (const std::size_t count : {0U, 1U, 3U, 100U}) {
+    std::vector<Pose> from, to;
+    std::vector<double> out(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const DrawnPair pair = any_pair(7.0, rng);
+      from.push_back(pair.from);
+      to.push_back(pair.to);
+    }
+    reeds_shepp_lengths(from, to, 7.0, out);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(out[i], reeds_shepp_length(from[i], to[i], 7.0));
+    }
+    const Pose sample{1, 2, 3};
+    reeds_shepp_lengths(from, {&sample, 1}, 7.0, out);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(out[i], reeds_shepp_length(from[i], sample, 7.0));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -33,13 +33,16 @@ std::shared_ptr<const Planner> planner_from(const py::handle& given) {
 }
 
 std::string typed(const py::handle& value) {
-  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
-  return py::str(value);
+  const std::string text = py::str(value);
+  if (text == "True" || text == "False") return text == "True" ? "true" : "false";
+  return text;
 }
 
 std::vector<Setting> settings_from(const py::dict& given) {
   std::vector<Setting> settings;
-  for (const auto& [name, value] : given) settings.push_back({py::str(name), typed(value)});
+  for (const auto& [name, value] : given) {
+    if (!value.is_none()) settings.push_back({py::str(name), typed(value)});
+  }
   return settings;
 }
 

@@ -34,7 +34,7 @@ struct RunKeywords {
 /// A value of Python as the text that `--set` takes.
 [[nodiscard]] std::string typed(const pybind11::handle& value);
 
-/// Names and values as text.
+/// Names and values as text; without those that are None.
 [[nodiscard]] std::vector<Setting> settings_from(const pybind11::dict& given);
 
 /// Options that are in force, those of all planners and the planner's own.

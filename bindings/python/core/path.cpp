@@ -20,7 +20,7 @@ namespace {
 
 using namespace py::literals;
 
-Path path_from(const py::object& start, const py::object& segments) {
+Path made_path(const py::object& start, const py::object& segments) {
   return {pose_from(start, "start"), segments_from(segments)};
 }
 
@@ -81,7 +81,7 @@ py::dict samples_of(const Path& path, double step) {
   return columns;
 }
 
-std::string text_of(const Path& path) {
+std::string path_text(const Path& path) {
   return fmt::format("<vandplan.Path: {:.3f} m, {} segments, {} gear changes>", length(path),
                      path.segments.size(), gear_changes(path));
 }
@@ -92,7 +92,7 @@ void bind_path_class(py::module_& module) {
 What is driven from a start pose [x, y, heading]: rows [curvature, length, curvature_rate], of which
 the last number may be left out. A curvature is that at the segment's start [1/m], positive to the
 left; a length [m] is negative in reverse; a rate [1/m^2] is the change of curvature per metre.)")
-      .def(py::init(&path_from), "start"_a, "segments"_a)
+      .def(py::init(&made_path), "start"_a, "segments"_a)
       .def_property_readonly(
           "start", [](const Path& self) { return array_of(self.start); },
           "The first pose [x, y, heading].")
@@ -120,13 +120,13 @@ places as `poses`; `pandas.DataFrame(path.samples())` is a table of them.)")
 The pose after `s` metres, clamped to [0, length]: shape (3,) for a number, (..., 3) for an array.)")
       .def("__eq__", [](const Path& self, const Path& other) { return self == other; })
       .def("__eq__", [](const Path&, const py::object&) { return false; })
-      .def("__repr__", &text_of)
+      .def("__repr__", &path_text)
       .def(py::pickle(
           [](const Path& self) {
             return py::make_tuple(array_of(self.start),
                                   array_of(std::span<const Segment>(self.segments)));
           },
-          [](const py::tuple& state) { return path_from(state[0], state[1]); }))
+          [](const py::tuple& state) { return made_path(state[0], state[1]); }))
       .attr("__hash__") = py::none();
 }
 

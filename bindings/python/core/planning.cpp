@@ -77,7 +77,8 @@ std::vector<CheckedScenario> scenarios_for(const CheckedScenario& scenario,
   scenarios.reserve(size);
   for (std::size_t i = 0; i < size && !from.view().empty() && !to.view().empty(); ++i) {
     scenarios.push_back(scenario.with_poses(from.view()[from.view().size() == 1 ? 0 : i],
-                                            to.view()[to.view().size() == 1 ? 0 : i], {}));
+                                            to.view()[to.view().size() == 1 ? 0 : i],
+                                            scenario.scenario().curvatures));
   }
   return scenarios;
 }

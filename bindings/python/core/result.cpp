@@ -55,18 +55,18 @@ Infinite without obstacles; None if something was wrong before.)")
 
 const PlanResult& plan_of(const RunResult& self) { return self.record.result; }
 
-std::optional<double> cost_of(const RunResult& self) {
+std::optional<double> result_cost(const RunResult& self) {
   if (!plan_of(self).path) return std::nullopt;
   return plan_of(self).cost;
 }
 
-std::optional<double> gap_of(const RunResult& self) {
+std::optional<double> result_gap(const RunResult& self) {
   const PlanResult& result = plan_of(self);
   if (!result.path || !(result.lower_bound > 0.0)) return std::nullopt;
   return result.cost / result.lower_bound - 1.0;
 }
 
-py::array_t<double> trace_of(const RunResult& self) {
+py::array_t<double> result_trace(const RunResult& self) {
   const std::vector<CostSample>& samples = plan_of(self).anytime;
   py::array_t<double> array({static_cast<py::ssize_t>(samples.size()), py::ssize_t{3}});
   double* out = array.mutable_data();
@@ -78,7 +78,7 @@ py::array_t<double> trace_of(const RunResult& self) {
   return array;
 }
 
-py::object tree_of(const RunResult& self) {
+py::object result_tree(const RunResult& self) {
   const std::optional<TreeSnapshot>& tree = plan_of(self).tree;
   if (!tree) return py::none();
   py::array_t<std::int32_t> parents(static_cast<py::ssize_t>(tree->parents.size()));
@@ -98,18 +98,18 @@ py::dict phases_of(const RunResult& self) {
   return phases;
 }
 
-py::object options_of(const RunResult& self) {
+py::object result_options(const RunResult& self) {
   if (!self.planner) return py::none();
   return dict_of(*self.planner, self.record.options);
 }
 
-std::string text_of(const RunResult& self) {
+std::string result_text(const RunResult& self) {
   const PlanResult& result = plan_of(self);
   if (!result.path) {
     const std::string why = result.reason.empty() ? "" : ", " + result.reason;
     return fmt::format("<vandplan.Result: {}{}>", name_of(result.status), why);
   }
-  const std::optional<double> gap = gap_of(self);
+  const std::optional<double> gap = result_gap(self);
   const std::string proven = gap ? fmt::format(", gap {:.1f} %", 100 * *gap) : "";
   return fmt::format("<vandplan.Result: {}, {:.2f} m, gear changes: {}, cost {:.2f} m{}, {:.3g} s>",
                      name_of(result.status), length(*result.path), gear_changes(*result.path),
@@ -156,14 +156,15 @@ void bind_result_class(py::module_& module) {
   property(
       "check", [](const PlanResult& r) { return r.check; },
       "What the judge found, of a path that it rejected as well; or None.");
-  result.def_property_readonly("cost", &cost_of, "Cost of the path [m], or None.")
-      .def_property_readonly("gap", &gap_of, "cost / bound - 1, or None where nothing is proven.")
-      .def_property_readonly("trace", &trace_of,
+  result.def_property_readonly("cost", &result_cost, "Cost of the path [m], or None.")
+      .def_property_readonly("gap", &result_gap,
+                             "cost / bound - 1, or None where nothing is proven.")
+      .def_property_readonly("trace", &result_trace,
                              "A row [time, iteration, cost] for each better path; shape (N, 3).")
       .def_property_readonly("counters", &counters_of, "What the planner counted, by name.")
       .def_property_readonly("phases", &phases_of, "Seconds by phase, with the option profile.")
-      .def_property_readonly("tree", &tree_of, "(poses, parents) of a search tree, or None.")
-      .def_property_readonly("options", &options_of, "What was in force, by name.")
+      .def_property_readonly("tree", &result_tree, "(poses, parents) of a search tree, or None.")
+      .def_property_readonly("options", &result_options, "What was in force, by name.")
       .def_property_readonly(
           "planner", [](const RunResult& self) { return self.record.planner; }, "Its name.")
       .def_property_readonly(
@@ -175,7 +176,7 @@ void bind_result_class(py::module_& module) {
           },
           "file"_a, "save(file)\n\nWrites a result file (JSON) for the command line.")
       .def("__bool__", [](const RunResult& self) { return plan_of(self).path.has_value(); })
-      .def("__repr__", &text_of)
+      .def("__repr__", &result_text)
       .def("_repr_png_", [](const RunResult& self) {
         return py::bytes(picture_of(self.scenario, &self, PictureFormat::png, 700));
       });

@@ -9,6 +9,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "bindings/python/core/arrays.h"
@@ -199,7 +200,7 @@ CheckedScenario scenario_of(const FileName& file) {
 }
 
 /// Writes the scenario, and a map that has no file yet beside it.
-void save(const CheckedScenario& self, const FileName& name) {
+void save_scenario(const CheckedScenario& self, const FileName& name) {
   const std::string file = name.string();
   ScenarioFile content = self.file();
   if (content.scenario.map) {
@@ -220,7 +221,7 @@ CheckedScenario moved(const CheckedScenario& self, const py::object& start,
                          scenario.curvatures);
 }
 
-std::string text_of(const CheckedScenario& self) {
+std::string scenario_text(const CheckedScenario& self) {
   const Scenario& s = self.scenario();
   return fmt::format(
       "<vandplan.Scenario {}: ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {} obstacles{}>", s.name,
@@ -228,34 +229,7 @@ std::string text_of(const CheckedScenario& self) {
       s.map ? ", a grid" : "");
 }
 
-void bind_scenario_class(py::module_& module) {
-  py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
-    obstacles=(), kerbs=(), grid=None, resolution=None, origin=None, vehicle=None,
-    start_curvature=0, goal_curvature=0, name="scenario", options={})
-
-What is to be planned, checked and unchangeable; metres and radians, counter-clockwise. `start` and
-`goal` are poses [x, y, heading] of the midpoint of the rear axle, which has to stay in `bounds`
-(x_min, x_max, y_min, y_max); with a grid these are those of the grid unless given. `obstacles` and
-`kerbs` are simple polygons, arrays of the shape (N, 2); only the wheels keep off kerbs. `grid` is an
-`OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
-or a dict; None is a truck. `options` are what this scenario wants of planners: {"margin": 0.3}.)");
-  scenario
-      .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
-           "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
-           "resolution"_a = py::none(), "origin"_a = py::none(), "vehicle"_a = py::none(),
-           "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "name"_a = "scenario",
-           "options"_a = py::dict())
-      .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
-           R"(with_poses(start=None, goal=None) -> Scenario
-
-The one with another start or goal. It shares the world, so that nothing is built again.)")
-      .def(
-          "to_yaml", [](const CheckedScenario& self) { return to_yaml(self.file()); },
-          "to_yaml() -> str\n\nThe text of a scenario file; a grid stays in its own file.")
-      .def("save", &save, "file"_a, R"(save(file)
-
-Writes a scenario file for the command line, and a grid beside it (.map.yaml, .map.pgm).)")
-      .def("__repr__", &text_of);
+void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
   const auto property = [&](const char* name, auto get, const char* about) {
     scenario.def_property_readonly(
         name, [get](const CheckedScenario& self) { return get(self.scenario()); }, about);
@@ -300,6 +274,37 @@ Writes a scenario file for the command line, and a grid beside it (.map.yaml, .m
       "What it wants of planners, as text.");
 }
 
+void bind_scenario_class(py::module_& module) {
+  py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
+    obstacles=(), kerbs=(), grid=None, resolution=None, origin=None, vehicle=None,
+    start_curvature=0, goal_curvature=0, name="scenario", options={})
+
+What is to be planned, checked and unchangeable; metres and radians, counter-clockwise. `start` and
+`goal` are poses [x, y, heading] of the midpoint of the rear axle, which has to stay in `bounds`
+(x_min, x_max, y_min, y_max); with a grid these are those of the grid unless given. `obstacles` and
+`kerbs` are simple polygons, arrays of the shape (N, 2); only the wheels keep off kerbs. `grid` is an
+`OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
+or a dict; None is a truck. `options` are what this scenario wants of planners: {"margin": 0.3}.)");
+  scenario
+      .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
+           "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
+           "resolution"_a = py::none(), "origin"_a = py::none(), "vehicle"_a = py::none(),
+           "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "name"_a = "scenario",
+           "options"_a = py::dict())
+      .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
+           R"(with_poses(start=None, goal=None) -> Scenario
+
+The one with another start or goal. It shares the world, so that nothing is built again.)")
+      .def(
+          "to_yaml", [](const CheckedScenario& self) { return to_yaml(self.file()); },
+          "to_yaml() -> str\n\nThe text of a scenario file; a grid stays in its own file.")
+      .def("save", &save_scenario, "file"_a, R"(save(file)
+
+Writes a scenario file for the command line, and a grid beside it (.map.yaml, .map.pgm).)")
+      .def("__repr__", &scenario_text);
+  bind_scenario_data(scenario);
+}
+
 }  // namespace
 
 CheckedScenario::CheckedScenario(Scenario scenario, std::vector<Setting> options)
@@ -307,12 +312,12 @@ CheckedScenario::CheckedScenario(Scenario scenario, std::vector<Setting> options
       options_(std::move(options)) {
   check_scenario(*scenario_);
   for (const auto& [name, value] : options_) {
-    for (const Planner& planner : planners()) {
-      if (!honours(planner, name)) continue;
-      PlanOptions any;
-      set_option(any, planner, name, value);
-      break;
-    }
+    const auto honouring = std::ranges::find_if(
+        planners(), [&name = name](const Planner& planner) { return honours(planner, name); });
+    PlanOptions any;
+    set_option(any, honouring == planners().end() ? default_planner() : *honouring, name, value);
+    if (any.budget == BudgetOptions{}) continue;
+    throw InputError("options." + name, "is an option of the budget, expected it where one plans");
   }
 }
 

@@ -112,7 +112,7 @@ std::optional<Path> connect(PlanningTask& self, const py::object& from, const py
   return path_of(start, edge->piece);
 }
 
-double cost_of(PlanningTask& self, const py::object& given) {
+double way_cost(PlanningTask& self, const py::object& given) {
   const std::vector<Segment> segments = segments_of(given);
   search::Driven driven = self.rule().initial_gear;
   double cost = search::drive_cost(self.rule(), segments, driven);
@@ -216,7 +216,8 @@ without a path: there is none. `reason`: why, one line. `counters`: what was cou
            "path"_a = py::none(), py::kw_only(), "lower_bound"_a = 0.0, "proven"_a = false,
            "reason"_a = "", "counters"_a = py::dict(), "tree"_a = py::none());
 
-  py::class_<PlanningTask, std::shared_ptr<PlanningTask>> task(module, "Task", R"(What a planner in Python is given.
+  py::class_<PlanningTask, std::shared_ptr<PlanningTask>> task(module, "Task",
+                                                               R"(What a planner in Python is given.
 
 Poses are in the frame of the task, whose origin lies near the start. A planner returns a path from
 `start` to `goal`, a list of paths that go on from each other, None, or an `Answer`.)");
@@ -241,7 +242,7 @@ continuous.)")
            R"(connect(start, goal, cutoff=inf) -> Path or None
 
 That way, if it costs less than `cutoff` [m] and nothing stands in it.)")
-      .def("cost", &cost_of, "path"_a, R"(cost(path) -> float
+      .def("cost", &way_cost, "path"_a, R"(cost(path) -> float
 
 What a path, or a list of paths, costs: its length, unless the planner honours prices [m].)")
       .def("found", &PlanningTask::found, "cost"_a,

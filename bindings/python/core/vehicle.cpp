@@ -115,7 +115,7 @@ Vehicle vehicle_of(const py::dict& values) {
   return vehicle;
 }
 
-py::dict dict_of(const Vehicle& vehicle) {
+py::dict dict_of_vehicle(const Vehicle& vehicle) {
   py::dict values;
   for (const Field& field : fields) values[field.name] = field.get(vehicle);
   const GearSpeeds& speeds = vehicle.limits.max_speed;
@@ -123,7 +123,7 @@ py::dict dict_of(const Vehicle& vehicle) {
   return values;
 }
 
-std::string text_of(const Vehicle& vehicle) {
+std::string vehicle_text(const Vehicle& vehicle) {
   return fmt::format("<vandplan.Vehicle: {} m by {} m, turning radius {} m>",
                      vehicle.rear_overhang + vehicle.wheelbase + vehicle.front_overhang,
                      vehicle.width, vehicle.min_turning_radius);
@@ -151,13 +151,13 @@ not given is that of a truck.)");
       .def_static("named", &vehicle_named, py::arg("name"),
                   "named(name) -> Vehicle\n\nA vehicle of the catalogue, such as \"city-bus\".")
       .def_static("names", &vehicle_names, "names() -> list of str\n\nWhat the catalogue has.")
-      .def("as_dict", &dict_of, R"(as_dict() -> dict
+      .def("as_dict", &dict_of_vehicle, R"(as_dict() -> dict
 
 Every value by its keyword: `Vehicle(**{**vehicle.as_dict(), "width": 2.4})` is a narrower one.)")
       .def("__eq__", [](const Vehicle& self, const Vehicle& other) { return self == other; })
       .def("__eq__", [](const Vehicle&, const py::object&) { return false; })
-      .def("__repr__", &text_of)
-      .def(py::pickle([](const Vehicle& self) { return dict_of(self); },
+      .def("__repr__", &vehicle_text)
+      .def(py::pickle([](const Vehicle& self) { return dict_of_vehicle(self); },
                       [](const py::dict& values) { return vehicle_of(values); }));
   for (const Field& field : fields) {
     vehicle.def_property_readonly(field.name, field.get, field.about);

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _OBSTACLE = "0.55"
 _KERB = "#d9b77e"
-_SWEPT = "#9cc4e4"
+_SWEPT = "#cfe3f4"
 _FORWARD = "#1f5f99"
 _REVERSE = "#c2410c"
 _START = "#2e7d32"
@@ -91,8 +91,8 @@ def _draw_path(ax: Axes, scenario: Scenario, path: Path) -> None:
 
     step = max(path.length / 2000, 0.05)
     poses = path.poses(step)
-    swept = _outlines(scenario, path.poses(max(path.length / 150, 0.5)))
-    ax.add_collection(PolyCollection(swept, facecolor=_SWEPT, edgecolor="none", alpha=0.35, zorder=3))
+    swept = _outlines(scenario, path.poses(max(path.length / 500, 0.2)))
+    ax.add_collection(PolyCollection(swept, facecolor=_SWEPT, edgecolor=_SWEPT, zorder=0.5))
     direction = path.samples(step)["direction"][:-1]
     pieces = np.stack([poses[:-1, :2], poses[1:, :2]], axis=1)
     for sign, colour, label in ((1, _FORWARD, "forward"), (-1, _REVERSE, "reverse")):

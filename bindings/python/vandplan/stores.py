@@ -24,6 +24,14 @@ ORDER BY runs.id
 """
 
 
+def _refusal(where: object, problem: str) -> Exception:
+    from vandplan._core import InputError
+
+    error = InputError(f"{where}: {problem}")
+    error.where, error.problem = str(where), problem
+    return error
+
+
 def read_store(file: str | os.PathLike[str]) -> pandas.DataFrame:
     """Every run of a result store (SQLite) as a row of a pandas data frame.
 
@@ -37,15 +45,13 @@ def read_store(file: str | os.PathLike[str]) -> pandas.DataFrame:
 
     import pandas
 
-    from vandplan._core import InputError
-
     path = pathlib.Path(file)
     if not path.is_file():
-        raise InputError(f"{path}: there is no such file")
+        raise _refusal(path, "there is no such file")
     connection = sqlite3.connect(path.resolve().as_uri() + "?mode=ro", uri=True)
     try:
         return pandas.read_sql_query(_RUNS, connection)
     except (sqlite3.DatabaseError, pandas.errors.DatabaseError):
-        raise InputError(f"{path}: is not a result store of vandplan") from None
+        raise _refusal(path, "is not a result store of vandplan") from None
     finally:
         connection.close()
