@@ -29,6 +29,7 @@ setup(
         "-DVANDPLAN_APP=OFF",
         "-DVANDPLAN_TESTS=OFF",
         "-DVANDPLAN_INSTALL=OFF",
+        "-DVANDPLAN_UNITY=ON",  # half the work in a build from nothing
     ],
     cmake_install_target="install",
 )
