@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the Vändplan authors
+"""How Sphinx makes the site of the pages that stage.py gathers. scripts/docs runs both."""
+
+import os
+
+project = "Vändplan"
+author = "the Vändplan authors"
+copyright = "2026, the Vändplan authors"  # noqa: A001
+release = os.environ["VANDPLAN_VERSION"]
+version = release
+
+extensions = ["myst_parser", "sphinx_copybutton"]
+if os.environ.get("VANDPLAN_PYTHON"):
+    extensions.append("sphinx.ext.autodoc")
+
+# Pages are plain Markdown; what goes beyond it stands on the front page alone.
+myst_enable_extensions = ["colon_fence"]
+myst_heading_anchors = 4
+highlight_language = "none"
+copybutton_prompt_text = r"\$ |>>> "
+copybutton_prompt_is_regexp = True
+
+# What a page names exists, but for names of the standard library and of private types.
+nitpicky = True
+nitpick_ignore_regex = [("cpp:.*", "std|std::.*|.*collision|.*collision::.*"), ("py:.*", ".*")]
+primary_domain = None
+cpp_index_common_prefix = ["vandplan::", "vandplan::search::", "vandplan::evaluation::"]
+toc_object_entries_show_parents = "hide"
+add_function_parentheses = True
+
+html_theme = "furo"
+html_title = f"Vändplan {release}"
+html_static_path = ["_static"]
+html_css_files = ["style.css"]
+html_copy_source = False
+html_show_sphinx = False
+html_theme_options = {
+    "light_css_variables": {
+        "color-brand-primary": "#0072b2",
+        "color-brand-content": "#0068a3",
+        "color-accent": "#c24e00",
+        "color-card": "#f6f8fa",
+    },
+    "dark_css_variables": {
+        "color-brand-primary": "#56b4e9",
+        "color-brand-content": "#6cc0f0",
+        "color-accent": "#f0a060",
+        "color-card": "#1c2126",
+    },
+}
