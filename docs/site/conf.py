@@ -2,7 +2,9 @@
 # Copyright (c) 2026, the Vändplan authors
 """How Sphinx makes the site of the pages that stage.py gathers. scripts/docs runs both."""
 
+import inspect
 import os
+import re
 
 project = "Vändplan"
 author = "the Vändplan authors"
@@ -13,6 +15,7 @@ version = release
 extensions = ["myst_parser", "sphinx_copybutton"]
 if os.environ.get("VANDPLAN_PYTHON"):
     extensions.append("sphinx.ext.autodoc")
+    autodoc_docstring_signature = False  # signature_of reads those of several lines, too
 
 # Pages are plain Markdown; what goes beyond it stands on the front page alone.
 myst_enable_extensions = ["colon_fence"]
@@ -49,3 +52,38 @@ html_theme_options = {
         "color-card": "#1c2126",
     },
 }
+
+
+def first_paragraph(name, thing):
+    """The signature that a docstring of the module begins with; none if it begins with words."""
+    head = (inspect.getdoc(thing) or "").split("\n\n")[0]
+    return re.fullmatch(rf"{name.rpartition('.')[2]}(\(.*\))(?: -> (.*))?", head, re.S)
+
+
+def signature_of(app, what, name, thing, options, signature, returned):
+    found = first_paragraph(name, thing)
+    return (" ".join(found[1].split()), found[2]) if found else None
+
+
+def plain_docstring(app, what, name, thing, options, lines):
+    """Docstrings are plain text with `names` and indented code; here they become reStructuredText."""
+    text = "\n".join(lines).strip("\n")
+    if first_paragraph(name, thing):
+        text = text.partition("\n\n")[2]
+    paragraphs, in_code = [], False
+    for paragraph in text.split("\n\n"):
+        is_code = paragraph.startswith("    ")
+        if is_code:
+            paragraphs += [paragraph] if in_code else ["::", paragraph]
+        else:
+            parts = re.split(r"`([^`]*)`", paragraph)
+            quoted = (f"``{part}``" if i % 2 else re.sub(r"([\\*|_])", r"\\\1", part) for i, part in enumerate(parts))
+            paragraphs.append("".join(quoted))
+        in_code = is_code
+    lines[:] = "\n\n".join(paragraphs).split("\n") + [""]
+
+
+def setup(app):
+    if os.environ.get("VANDPLAN_PYTHON"):
+        app.connect("autodoc-process-signature", signature_of)
+        app.connect("autodoc-process-docstring", plain_docstring)

@@ -150,6 +150,14 @@ class Page:
             self.directive("enumerator", [value.findtext("name")], depth + 1, [":nocontentsentry:"])
             self.docstring(value, scope, depth + 2)
 
+    def names(self, here):
+        """What the page holds, in one paragraph of links."""
+        links = {}
+        for _, scope, node in here:
+            name = (node.findtext("name") or node.findtext("compoundname")).rpartition("::")[2]
+            links.setdefault(f":cpp:any:`{name} <{scope}::{name}>`")
+        self.write(".. rst-class:: names\n\n" + ", ".join(links) + "\n")
+
     def compound(self, node, depth):
         name = node.findtext("compoundname")
         self.directive(node.get("kind"), [name.rpartition("::")[2]], depth, [":nocontentsentry:"] if depth else [])
@@ -161,7 +169,7 @@ class Page:
     def entries(self, nodes, scope, depth):
         group = []
         for node in sorted(nodes, key=line_of):
-            if group and not goes_on(group[-1], node):
+            if group and not goes_on(group[0], node):
                 self.members(group, scope, depth)
                 group = []
             if node.tag == "compounddef":
@@ -189,13 +197,12 @@ def is_shown(member):
 
 
 def goes_on(before, node):
-    """Whether a function without docstring stands right under another one: theirs is one."""
-    return (
-        before.tag == node.tag == "memberdef"
-        and before.get("kind") == node.get("kind") == "function"
-        and not is_documented(node)
-        and line_of(node) - line_of(before) <= 3
-    )
+    """Whether a function without docstring stands right under its twin: the docstring is of both."""
+    if before.tag != "memberdef" or node.tag != "memberdef" or is_documented(node) or not is_documented(before):
+        return False
+    types = [["".join(part.itertext()) for part in function.iter("type")] for function in (before, node)]
+    near = line_of(node) - line_of(before) <= 3
+    return before.get("kind") == node.get("kind") == "function" and types[0] == types[1] and near
 
 
 def read_head(header):
@@ -224,6 +231,7 @@ def header_page(header, found, kinds, link_of):
             page.write("".join(page.code(t, "vandplan") if i % 2 else page.plain(t) for i, t in enumerate(codes)) + "\n")
     here = [(line, scope, node) for file, line, scope, node in found if file == header.name and top(node, scope)]
     here.sort(key=lambda row: row[0])
+    page.names(here)
     runs = [[]]
     for line, scope, node in here:
         passed = [at for at in sections if at < line]
@@ -271,7 +279,7 @@ def write_reference(repository, work, write, link_of):
     index = [(repository / "docs/site/reference.rst").read_text()]
     for room, headers, answers in read_rooms(repository):
         index.append(f"{escaped(answers)}\n{'-' * len(escaped(answers))}\n")
-        index += [".. list-table::", "   :widths: 30 70", ""]
+        index += [".. list-table::", "   :class: headers", "   :widths: 30 70", ""]
         for name in headers:
             header = repository / f"include/vandplan/{name}.h"
             question, text = header_page(header, found, kinds, link_of(f"cpp/{name}"))

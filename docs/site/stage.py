@@ -9,6 +9,7 @@ reference, of other files to a page with their text.
 usage: stage.py FOLDER [BUILD]    BUILD: folder of a build whose examples are run
 """
 
+import json
 import os
 import re
 import shutil
@@ -34,12 +35,15 @@ ROOT_PAGES = {
     "include/vandplan": "cpp/index.rst",
 }
 
-# What examples look like that print no picture themselves.
+# What examples look like that draw no picture themselves.
 PICTURES = {
-    "03_weights": ("docs/images/driver.png", "The style of a driver: few gear changes, forward where possible, away from walls"),
+    "01_first_plan": (
+        "docs/images/drive.png",
+        "The same yard, planned with wheels that are turned while it rolls, and what a simulated truck drove",
+    ),
+    "03_weights": ("docs/images/driver.png", "What a driver minds, in scenario 7 of the thesis"),
     "05_steering": ("docs/images/steering.png", "Shortest paths on open ground"),
-    "06_nearest_and_tables": ("docs/images/table-accuracy.png", "How far off the looked up lengths are"),
-    "10_speed": ("docs/images/drive.png", "A planned path, and what a simulated truck drives of it"),
+    "06_nearest_and_tables": ("docs/images/table-accuracy.png", "How far off looked up lengths are"),
 }
 
 
@@ -104,7 +108,7 @@ class Site:
         for file in files:
             if file != source:
                 text.append(f"## {file.name}\n")
-            text.append(code_block(file.read_text(), LANGUAGES.get(file.suffix, "text")))
+            text.append(as_markdown(file))
         self.write(place, "\n".join(text))
         return place
 
@@ -132,8 +136,20 @@ def code_block(code, language):
     return f"````{language}\n{code.rstrip()}\n````\n"
 
 
+def as_markdown(file):
+    """The text of a file as a block of code; of a notebook its cells."""
+    if file.suffix != ".ipynb":
+        return code_block(file.read_text(), LANGUAGES.get(file.suffix, "text"))
+    text = []
+    for cell in json.loads(file.read_text())["cells"]:
+        source = "".join(cell["source"])
+        is_code = cell["cell_type"] == "code"
+        text.append(code_block(source, "python") if is_code else re.sub("^#", "###", source, flags=re.M) + "\n")
+    return "\n".join(text)
+
+
 def without_licence(code):
-    return re.sub(r"\A(//.*(SPDX|Copyright).*\n)+\n?", "", code)
+    return re.sub(r"\A((//|#).*(SPDX|Copyright).*\n)+\n?", "", code)
 
 
 def run_example(program, folder):
@@ -147,9 +163,9 @@ def run_example(program, folder):
 def example(site, source, build):
     """Question, code, output and picture of an example."""
     code = without_licence(source.read_text())
-    asked = re.match(r"// ([^\n]*\?)\n", code)
+    asked = re.match(r"(?://|#) ([^\n]*[^\n.])[.]?\n", code)
     title = asked[1] if asked else "What is the least code for a first plan?"
-    text = [f"## {title}\n", f"`examples/{source.name}`\n", code_block(code, "cpp")]
+    text = [f"## {title}\n", f"`{source.relative_to(REPOSITORY)}`\n", as_markdown(source)]
     program = build / "tests" / f"example_{source.stem}" if build else None
     pictures = []
     if program and program.exists():
@@ -162,12 +178,13 @@ def example(site, source, build):
                 text.append(f"![What it draws](images/examples/{picture.name})\n")
     if not pictures and source.stem in PICTURES:
         picture, caption = PICTURES[source.stem]
-        text.append(f"![{caption}]({site.place_of(picture)})\n")
+        text.append(f"![{caption}]({site.place_of(picture)})\n\n*{caption}.*\n")
     return "\n".join(text)
 
 
 def write_examples(site, build):
-    sources = sorted((REPOSITORY / "examples").glob("*.cpp"))
+    folder = REPOSITORY / "examples"
+    sources = [*sorted(folder.glob("*.cpp")), *sorted(folder.glob("python/*.py"))]
     head = (
         "# Examples\n\nEach is a whole program that the tests compile and run: as it stands here, and against an installed"
         " library.\n"
@@ -178,8 +195,8 @@ def write_examples(site, build):
 def write_python(site):
     """The reference of the Python module, if it can be imported."""
     if subprocess.run([sys.executable, "-c", "import vandplan"], capture_output=True).returncode == 0:
-        site.pages["bindings/python"] = "python.md"
-        site.write("python.md", (REPOSITORY / "docs/site/python.md").read_text())
+        site.pages["bindings/python"] = "python-reference.md"
+        site.write("python-reference.md", (REPOSITORY / "docs/site/python.md").read_text())
     else:
         print("   without the Python reference: the module 'vandplan' cannot be imported")
 
