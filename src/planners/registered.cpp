@@ -7,13 +7,11 @@
 
 #include "planners/anytime/anytime.h"
 #include "planners/anytime/tidy.h"
-#include "planners/hybrid_a_star.h"
-#include "planners/lattice_a_star.h"
-#include "planners/ltba_star.h"
-#include "planners/lattice_planners.h"
 #include "planners/field_d_star.h"
-#include "planners/prm.h"
 #include "planners/hrrt.h"
+#include "planners/hybrid_a_star.h"
+#include "planners/lattice_planners.h"
+#include "planners/prm.h"
 #include "planners/rrt.h"
 #include "planners/rrt_connect.h"
 #include "planners/rrt_star.h"
@@ -114,9 +112,6 @@ std::vector<Planner> registered_planners() {
     }
   }
   planners.push_back(hybrid_planner());
-  planners.push_back(lattice_a_star());
-  planners.push_back(lattice_ara_star());
-  planners.push_back(ltba_star());
   for (Planner& planner : lattice::planners()) planners.push_back(std::move(planner));
   planners.push_back(field_d_star::planner());
   planners.push_back(prm::planner());
