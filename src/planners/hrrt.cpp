@@ -155,7 +155,6 @@ Planner planner(Selection selection) {
                .summary = "RRT that grows from nodes on good paths: the nearest, if it is good",
                .properties = {.family = "hrrt",
                               .strategy = "nearest",
-                              .estimate = "reeds-shepp",
                               .honours_steering = true,
                               .anytime = true,
                               .groups = {"family"}},

@@ -167,9 +167,9 @@ TEST(PlannerOptions, AnIgnoredOneNamesThePlannersThatHonourIt) {
     if (planner.properties.family == "rrt") trees += (trees.empty() ? "" : ", ") + planner.name;
   }
   const std::string expected =
-      "max_nodes: is no option of anytime, expected one of the planners that honour it: " + trees;
-  EXPECT_EQ(message_of_setting("anytime", "max_nodes", "10"), expected);
-  EXPECT_EQ(message_of_completing("anytime", with("max_nodes", whole(10))), expected);
+      "max_parents: is no option of anytime, expected one of the planners that honour it: " + trees;
+  EXPECT_EQ(message_of_setting("anytime", "max_parents", "10"), expected);
+  EXPECT_EQ(message_of_completing("anytime", with("max_parents", whole(10))), expected);
 }
 
 TEST(PlannerOptions, PricesAndThreadsAreRefusedByTheTrees) {
