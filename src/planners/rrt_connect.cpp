@@ -73,8 +73,9 @@ class Trees {
     double left = std::numeric_limits<double>::infinity();
     while (!is_full() && !budget.is_interrupted()) {
       const std::optional<Reached> reached = extend(side, to);
-      if (!reached || reached->left_before > left - least_progress * range_) break;
+      if (!reached) break;
       if (reached->is_there) return reached->node;
+      if (reached->left_before > left - least_progress * range_) break;
       left = reached->left_before;
     }
     return std::nullopt;

@@ -249,7 +249,7 @@ Planner planner() {
                        .summary = "how many near nodes are improved, times e (1 + 1/3) ln(nodes)",
                        .standard = 1.1,
                        .least = 0.1,
-                       .most = 100},
+                       .most = 10},
                       {.name = "informed",
                        .summary = "only samples that a cheaper path could go through",
                        .standard = true},
