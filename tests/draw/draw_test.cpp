@@ -279,8 +279,8 @@ TEST(Draw, GroundOutOfBoundsIsShaded) {
 
 TEST(Draw, TreeIsDrawnWhenThereIsOne) {
   const Scenario scenario = yard();
-  // One straight edge along y = 5 m.
-  const TreeSnapshot tree{{{2, 5, 0}, {6, 5, 0}}, {-1, 0}};
+  // One straight edge along y = 5 m, and a root without any.
+  const TreeSnapshot tree{{{2, 5, 0}, {6, 5, 0}, {4, 8, 0}}, {-1, 0, -1}};
   const Drawing without{.scenario = &scenario};
   const Drawing with{.scenario = &scenario, .tree = &tree};
   const Page a(without);

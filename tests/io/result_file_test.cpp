@@ -246,7 +246,7 @@ class ReadResults : public testing::Test {
 
 TEST_F(ReadResults, ReadsWhatWasWritten) {
   ResultRecord record = solved(yard());
-  record.result.tree = TreeSnapshot{{{0, 0, 0}, {1, 0, 0.5}, {2, 0, 0}}, {-1, 0, 0}};
+  record.result.tree = TreeSnapshot{{{0, 0, 0}, {1, 0, 0.5}, {2, 0, 0}}, {-1, 0, -1}};
   const std::vector<ResultRecord> read_back =
       read(results_to_json(yard_file(), {record}), yard_file());
   ASSERT_EQ(read_back.size(), 1U);
@@ -362,7 +362,7 @@ TEST_F(ReadResults, EveryErrorNamesLineKeyAndWhatWasExpected) {
        "r.json:1: goals: is a row, expected the scenario's one goal"},
       {start + ", \"tree\": {\"poses\": [[0, 0, 0], [1, 0, 0]],\n\"parents\": [-1, 1]},\n" + path +
            "}",
-       "r.json:2: tree.parents[1]: is 1, expected a node before node 1"},
+       "r.json:2: tree.parents[1]: is 1, expected a node before node 1, or -1"},
       {result_with("{\"turn\": \"left\"}"),
        "r.json:6: path.segments[1]: key \"length\" is missing, expected it"},
       {result_with("{\"turn\": \"left\", \"length\": true}"),
