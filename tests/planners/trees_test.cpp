@@ -151,12 +151,12 @@ TEST(GuidedTree, TakesTheEstimateThatItIsTold) {
 TEST(GuidedTree, RanksByTheEstimateThatItIsTold) {
   const PlanResult result =
       run(open_ground(), "hrrt", 300, {{"ranking", "euclid"}, {"floor", "1"}});
-  const auto& [poses, parents] = *result.tree;
+  const std::vector<Pose>& poses = result.tree->poses;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const auto away = [&, at = i](std::size_t n) {
       return std::hypot(poses[n].x - poses[at].x, poses[n].y - poses[at].y);
     };
-    const double taken = away(static_cast<std::size_t>(parents[i]));
+    const double taken = away(static_cast<std::size_t>(result.tree->parents[i]));
     for (std::size_t older = 0; older < i; ++older) EXPECT_LE(taken, away(older) + 1e-3);
   }
 }
