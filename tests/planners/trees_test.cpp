@@ -137,7 +137,6 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(GuidedTree, ASampleThatNobodyMayReachIsCounted) {
   const PlanResult result =
       run(open_ground(), "hrrt", 100, {{"floor", "0"}, {"floor_reading", "min"}});
-  EXPECT_EQ(result.iterations, 100);
   EXPECT_EQ(counter(result, "refused"), 100);
   EXPECT_EQ(counter(result, "nodes"), 1);
 }
@@ -254,13 +253,14 @@ TEST(RrtStar, SamplesThatAreOfUseImproveTheSamePathFurther) {
     EXPECT_LT(counter(informed, "nodes"), counter(all, "nodes"));
     EXPECT_LT(informed.cost, all.cost);
   }
+  // Once the path is the shortest of all, no sample is of use.
+  const Settings goals = {{"goal_bias", "0.9"}};
+  EXPECT_EQ(counter(run(open_ground(), "rrt-star", 500, goals), "nodes"), 1);
 }
 
 TEST(RrtStar, WithoutTryingTheGoalItIsReachedBySamplesOfIt) {
-  const PlanResult tried = run(around_the_wall(), "rrt-star", 2000);
   const PlanResult sampled = run(around_the_wall(), "rrt-star", 2000, {{"try_goal", "false"}});
   ASSERT_TRUE(sampled.path);
-  EXPECT_LE(tried.anytime.front().iteration, sampled.anytime.front().iteration);
   EXPECT_EQ(
       run(around_the_wall(), "rrt-star", 2000, {{"try_goal", "false"}, {"goal_bias", "0"}}).status,
       PlanStatus::iteration_limit);
