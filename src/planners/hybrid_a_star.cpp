@@ -3,6 +3,7 @@
 #include "planners/hybrid_a_star.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,6 +14,7 @@
 #include "planners/shared_options.h"
 #include "search/cell_costs.h"
 #include "search/route.h"
+#include "search/voronoi_field.h"
 #include "vandplan/search.h"
 
 namespace vandplan::hybrid {
@@ -48,6 +50,9 @@ struct Entry {
   }
 };
 
+/// How often steps and cells are halved at most.
+constexpr int most_halvings = 2;
+
 /// A way to the goal: to a node, and from there on open ground.
 struct Found {
   std::int32_t node = -1;
@@ -70,15 +75,15 @@ class Search {
         improves_(options.planner.flag("improve")),
         keeps_tree_(options.planner.flag("keep_tree")),
         max_nodes_(static_cast<std::size_t>(options.planner.integer("max_nodes"))) {
-    for (const double curvature : {1 / connector_.radius(), 0.0, -1 / connector_.radius()}) {
-      for (const double length : {step_, -step_}) {
-        const Segment segment{curvature, length};
-        steps_.push_back({segment, advance({}, segment)});
-      }
-    }
+    is_variable_ = options.planner.flag("variable_step");
+    if (is_variable_) voronoi_.emplace(task, cell_);
+    for (int halvings = 0; halvings <= most_halvings; ++halvings) make_steps(halvings);
     nodes_.push_back({task.start, {}, 0.0, 0.0, -1});  // whatever the estimate
     open_.push_back({0.0, 0});
   }
+
+  // Step [1], some more of it; false when there is no more to prepare.
+  bool prepare() { return voronoi_ && voronoi_->step(); }
 
   [[nodiscard]] const Found& found() const { return found_; }
   // Whether nothing beats what was found, obstacles or not.
@@ -118,13 +123,13 @@ class Search {
 
   // Steps [5] to [7]: full lock to either side and straight on, in both gears.
   void expand(std::int32_t id) {
+    ++expansions_;
     if (keeps_tree_) keep(id);
     if (is_shortest_) return;
-    ++expansions_;
     const Node node = at(id);
     const Driven before = driven_to(node);
     const auto [sin, cos] = base::sin_cos(node.pose.heading);
-    for (const auto& [segment, shape] : steps_) {
+    for (const auto& [segment, shape] : steps_[halvings_at(node.pose)]) {
       Driven driven = before;
       const double cost = drive_cost(connector_.rule(), std::span(&segment, 1), driven);
       const Pose pose{node.pose.x + cos * shape.x - sin * shape.y,
@@ -197,6 +202,26 @@ class Search {
     return wanted > 0.0 ? wanted : std::ceil(least / unit) * unit;
   }
 
+  // Full lock to either side and straight on, in both gears.
+  void make_steps(int halvings) {
+    const double step = std::ldexp(step_, -halvings);
+    for (const double curvature : {1 / connector_.radius(), 0.0, -1 / connector_.radius()}) {
+      for (const double length : {step, -step}) {
+        const Segment segment{curvature, length};
+        steps_[static_cast<std::size_t>(halvings)].push_back({segment, advance({}, segment)});
+      }
+    }
+  }
+
+  // Dolgov's step is a tenth of the room between things, and from 0.2 to 1 m long.
+  [[nodiscard]] std::size_t halvings_at(const Pose& pose) const {
+    if (!is_variable_) return 0;
+    const auto [obstacle, middle] = voronoi_->at({pose.x, pose.y});
+    const double wanted = std::clamp(0.1 * (obstacle + middle), 0.2, 1.0);
+    return static_cast<std::size_t>(
+        std::lround(std::min(-std::log2(wanted), double{most_halvings})));
+  }
+
   [[nodiscard]] Driven driven_to(const Node& node) const {
     if (node.parent < 0) return connector_.rule().initial_gear;
     return last_driven(node.segment);
@@ -211,9 +236,11 @@ class Search {
     const CostRule& rule = connector_.rule();
     const double turned = wrap_angle(node.pose.heading - task_.start.heading) / turn();
     const std::uint64_t headings = static_cast<std::uint64_t>(headings_);
-    std::uint64_t key = 1;
-    key = (key << 22) | (index((node.pose.x - task_.goal.x) / cell_) & 0x3fffffU);
-    key = (key << 22) | (index((node.pose.y - task_.goal.y) / cell_) & 0x3fffffU);
+    const std::size_t halvings = halvings_at(node.pose);
+    const double cell = std::ldexp(cell_, -static_cast<int>(halvings));
+    std::uint64_t key = 4 + halvings;
+    key = (key << 22) | (index((node.pose.x - task_.goal.x) / cell) & 0x3fffffU);
+    key = (key << 22) | (index((node.pose.y - task_.goal.y) / cell) & 0x3fffffU);
     key = (key << 12) | (index(turned + 0.5 + headings_) % headings);
     const bool in_reverse = !rule.is_length() && node.segment.length < 0.0;
     key = (key << 1) | (in_reverse ? 1U : 0U);
@@ -239,8 +266,7 @@ class Search {
     node.to_go = to_go(node);
     if (!(node.cost_to_come + node.to_go < found_.cost)) return;  // infinite, too
     least = node.cost_to_come;
-    open_.push_back(
-        {node.cost_to_come + weight_ * node.to_go, static_cast<std::int32_t>(nodes_.size())});
+    open_.push_back({least + weight_ * node.to_go, static_cast<std::int32_t>(nodes_.size())});
     std::push_heap(open_.begin(), open_.end());
     nodes_.push_back(node);
   }
@@ -260,7 +286,9 @@ class Search {
   double cell_;
   int headings_;
   double step_;
-  std::vector<Step> steps_;
+  std::array<std::vector<Step>, most_halvings + 1> steps_;  // by how often they are halved
+  std::optional<VoronoiField> voronoi_;
+  bool is_variable_ = false;
   double weight_;
   double shot_spacing_;
   bool improves_;
@@ -280,53 +308,9 @@ class Search {
 
 }  // namespace
 
-std::vector<OptionInfo> options() {
-  std::vector<OptionInfo> all = planning::estimate_options("reeds-shepp", "any-angle");
-  const std::vector<OptionInfo> own = {
-      {.name = "weight",
-       .summary = "of the estimate; the path costs about as many times the least at most",
-       .standard = 1.3,
-       .least = 1,
-       .most = 1000},
-      {.name = "cell",
-       .summary = "side of a cell of positions [m]",
-       .standard = 0.5,
-       .least = 0.01,
-       .most = 100},
-      {.name = "headings",
-       .summary = "cells of a full turn",
-       .standard = std::int64_t{72},
-       .least = 4,
-       .most = 4096},
-      {.name = "step",
-       .summary = "length of arcs and lines [m]; 0: out of a cell, by whole cells of heading",
-       .standard = 0.0,
-       .least = 0,
-       .most = 1000},
-      {.name = "shot_spacing",
-       .summary = "the exact way to the goal is tried once in 1 + estimate / this expansions [m]",
-       .standard = 10.0,
-       .least = 0.01,
-       .most = 1e9},
-      {.name = "improve",
-       .summary = "go on until no pose is left that could lead to a cheaper path",
-       .standard = false},
-      {.name = "shorten",
-       .summary = "shorten the path by exact shortcuts until they bring next to nothing",
-       .standard = true},
-      {.name = "max_nodes",
-       .summary = "of the search tree",
-       .standard = std::int64_t{2'000'000},
-       .least = 1,
-       .most = 100'000'000},
-      {.name = "keep_tree", .summary = "return the search tree as well", .standard = false}};
-  all.insert(all.end(), own.begin(), own.end());
-  return all;
-}
-
 // Dolgov, Thrun, Montemerlo and Diebel 2010, with exact ends and edges.
 //
-//   [1] the start waits
+//   [1] the start waits; with variable_step: find the middle between things
 //   until nothing waits, the budget is spent or the tree is full:
 //   [2]   node := the one that waits with the least cost-to-come + weight * estimate; end if a path
 //         is known that costs no more than that
@@ -343,6 +327,8 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
   const auto trace = [&](double cost) {
     answer.anytime.push_back({budget.elapsed(), budget.iterations(), cost});
   };
+  while (!budget.is_interrupted() && search.prepare()) {
+  }
   answer.status = PlanStatus::node_limit;
   answer.reason = "every cell that steps of this length lead to was searched";
   while (const std::optional<std::int32_t> node = search.next()) {  // [2] [3]
@@ -363,7 +349,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
     answer.status = PlanStatus::solved;
     answer.reason.clear();
     answer.segments = merged(path_of(shortener.route()).segments);
-  } else if (search.is_cut_off()) {
+  } else if (answer.status == PlanStatus::node_limit && search.is_cut_off()) {
     answer.status = PlanStatus::no_path;
     answer.reason = "no way for the vehicle's width leads to the goal";
   }

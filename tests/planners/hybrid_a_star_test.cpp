@@ -3,11 +3,13 @@
 // What does Hybrid A* promise beyond what every planner does?
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "../support/cases.h"
 #include "../support/problems.h"
+#include "search/voronoi_field.h"
 #include "vandplan/goal_estimate.h"
 #include "vandplan/heuristic_table.h"
 #include "vandplan/input_error.h"
@@ -134,6 +136,40 @@ TEST(HybridAStar, MindsPrices) {
   ASSERT_EQ(around.status, PlanStatus::solved);
   EXPECT_EQ(around.check->gear_changes, 0);
   EXPECT_GT(around.cost, length(*around.path));  // of turning the wheels
+}
+
+// ---- On request ----
+
+// Two walls, 10 m apart.
+TEST(VoronoiField, KnowsThingsAndTheMiddleBetweenThem) {
+  const Problem problem = problem_of(
+      {0, 0, 0}, {20, 0, 0}, {box(-40, 5, 60, 6), box(-40, -6, 60, -5)}, {-40, 60, -20, 20});
+  search::VoronoiField field(problem.task(), 0.25);
+  while (field.step()) {
+  }
+  for (const double y : {-4.0, -2.0, 0.0, 1.0, 3.0}) {
+    EXPECT_NEAR(field.at({10, y}).obstacle, 5 - std::abs(y), 0.6) << y;
+    EXPECT_NEAR(field.at({10, y}).middle, std::abs(y), 0.6) << y;
+  }
+}
+
+// A gap of 4 m above the wall, and none below it.
+TEST(HybridAStar, StepsShorterWhereThereIsLittleRoom) {
+  const Problem problem = problem_of(
+      {0, 0, 0}, {30, 0, 0}, {box(14, -40, 16, 8), box(-40, 12, 70, 13)}, {-40, 70, -40, 40});
+  const auto shortest_step = [&](const char* is_variable) {
+    const PlanResult result =
+        plan(problem, hybrid(),
+             by_length({{"variable_step", is_variable}, {"keep_tree", "true"}}, 3000));
+    double least = 1e9;
+    const auto& [poses, parents] = *result.tree;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+      const Pose& from = poses[static_cast<std::size_t>(parents[i])];
+      least = std::min(least, std::hypot(poses[i].x - from.x, poses[i].y - from.y));
+    }
+    return least;
+  };
+  EXPECT_LT(shortest_step("true"), 0.3 * shortest_step("false"));
 }
 
 // ---- Estimates by name ----
