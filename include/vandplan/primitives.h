@@ -33,8 +33,9 @@ struct Primitive {
 /// All motions of a lattice; checked and immutable, so that threads may share it.
 class Primitives {
  public:
-  /// How far from its vertex a primitive may end, for rounding.
-  static constexpr double closing = 1e-9;  ///< [m, rad]
+  /// How far from its vertex a primitive may end, for rounding [m, rad]; of one that is longer than
+  /// a metre as a part of its length.
+  static constexpr double closing = 1e-9;
 
   /// `step` is the side of the grid's squares [m]; `headings` are the angles that an index means
   /// [rad]. Throws InputError naming "step", "headings" or "primitives[3]" when a number is out of

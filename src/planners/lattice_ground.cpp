@@ -60,8 +60,8 @@ std::vector<OptionInfo> shared_options() {
                  .summary = "try the exact piece to the goal from some vertices",
                  .standard = true});
   all.push_back({.name = "max_nodes",
-                 .summary = "vertices that the search may find",
-                 .standard = std::int64_t{1'000'000},
+                 .summary = "vertices that the search may find; up to 900 bytes each",
+                 .standard = std::int64_t{500'000},
                  .least = 1,
                  .most = 50'000'000});
   all.push_back(

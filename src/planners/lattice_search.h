@@ -50,7 +50,7 @@ class Search {
   struct Settings {
     double weight = 1.0;  ///< of the estimate; >= 1
     bool shots = true;    ///< tries the exact piece to the goal from some vertices
-    std::size_t max_nodes = 1'000'000;
+    std::size_t max_nodes = 500'000;
     bool keep_tree = false;
   };
   /// A vertex whose turn may come, or has come.

@@ -14,8 +14,9 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double joint_reach = 1.25;  // of a piece from the start [turning radii]
-constexpr double rounding = 1e-9;     // of a curvature, relative
+constexpr double joint_reach = 1.25;     // of a piece from the start [turning radii]
+constexpr double rounding = 1e-9;        // of a curvature, relative
+constexpr double farthest_vertex = 1e8;  // from the goal that is thought of [steps]
 
 /// The primitives of radius 1 for another one.
 std::shared_ptr<const Primitives> scaled(const Primitives& unit, double radius) {
@@ -91,6 +92,8 @@ std::vector<Joint> LatticeGraph::joints(const Pose& start) const {
   const double longest = std::max(joint_reach * radius_, parts_.primitives->longest());
   const double step = parts_.primitives->step();
   const Pose there = relative(frame_, start);
+  const double farthest = std::max(std::abs(there.x), std::abs(there.y)) / step;
+  if (!(farthest < farthest_vertex)) return {};
   const auto reach = std::min(static_cast<std::int32_t>(longest / step), 40);
   const auto x_near = static_cast<std::int32_t>(std::lround(there.x / step));
   const auto y_near = static_cast<std::int32_t>(std::lround(there.y / step));

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_headings = 1024;
 constexpr std::int32_t most_steps = 10'000;
+constexpr double largest_step = 1e6;  // [m]
 
 void check_headings(const std::vector<double>& headings) {
   if (headings.empty() || headings.size() > most_headings) {
@@ -46,7 +47,8 @@ void check_primitive(const Primitive& primitive, double step, const std::vector<
   const Pose end = end_of({0.0, 0.0, heading}, primitive.piece);
   const double off = std::hypot(end.x - primitive.dx * step, end.y - primitive.dy * step);
   const double turn = end.heading - headings[static_cast<std::size_t>(primitive.to)];
-  if (!(off <= Primitives::closing) || !(std::abs(wrap_angle(turn)) <= Primitives::closing)) {
+  const double far = std::max(1.0, std::hypot(primitive.dx, primitive.dy) * step);
+  if (!(off <= Primitives::closing * far) || !(std::abs(wrap_angle(turn)) <= Primitives::closing)) {
     throw InputError("", "does not end at its vertex");
   }
 }
@@ -58,8 +60,8 @@ Primitives::Primitives(double step, std::vector<double> headings, std::vector<Pr
       headings_(std::move(headings)),
       all_(std::move(all)),
       derived_(std::make_unique<base::Derived>()) {
-  if (!(step >= 1e-4 && step <= 1e4)) {
-    throw InputError("step", "is out of range, expected 0.0001 to 10000 m");
+  if (!(step > 0.0 && step <= largest_step)) {
+    throw InputError("step", "is out of range, expected more than 0 m and at most 1000 km");
   }
   for (double& heading : headings_) heading = wrap_angle(heading);
   check_headings(headings_);

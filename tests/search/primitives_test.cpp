@@ -32,7 +32,7 @@ Ends ends_of(const Primitive& p) {
 }
 
 TEST(Primitives, EndAtTheirVerticesForAnyVehicleAndAnyNumberOfHeadings) {
-  for (const double radius : {0.4, 3.5, 7.0, 12.5}) {
+  for (const double radius : {1e-6, 0.4, 3.5, 7.0, 12.5, 1e6}) {
     for (const int largest : {1, 2, 3}) {
       const auto primitives = make_primitives(radius, {.largest_coordinate = largest});
       EXPECT_EQ(primitives->headings().size(), largest == 1 ? 8U : largest == 2 ? 16U : 32U);
@@ -113,7 +113,8 @@ TEST(Primitives, AreRefusedWithTheirPlace) {
   ahead.piece.count = 1;
   ahead.piece.length = 1.0;
   EXPECT_EQ(refusal(1.0, {0.0}, {ahead}), "");
-  EXPECT_EQ(refusal(0.0, {0.0}, {ahead}), "step: is out of range, expected 0.0001 to 10000 m");
+  EXPECT_EQ(refusal(0.0, {0.0}, {ahead}),
+            "step: is out of range, expected more than 0 m and at most 1000 km");
   EXPECT_EQ(refusal(1.0, {}, {ahead}), "headings: are 0, expected 1 to 1024");
   EXPECT_EQ(refusal(1.0, {0.0, 2 * std::numbers::pi}, {ahead}),
             "headings: are the same twice, expected different ones");
@@ -179,6 +180,14 @@ TEST(LatticeTable, IsLeftWhenInterrupted) {
   const auto table = table_of(*primitives, never);
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table_of(*primitives, [] { return true; }), table);
+}
+
+TEST(LatticeGraph, HasNoVertexThatItCannotCount) {
+  Vehicle vehicle;
+  vehicle.min_turning_radius = 1e-6;
+  const Problem problem = problem_in({.bounds = wide_bounds}, {-90, 0, 0}, {90, 0, 0}, vehicle);
+  const LatticeGraph graph(problem.task(), standard_lattice(problem.task(), never));
+  EXPECT_TRUE(graph.joints(problem.task().start).empty());
 }
 
 TEST(LatticeGraph, JoinsTheStartExactlyAndHasTheGoalAsAVertex) {
