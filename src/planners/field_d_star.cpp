@@ -168,7 +168,7 @@ bool Run::try_directly() {
 
 bool Run::find_route() {
   while (!is_finest_) {
-    const Bounds& box = task_.world->local().bounds;
+    const Bounds box = sampling_region(task_, Region::scene);
     const double width = box.x_max - box.x_min;
     const double height = box.y_max - box.y_min;
     const double least = std::max(

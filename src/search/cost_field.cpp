@@ -212,7 +212,10 @@ CostField::Step CostField::best_step(const Point& from) const {
 }
 
 double CostField::at(const Point& point) const {
-  return point == target_ ? 0.0 : best_step(point).cost;
+  if (point == target_) return 0.0;
+  const Place cell = cell_of(point);
+  const double cost = best_step(point).cost;
+  return point == point_of(cell) ? std::min(cost, node_cost(cell)) : cost;
 }
 
 std::vector<Point> CostField::route() const {

@@ -97,6 +97,14 @@ TEST(CostField, IsNearTheCheapestWayOverTwoGrounds) {
   });
 }
 
+// From (0, 20) to (10, 30): along the cheap side of the dear cell, then across it.
+TEST(CostField, AWayMayGoAlongASideFirst) {
+  const CostCells cells{square, 10.0, [](const Point& p) { return p.y > 20 ? 5.0 : 1.0; }};
+  double exact = infinity;
+  for (double x = 0; x <= 10; x += 1e-3) exact = std::min(exact, x + 5 * std::hypot(10 - x, 10));
+  EXPECT_NEAR(settled(cells, {10, 30}, {0, 21}).at({0, 20}), exact, 1e-5);
+}
+
 TEST(CostField, ItsRouteCostsWhatItSays) {
   int found = 0;
   for_each_case(4, 60, [&found](Rng& rng) {
@@ -186,8 +194,16 @@ TEST(FieldDStar, SaysThatTheFinestCellsHaveNoRoute) {
 
 TEST(FieldDStar, TurnsRoundWhereItStands) {
   const Problem problem =
-      problem_of({0, 0, 0}, {0, 0, 3.0}, {box(-30, 9, 30, 10), box(-30, -10, 30, -9)});
-  EXPECT_EQ(planned(problem, 20'000).status, PlanStatus::solved);
+      problem_of({0, 0, 0}, {0, 0, 3.0}, {box(-30, 6.5, 30, 12), box(-30, -12, 30, -6.5)});
+  const PlanResult result = planned(problem, 5000);
+  EXPECT_EQ(result.status, PlanStatus::solved);
+  EXPECT_EQ(result.iterations, 5000);  // the piece from pose to pose does not fit in
+}
+
+TEST(FieldDStar, AFreePieceIsProvenToBeTheShortestPath) {
+  const PlanResult result = planned(problem_of({0, 0, 0}, {20, 10, 1}, {}), 100);
+  EXPECT_EQ(result.iterations, 0);
+  EXPECT_EQ(result.lower_bound, result.cost);
 }
 
 }  // namespace
