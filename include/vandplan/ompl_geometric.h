@@ -56,7 +56,7 @@ class BITstar : public ::ompl::geometric::BITstar {
 // With `namespace og = vandplan::ompl::geometric;` in place of `namespace og = ompl::geometric;`
 // these planners of a program are ours and everything else of that name is OMPL's.
 namespace vandplan::ompl::geometric {
-using namespace ::ompl::geometric;  // NOLINT(google-build-using-namespace)
+using namespace ::ompl::geometric;
 using ompl::BITstar;
 using ompl::PRM;
 using InformedRRTstar = ByLength<::ompl::geometric::InformedRRTstar, NearestSetByLength>;

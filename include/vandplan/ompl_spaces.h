@@ -89,7 +89,7 @@ class DubinsStateSpace : public ::ompl::base::DubinsStateSpace {
 // With `namespace ob = vandplan::ompl::base;` in place of `namespace ob = ompl::base;` the spaces
 // of a program are ours and everything else of that name is OMPL's.
 namespace vandplan::ompl::base {
-using namespace ::ompl::base;  // NOLINT(google-build-using-namespace)
+using namespace ::ompl::base;
 using ompl::DubinsStateSpace;
 using ompl::ReedsSheppStateSpace;
 }  // namespace vandplan::ompl::base

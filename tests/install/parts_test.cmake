@@ -42,7 +42,7 @@ file(WRITE ${WORK}/parent/CMakeLists.txt
      "cmake_minimum_required(VERSION 3.25)\nproject(parent LANGUAGES CXX)\n"
      "add_subdirectory(${SOURCE} vandplan)\nadd_executable(first_plan ${SOURCE}/examples/01_first_plan.cpp)\n"
      "target_link_libraries(first_plan PRIVATE vandplan::vandplan)\n"
-     "foreach(part io draw evaluation)\nif(TARGET vandplan::\${part})\nmessage(FATAL_ERROR \${part})\n"
+     "foreach(part io draw ompl evaluation)\nif(TARGET vandplan::\${part})\nmessage(FATAL_ERROR \${part})\n"
      "endif()\nendforeach()\n")
 set(SOURCE ${WORK}/parent)
 set(parts "")

@@ -15,8 +15,7 @@ namespace {
 namespace py = pybind11;
 
 std::shared_ptr<const Planner> named(const std::string& name) {
-  // One of the list, which lives as long as the program.
-  return {std::shared_ptr<const Planner>(), &planner_named(name)};
+  return std::make_shared<const Planner>(planner_named(name));
 }
 
 }  // namespace
