@@ -36,6 +36,7 @@ html_theme = "furo"
 html_title = f"Vändplan {release}"
 html_static_path = ["_static"]
 html_css_files = ["style.css"]
+html_favicon = "_static/icon.svg"
 html_copy_source = False
 html_show_sphinx = False
 html_theme_options = {
@@ -77,7 +78,7 @@ def plain_docstring(app, what, name, thing, options, lines):
             paragraphs += [paragraph] if in_code else ["::", paragraph]
         else:
             parts = re.split(r"`([^`]*)`", paragraph)
-            quoted = (f"``{part}``" if i % 2 else re.sub(r"([\\*|_])", r"\\\1", part) for i, part in enumerate(parts))
+            quoted = (f"``{part}``" if i % 2 else re.sub(r"([\\*|_]|(?<=\w):(?=\w))", r"\\\1", part) for i, part in enumerate(parts))
             paragraphs.append("".join(quoted))
         in_code = is_code
     lines[:] = "\n\n".join(paragraphs).split("\n") + [""]

@@ -27,7 +27,7 @@ CLASSES = ("class", "struct")
 
 
 def escaped(text):
-    return re.sub(r"([\\*`_|])", r"\\\1", text)
+    return re.sub(r"([\\*`_|]|(?<=\w):(?=\w))", r"\\\1", text)
 
 
 def spaced(code):
@@ -193,7 +193,8 @@ def is_shown(member):
     name, arguments = member.findtext("name"), member.findtext("argsstring") or ""
     if member.get("prot") != "public" or member.get("kind") == "friend" or "=delete" in arguments:
         return False
-    return is_documented(member) or not re.match(r"operator=|~", name)
+    is_copy = re.match(rf"\((const )?{re.escape(name)} &&?\w*\)", arguments)
+    return is_documented(member) or not (is_copy or re.match(r"operator=|~", name))
 
 
 def goes_on(before, node):

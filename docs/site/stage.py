@@ -165,7 +165,7 @@ def example(site, source, build):
     code = without_licence(source.read_text())
     asked = re.match(r"(?://|#) ([^\n]*[^\n.])[.]?\n", code)
     title = asked[1] if asked else "What is the least code for a first plan?"
-    text = [f"## {title}\n", f"`{source.relative_to(REPOSITORY)}`\n", as_markdown(source)]
+    text = [f"## {title}\n", f"`{source.relative_to(REPOSITORY)}`\n", code_block(code, LANGUAGES[source.suffix])]
     program = build / "tests" / f"example_{source.stem}" if build else None
     pictures = []
     if program and program.exists():
@@ -267,8 +267,8 @@ def main():
     work = folder.parent / "doxygen"
     shutil.rmtree(work, ignore_errors=True)
     reference.write_reference(REPOSITORY, work, site.write, reference_links(site))
-    for file in ("conf.py", "style.css"):
-        site.write(f"_static/{file}" if file.endswith("css") else file, (REPOSITORY / "docs/site" / file).read_text())
+    for name, place in (("conf.py", "conf.py"), ("style.css", "_static/style.css"), ("icon.svg", "_static/icon.svg")):
+        site.write(place, (REPOSITORY / "docs/site" / name).read_bytes())
     site.remove_others()
     if site.faults:
         fail("\n".join(site.faults))
