@@ -234,9 +234,11 @@ void add_options_of_campaign(CLI::App& command, EvaluateArguments& arguments) {
       ->type_name("PATH")
       ->capture_default_str();
   command
-      .add_option("--planners", arguments.planners,
-                  "Names with commas between; thesis: its ten methods as printed, the goal only "
-                  "sampled; thesis-goal: the ten, goal tried from every node; all")
+      .add_option(
+          "--planners", arguments.planners,
+          "Names with commas between; thesis: its ten methods as printed, the goal only "
+          "sampled; thesis-goal: the ten, goal tried from every node; family: the searches of\n"
+          "the literature, with each estimate that can guide them; all")
       ->delimiter(',')
       ->type_name("LIST")
       ->capture_default_str();

@@ -31,9 +31,8 @@ std::vector<Planner> with_each_estimate(const Planner& planner) {
   estimates.insert(estimates.end(), combined.begin(), combined.end());
   std::vector<Planner> found;
   for (const std::string& estimate : estimates) {
-    if (auto guided = find_planner(planner.name + ":" + estimate)) {
-      found.push_back(*std::move(guided));
-    }
+    const std::optional<Planner> guided = find_planner(planner.name + ":" + estimate);
+    if (guided && !asks_for_table(*guided, {})) found.push_back(*guided);
   }
   return found;
 }

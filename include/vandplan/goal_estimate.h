@@ -3,7 +3,7 @@
 #pragma once
 // How far is it to the goal, about?
 //
-// Estimates guide searches: docs/algorithms/anytime.md says what each of them knows and leaves
+// Estimates guide searches: docs/algorithms/estimates.md says what each of them knows and leaves
 // out. All poses are in the frame of the task.
 
 #include <functional>

@@ -4,14 +4,11 @@
 // Hybrid A*: a search over cells of position and heading that keeps one continuous pose in each.
 // Theory and pseudo-code: docs/algorithms/hybrid_a_star.md.
 
-#include "vandplan/outcome.h"
-#include "vandplan/plan_options.h"
-#include "vandplan/problem.h"
+#include "vandplan/planner.h"
 
 namespace vandplan::hybrid {
 
-/// The search's own options.
-[[nodiscard]] std::vector<OptionInfo> options();
+[[nodiscard]] Planner planner();
 
 /// Searches from the start until nothing that is left could lead to a cheaper path, as far as the
 /// weighted estimate tells, or the budget is spent. Expects start and goal to be free.

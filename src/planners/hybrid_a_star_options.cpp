@@ -4,6 +4,7 @@
 #include "planners/shared_options.h"
 
 namespace vandplan::hybrid {
+namespace {
 
 std::vector<OptionInfo> options() {
   std::vector<OptionInfo> all = planning::estimate_options("reeds-shepp", "any-angle");
@@ -50,6 +51,16 @@ std::vector<OptionInfo> options() {
       {.name = "keep_tree", .summary = "return the search tree as well", .standard = false}};
   all.insert(all.end(), own.begin(), own.end());
   return all;
+}
+
+}  // namespace
+
+Planner planner() {
+  return {.name = "hybrid-a-star",
+          .summary = "cells of position and heading with a continuous pose each, exact end",
+          .properties = {.family = "hybrid-a-star", .honours_prices = true, .groups = {"family"}},
+          .options = options(),
+          .function = plan};
 }
 
 }  // namespace vandplan::hybrid

@@ -19,11 +19,12 @@ constexpr std::string_view none = "none";
 /// Estimates that fall along an edge by no more than its length.
 bool is_metric(std::string_view name) { return name == "euclid" || name == "reeds-shepp"; }
 
-Guide guide_named(const std::string& name, const Task& task, const LatticeGraph& graph) {
+Guide guide_named(const std::string& name, const Task& task, const PlanOptions& options,
+                  const LatticeGraph& graph) {
   if (name == table_name) {
     return {.length = [&graph](const Vertex& vertex) { return graph.least_way(vertex); }};
   }
-  GoalEstimate estimate = make_goal_estimate(name, task);
+  GoalEstimate estimate = make_goal_estimate(name, task, options.table.get());
   return {.length = [&graph, length = std::move(estimate.length)](
                         const Vertex& vertex) { return length(graph.pose_of(vertex)); },
           .is_admissible = estimate.is_admissible,
@@ -31,10 +32,10 @@ Guide guide_named(const std::string& name, const Task& task, const LatticeGraph&
 }
 
 Guide guide_of(const Task& task, const PlanOptions& options, const LatticeGraph& graph) {
-  Guide first = guide_named(options.planner.word(planning::estimate_key), task, graph);
+  Guide first = guide_named(options.planner.word(planning::estimate_key), task, options, graph);
   const std::string& name = options.planner.word(planning::max_with_key);
   if (name == none) return first;
-  Guide second = guide_named(name, task, graph);
+  Guide second = guide_named(name, task, options, graph);
   return {.length = [a = std::move(first.length), b = std::move(second.length)](
                         const Vertex& vertex) { return std::max(a(vertex), b(vertex)); },
           .is_admissible = first.is_admissible && second.is_admissible,

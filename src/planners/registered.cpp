@@ -38,14 +38,6 @@ Planner anytime_planner() {
           .function = anytime::plan_anytime};
 }
 
-Planner hybrid_planner() {
-  return {.name = "hybrid-a-star",
-          .summary = "cells of position and heading with a continuous pose each, exact end",
-          .properties = {.family = "hybrid-a-star", .honours_prices = true, .groups = {"family"}},
-          .options = hybrid::options(),
-          .function = hybrid::plan};
-}
-
 /// Which node becomes a parent.
 struct Choice {
   Strategy strategy;
@@ -111,7 +103,7 @@ std::vector<Planner> registered_planners() {
       }
     }
   }
-  planners.push_back(hybrid_planner());
+  planners.push_back(hybrid::planner());
   for (Planner& planner : lattice::planners()) planners.push_back(std::move(planner));
   planners.push_back(field_d_star::planner());
   planners.push_back(prm::planner());

@@ -10,18 +10,13 @@
 #include "vandplan/input_error.h"
 
 namespace vandplan::python {
-namespace {
 
 namespace py = pybind11;
 
-std::shared_ptr<const Planner> named(const std::string& name) {
-  return std::make_shared<const Planner>(planner_named(name));
-}
-
-}  // namespace
-
 std::shared_ptr<const Planner> planner_from(const py::handle& given) {
-  if (py::isinstance<py::str>(given)) return named(given.cast<std::string>());
+  if (py::isinstance<py::str>(given)) {
+    return std::make_shared<const Planner>(planner_named(given.cast<std::string>()));
+  }
   if (py::isinstance<Planner>(given)) {
     return std::const_pointer_cast<const Planner>(given.cast<std::shared_ptr<Planner>>());
   }
