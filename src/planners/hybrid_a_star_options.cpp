@@ -11,7 +11,7 @@ std::vector<OptionInfo> options() {
   const std::vector<OptionInfo> own = {
       {.name = "weight",
        .summary = "of the estimate; the path costs about as many times the least at most",
-       .standard = 1.3,
+       .standard = 1.15,
        .least = 1,
        .most = 1000},
       {.name = "cell",
