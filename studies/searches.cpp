@@ -122,6 +122,7 @@ std::string plot_of(const SearchesStudy& study, std::size_t number, const Panel&
           tree_file(study, run), shade, shades[shade]);
     }
   }
+  if (!run.result.path) return text + "NaN notitle\n";
   const auto scenario = static_cast<int>(run.scenario);
   return text + plot_of_path("searches.csv", static_cast<int>(number), scenario, "#000000") + "\n";
 }
