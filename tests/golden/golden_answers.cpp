@@ -74,6 +74,7 @@ void answer_all(const std::string& file) {
     options.cost = driver_style;
     options.steering.reset();
     answer(name, problems[goal], planner, options, " style=driver");
+    if (!planner.properties.honours_steering) continue;
     options.cost = shortest_style;
     options.steering = Steering::continuous_between_stops;
     answer(name, problems[goal], planner, options, " steering=continuous-between-stops");
