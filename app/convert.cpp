@@ -3,12 +3,16 @@
 // vandplan convert: how do other people's problems become scenarios?
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "commands.h"
 #include "endings.h"
 #include "vandplan/files.h"
+#include "vandplan/geojson.h"
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
 #include "wording.h"
@@ -41,12 +45,16 @@ void write_map(Scenario& scenario, const std::string& output) {
   write_file(beside(scenario.map_file), map_to_yaml(*scenario.map, stem + ".pgm"));
 }
 
-void write(Scenario scenario, const ConvertArguments& arguments) {
+/// Writes a scenario and says so; `more` belongs into what `--json` prints.
+void write(Scenario scenario, const ConvertArguments& arguments,
+           const nlohmann::ordered_json& more = nlohmann::ordered_json::object()) {
   expect_ending(arguments.output, scenario_file);
   if (scenario.map) write_map(scenario, arguments.output);
   write_file(arguments.output, to_yaml(scenario));
   if (arguments.json) {
-    print({{"scenario", scenario.name}, {"output", arguments.output}});
+    nlohmann::ordered_json json = {{"scenario", scenario.name}, {"output", arguments.output}};
+    json.update(more);
+    print(json);
     return;
   }
   const std::string what =
@@ -64,8 +72,10 @@ void add_output(CLI::App& format, const std::shared_ptr<ConvertArguments>& argum
   format.add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
 }
 
+std::string catalogue() { return fmt::format("{}", fmt::join(vehicle_names(), ", ")); }
+
 void add_vehicle(CLI::App& format, std::string& vehicle) {
-  const std::string names = fmt::format("{}", fmt::join(vehicle_names(), ", "));
+  const std::string names = catalogue();
   format.add_option("--vehicle", vehicle, "Who drives: " + names)
       ->type_name("NAME")
       ->capture_default_str();
@@ -111,6 +121,140 @@ void add_dynobench(CLI::App& convert) {
       [arguments] { write(read_dynobench(arguments->input, arguments->vehicle), *arguments); });
 }
 
+/// "3.5,-2,1.57", as a flag has it.
+std::optional<Pose> pose_of(const std::string& flag, const std::string& text) {
+  if (text.empty()) return {};
+  double numbers[3] = {};
+  const char* at = text.data();
+  const char* const last = at + text.size();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [end, error] = std::from_chars(at, last, numbers[i]);
+    const bool ends_well = i < 2 ? end != last && *end == ',' : end == last;
+    if (error != std::errc() || !ends_well || !std::isfinite(numbers[i])) {
+      throw InputError(flag, fmt::format("is {}, expected X,Y,HEADING", text.substr(0, 60)));
+    }
+    at = end + 1;
+  }
+  return Pose{numbers[0], numbers[1], numbers[2]};
+}
+
+struct GeoJsonArguments {
+  ConvertArguments general;
+  GeoJsonSite site;
+  std::string start;
+  std::string goal;
+};
+
+void convert_geojson(GeoJsonArguments& arguments) {
+  GeoJsonSite& site = arguments.site;
+  const std::string& vehicle = arguments.general.vehicle;
+  site.vehicle =
+      has_ending(vehicle, scenario_file) ? read_vehicle(vehicle) : vehicle_named(vehicle);
+  site.start = pose_of("--start", arguments.start);
+  site.goal = pose_of("--goal", arguments.goal);
+  const GeoJsonScenario read = read_geojson(site);
+  nlohmann::ordered_json more = {{"notes", read.notes}};
+  if (read.origin) {
+    more["origin"] = {{"longitude", read.origin->longitude}, {"latitude", read.origin->latitude}};
+  }
+  warn(read.warnings);
+  write(read.scenario, arguments.general, more);
+  if (arguments.general.json) return;
+  if (read.origin) {
+    fmt::print("  origin at longitude {}, latitude {}\n", read.origin->longitude,
+               read.origin->latitude);
+  }
+  for (const std::string& note : read.notes) fmt::print("  {}\n", printable(note));
+}
+
+void add_geojson(CLI::App& convert) {
+  CLI::App* const geojson = convert.add_subcommand(
+      "geojson",
+      "A site in GeoJSON, drawn in QGIS or taken from OpenStreetMap. Obstacles, kerbs, bounds,\n"
+      "start and goal are told by the property kind, else by the tags barrier and building.\n"
+      "Longitudes and latitudes become metres in a plane that touches the Earth at the start.");
+  const auto arguments = std::make_shared<GeoJsonArguments>();
+  GeoJsonSite& site = arguments->site;
+  geojson->add_option("SITE", site.file, "Site file (GeoJSON), - is standard input")->required();
+  geojson->add_flag("--metres", site.is_in_metres,
+                    "The coordinates are metres, whatever the file says");
+  geojson
+      ->add_option("--start", arguments->start,
+                   "Instead of the Point of that kind; X, Y as the file counts them, HEADING [rad]")
+      ->type_name("X,Y,HEADING");
+  geojson->add_option("--goal", arguments->goal, "Likewise")->type_name("X,Y,HEADING");
+  geojson
+      ->add_option("--width", site.default_width,
+                   "Of lines and points that do not say theirs [m]; 0.001 to 1000")
+      ->type_name("M")
+      ->capture_default_str();
+  geojson
+      ->add_option("--vehicle", arguments->general.vehicle,
+                   "Who drives: a vehicle file (.yaml), or one of " + catalogue())
+      ->type_name("NAME")
+      ->capture_default_str();
+  add_output(*geojson, std::shared_ptr<ConvertArguments>(arguments, &arguments->general));
+  geojson->callback([arguments] { convert_geojson(*arguments); });
+}
+
+struct FootprintArguments {
+  FootprintFile footprint;
+  std::string output;
+  bool json = false;
+};
+
+void convert_footprint(const FootprintArguments& arguments) {
+  expect_ending(arguments.output, {"a vehicle is YAML", {".yaml", ".yml"}});
+  const FootprintVehicle made = read_footprint(arguments.footprint);
+  write_file(arguments.output, to_yaml(made.vehicle));
+  if (arguments.json) {
+    print({{"output", arguments.output},
+           {"footprint_area", made.footprint_area},
+           {"added_area", made.added_area},
+           {"added_width", made.added_width}});
+    return;
+  }
+  const Footprint rectangle = footprint(made.vehicle);
+  fmt::print("a rectangle of {:.3f} x {:.3f} m around the footprint, written to {}\n",
+             rectangle.front + rectangle.rear, 2 * rectangle.half_width,
+             printable(arguments.output));
+  fmt::print("  added: {:.4f} m2, {:.1f} % of the footprint\n", made.added_area,
+             100 * made.added_area / made.footprint_area);
+  if (made.added_width > 0) {
+    fmt::print("  of it {:.3f} m of width, as it reaches equally far to both sides\n",
+               made.added_width);
+  }
+}
+
+void add_footprint(CLI::App& convert) {
+  CLI::App* const command = convert.add_subcommand(
+      "footprint",
+      "The footprint polygon of a robot of Nav2 becomes a vehicle file: a rectangle around it.\n"
+      "What a polygon does not say is given beside it.");
+  const auto arguments = std::make_shared<FootprintArguments>();
+  FootprintFile& file = arguments->footprint;
+  command->add_option("FILE", file.file, "Parameters of Nav2, or a list of corners (YAML)")
+      ->required();
+  command->add_option("--wheelbase", file.wheelbase, "Rear axle to front axle [m]")
+      ->type_name("M")
+      ->required();
+  command
+      ->add_option("--min-turning-radius", file.min_turning_radius,
+                   "Of the midpoint of the rear axle [m]")
+      ->type_name("M")
+      ->required();
+  command
+      ->add_option("--rear-axle", file.rear_axle,
+                   "x of the rear axle in the frame of the footprint [m]")
+      ->type_name("M")
+      ->capture_default_str();
+  command->add_option("-o,--output", arguments->output, "Vehicle file (YAML)")
+      ->type_name("FILE")
+      ->required();
+  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->callback([arguments] { convert_footprint(*arguments); });
+}
+
 }  // namespace
 
 void add_convert(CLI::App& vandplan, int&) {
@@ -119,11 +263,15 @@ void add_convert(CLI::App& vandplan, int&) {
   convert->require_subcommand(0, 1);
   convert->callback([convert] {
     if (!convert->get_subcommands().empty()) return;
-    throw InputError("convert", "a format is missing, expected tpcap, movingai or dynobench");
+    throw InputError("convert",
+                     "a format is missing, expected geojson, tpcap, movingai, dynobench or "
+                     "footprint");
   });
+  add_geojson(*convert);
   add_tpcap(*convert);
   add_movingai(*convert);
   add_dynobench(*convert);
+  add_footprint(*convert);
 }
 
 }  // namespace vandplan::app

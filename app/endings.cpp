@@ -23,14 +23,20 @@ std::string lower(std::string text) {
   return text;
 }
 
+std::string ending_of(const std::string& file) {
+  return std::filesystem::path(file).extension().string();
+}
+
 }  // namespace
 
+bool has_ending(const std::string& file, const FileKind& kind) {
+  return std::ranges::find(kind.endings, lower(ending_of(file))) != kind.endings.end();
+}
+
 void expect_ending(const std::string& file, const FileKind& kind) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  const auto has = [&](const auto& endings) {
-    return std::ranges::find(endings, lower(ending)) != std::ranges::end(endings);
-  };
-  if (!has(known_endings) || has(kind.endings)) return;
+  const std::string ending = ending_of(file);
+  const bool is_known = std::ranges::find(known_endings, lower(ending)) != std::end(known_endings);
+  if (!is_known || has_ending(file, kind)) return;
   throw InputError(file, "ends in " + ending + ", but " + std::string(kind.name) +
                              ", expected a name that ends in " + std::string(kind.endings.front()));
 }

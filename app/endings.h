@@ -20,6 +20,9 @@ inline const FileKind result_lines_file = {"results of --poses are JSON Lines",
                                            {".jsonl", ".ndjson", ".json"}};
 inline const FileKind scenario_file = {"a scenario is YAML", {".yaml", ".yml"}};
 
+/// Whether the name of a file has one of the endings of that kind.
+[[nodiscard]] bool has_ending(const std::string& file, const FileKind& kind);
+
 /// Throws InputError when the ending of a name promises another kind of file, such as ".csv" for a
 /// result. Endings that promise nothing known, and names without one, will do.
 void expect_ending(const std::string& file, const FileKind& kind);

@@ -85,6 +85,32 @@ struct ScenarioProblems {
 [[nodiscard]] Vehicle vehicle_named(std::string_view name);
 [[nodiscard]] std::vector<std::string> vehicle_names();
 
+/// Reads and checks a vehicle file (YAML): what stands below `vehicle:` of a scenario.
+[[nodiscard]] Vehicle read_vehicle(const std::string& file);
+
+/// The text of a vehicle file that `read_vehicle` reads back exactly, one line.
+[[nodiscard]] std::string to_yaml(const Vehicle& vehicle);
+
+/// The footprint of a robot of Nav2, and what it does not say.
+struct FootprintFile {
+  std::string file;                 ///< a list of corners, or parameters of Nav2 (YAML)
+  double wheelbase = 0.0;           ///< rear axle to front axle [m]
+  double min_turning_radius = 0.0;  ///< of the rear-axle midpoint [m]
+  double rear_axle = 0.0;           ///< x of the rear axle in the frame of the footprint [m]
+};
+
+/// A vehicle whose rectangle holds a footprint.
+struct FootprintVehicle {
+  Vehicle vehicle;
+  double footprint_area = 0.0;  ///< [m^2]
+  double added_area = 0.0;      ///< of the rectangle beside the footprint [m^2]
+  double added_width = 0.0;     ///< as the rectangle reaches equally far to both sides [m]
+};
+
+/// Reads the corners of a footprint, x ahead and y to the left, and puts a vehicle around them.
+/// Throws InputError if there is none, there are several, or an axle is outside of it.
+[[nodiscard]] FootprintVehicle read_footprint(const FootprintFile& footprint);
+
 /// Where a path begins and ends, in the scenario's frame.
 struct PosePair {
   Pose start;

@@ -128,14 +128,17 @@ inline constexpr std::size_t largest_text = std::size_t{64} << 20;
 /// What `parse_yaml` gives, all of it by a parser of YAML, which takes many times as long for long
 /// lists.
 [[nodiscard]] Document parse_yaml_slowly(const std::string& text, const std::string& where);
-/// `first_line` is the number of the text's first line in its file.
+/// `first_line` is the number of the text's first line in its file; `expected` is what the file was
+/// to be.
 [[nodiscard]] Document parse_json(std::string_view text, const std::string& where, int first_line,
-                                  const TakeElement& take);
+                                  const TakeElement& take,
+                                  const std::string& expected = "a result file");
 /// Text that comes in pieces: each is valid until the next one is asked for, the last one is empty.
 using NextPiece = std::function<std::string_view()>;
 
 /// Reads text that may be longer than memory has room for, as long as somebody takes most of it.
 [[nodiscard]] Document parse_json(const NextPiece& next, const std::string& where, int first_line,
-                                  const TakeElement& take);
+                                  const TakeElement& take,
+                                  const std::string& expected = "a result file");
 
 }  // namespace vandplan::io

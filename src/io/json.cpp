@@ -66,7 +66,8 @@ class Characters {
 
 class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
  public:
-  JsonEvents(NodeBuilder& builder, const Cursor& cursor) : builder_(builder), cursor_(cursor) {}
+  JsonEvents(NodeBuilder& builder, const Cursor& cursor, const std::string& expected)
+      : builder_(builder), cursor_(cursor), expected_(expected) {}
 
   bool null() override { return builder_.nothing(cursor_.line()), true; }
   bool boolean(bool value) override { return scalar(value ? "true" : "false", cursor_.line()); }
@@ -103,7 +104,7 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
     const std::string reason(message.substr(begin, message.find(';') - begin));
     // The parser has read one character more than it could use, but for the end.
     const int line = position > cursor_.passed() ? cursor_.line() : cursor_.line_before();
-    builder_.fail(line, "is not JSON (" + reason + "), expected a result file");
+    builder_.fail(line, "is not JSON (" + reason + "), expected " + expected_);
   }
 
  private:
@@ -115,22 +116,23 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
 
   NodeBuilder& builder_;
   const Cursor& cursor_;
+  const std::string& expected_;
 };
 
 }  // namespace
 
 Document parse_json(const NextPiece& next, const std::string& where, int first_line,
-                    const TakeElement& take) {
+                    const TakeElement& take, const std::string& expected) {
   NodeBuilder builder(where, take);
   Cursor cursor(next, first_line);
-  JsonEvents events(builder, cursor);
+  JsonEvents events(builder, cursor, expected);
   (void)nlohmann::json::sax_parse(Characters(&cursor), Characters(), &events);
   return {where, builder.finish()};
 }
 
 Document parse_json(std::string_view text, const std::string& where, int first_line,
-                    const TakeElement& take) {
-  return parse_json([&text] { return std::exchange(text, {}); }, where, first_line, take);
+                    const TakeElement& take, const std::string& expected) {
+  return parse_json([&text] { return std::exchange(text, {}); }, where, first_line, take, expected);
 }
 
 }  // namespace vandplan::io

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/trigonometry.h"
 #include "embedded_vehicles.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
 
@@ -176,6 +177,24 @@ Vehicle vehicle_named(std::string_view name) {
   if (found == nullptr) throw InputError("vehicle", io::no_such_vehicle(name));
   return io::read(*found);
 }
+
+Vehicle read_vehicle(const std::string& name) {
+  const io::Document file =
+      io::parse_yaml(read_file(name, io::largest_text), name == "-" ? "standard input" : name);
+  if (file.root().kind != io::Node::Kind::map) {
+    file.fail(file.root(), "is no vehicle, expected a map of lengths");
+  }
+  const Vehicle vehicle = io::vehicle_from(file, file.root());
+  try {
+    check_vehicle(vehicle);
+  } catch (const InputError& error) {
+    const std::string& key = error.where();
+    file.fail(std::string_view(key).substr(key.find('.') + 1), error.problem());
+  }
+  return vehicle;
+}
+
+std::string to_yaml(const Vehicle& vehicle) { return io::yaml_of(vehicle) + "\n"; }
 
 std::vector<std::string> vehicle_names() {
   std::vector<std::string> names;

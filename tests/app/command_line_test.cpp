@@ -42,9 +42,11 @@ TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
                                                           {"study", "growth"},
                                                           {"study", "symmetry"},
                                                           {"study", "steering"},
+                                                          {"convert", "geojson"},
                                                           {"convert", "tpcap"},
                                                           {"convert", "movingai"},
                                                           {"convert", "dynobench"},
+                                                          {"convert", "footprint"},
                                                           {"planners"}};
   for (std::vector<std::string> command : commands) {
     command.push_back("--help");
@@ -153,12 +155,40 @@ TEST_F(DrawCommand, OutputIsNeeded) {
 
 // ---- convert ----
 
+TEST(ConvertCommand, ASiteBecomesAScenarioThatIsPlanned) {
+  const TemporaryFolder folder;
+  write_content(folder / "footprint.yaml", "[[4, 1], [4, -1], [-1, -1], [-1, 1]]");
+  const Outcome vehicle =
+      run_vandplan({"convert", "footprint", folder / "footprint.yaml", "--wheelbase", "2.5",
+                    "--min-turning-radius", "4", "-o", folder / "car.yaml"});
+  ASSERT_EQ(vehicle.status, 0) << vehicle.err;
+  EXPECT_NE(vehicle.out.find("a rectangle of 5.000 x 2.000 m"), std::string::npos) << vehicle.out;
+  EXPECT_NE(vehicle.out.find("added: 0.0000 m2, 0.0 %"), std::string::npos) << vehicle.out;
+  write_content(folder / "site.geojson",
+                R"({"type": "FeatureCollection", "features": [{"type": "Feature",
+                "properties": {"barrier": "wall"}, "geometry": {"type": "LineString",
+                "coordinates": [[10, -8], [10, 3]]}}]})");
+  const std::string scenario = folder / "site.yaml";
+  const Outcome converted = run_vandplan({"convert", "geojson", folder / "site.geojson", "--metres",
+                                          "--start", "-3,0,0", "--goal", "20,-2.5,0", "--vehicle",
+                                          folder / "car.yaml", "-o", scenario, "--json"});
+  ASSERT_EQ(converted.status, 0) << converted.err;
+  EXPECT_EQ(Json::parse(converted.out)["scenario"], "site");
+  EXPECT_EQ(run_vandplan({"plan", scenario, "--max-iterations", "500"}).status, 0);
+  EXPECT_EQ(run_vandplan({"convert", "geojson", folder / "site.geojson", "--metres", "--start",
+                          "1,2", "-o", scenario})
+                .err,
+            "vandplan: --start: is 1,2, expected X,Y,HEADING\n");
+}
+
 TEST(ConvertCommand, UnknownFormatIsNamed) {
   const Outcome outcome = run_vandplan({"convert", "dxf", "a.dxf"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("dxf"), std::string::npos) << outcome.err;
-  EXPECT_EQ(run_vandplan({"convert"}).err,
-            "vandplan: convert: a format is missing, expected tpcap, movingai or dynobench\n");
+  EXPECT_EQ(
+      run_vandplan({"convert"}).err,
+      "vandplan: convert: a format is missing, expected geojson, tpcap, movingai, dynobench or "
+      "footprint\n");
 }
 
 TEST(ConvertCommand, TpcapCaseBecomesAScenarioThatPlans) {

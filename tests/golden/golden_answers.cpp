@@ -57,6 +57,12 @@ void answer(const std::string& scenario, const Problem& problem, const Planner& 
   }
 }
 
+// Searches of the literature expand many small steps before they find a path.
+bool is_of_literature(const Planner& planner) {
+  const std::vector<std::string>& groups = planner.properties.groups;
+  return std::find(groups.begin(), groups.end(), "family") != groups.end();
+}
+
 void answer_all(const std::string& file) {
   const auto [scenario, problems] = read_problems(file);
   const std::size_t goal = scenario.is_row() ? problems.size() / 2 : 0;
@@ -65,7 +71,7 @@ void answer_all(const std::string& file) {
   for (const Planner& planner : planners()) {
     const bool honours_prices = planner.properties.honours_prices;
     PlanOptions options{.cost = shortest_style, .steering = Steering::reeds_shepp};
-    options.budget.max_iterations = honours_prices ? 2000 : 600;
+    options.budget.max_iterations = is_of_literature(planner) ? 6000 : honours_prices ? 2000 : 600;
     answer(name, problems[goal], planner, options, "");
     if (!honours_prices) continue;
     options.cost.reverse_weight = 2;

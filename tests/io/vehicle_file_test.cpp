@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/cases.h"
+#include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
 
@@ -127,6 +128,85 @@ TEST(VehicleFile, AnyLimitsReadBackUnchanged) {
     if (uniform01(rng) < 0.5) limits.max_jerk = size();
     EXPECT_EQ(read(written(vehicle)), vehicle);
   });
+}
+
+/// The lines that vehicle and footprint files are refused with, without their folder.
+class FilesOfVehicles : public testing::Test {
+ protected:
+  FootprintVehicle around(const std::string& text, double wheelbase = 0.3, double rear_axle = 0) {
+    return read_footprint({.file = folder_.put("a.yaml", text),
+                           .wheelbase = wheelbase,
+                           .min_turning_radius = 0.5,
+                           .rear_axle = rear_axle});
+  }
+  template <typename Read>
+  std::string message_of(Read read) {
+    try {
+      (void)read();
+    } catch (const InputError& error) {
+      std::string text = error.what();
+      const std::size_t at = text.find(folder_.path());
+      return at == std::string::npos ? text : text.erase(at, folder_.path().size() + 1);
+    }
+    return "no error";
+  }
+  std::string refusal(const std::string& text, double wheelbase = 0.3) {
+    return message_of([&] { return around(text, wheelbase); });
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(FilesOfVehicles, AVehicleFileReadsBackExactly) {
+  Vehicle vehicle = vehicle_named("coach");
+  vehicle.wheelbase += 0.1;
+  vehicle.limits.max_speed.forward = 1.75;
+  EXPECT_EQ(read_vehicle(folder_.put("v.yaml", to_yaml(vehicle))), vehicle);
+  EXPECT_EQ(read_vehicle(folder_.put("v.yaml", "{" + truck + "}")), read("{" + truck + "}"));
+  const auto refused = [&](const std::string& text) {
+    return message_of([&] { return read_vehicle(folder_.put("v.yaml", text)); });
+  };
+  EXPECT_EQ(refused("coach"), "v.yaml:1: is no vehicle, expected a map of lengths");
+  EXPECT_EQ(refused("wheelbase: 4.5\nfront_overhang: 1\nrear_overhang: 1\nwidth: -2\n"
+                    "min_turning_radius: 7\n"),
+            "v.yaml:4: width: is -2, expected more than 0 m");
+}
+
+// Corners 0.1 m behind and 0.4 m before the axle, 0.2 m to the right and 0.25 m to the left.
+const std::string corners = "[[0.4, 0.2], [0.4, -0.2], [-0.1, -0.2], [-0.1, 0.25]]";
+
+TEST_F(FilesOfVehicles, ARectangleIsPutAroundAFootprint) {
+  const std::string of_nav2 =
+      "local_costmap:\n  ros__parameters:\n    footprint: \"" + corners + "\"\n";
+  for (const std::string& text : {corners, "\"" + corners + "\"", of_nav2,
+                                  "a: {footprint: []}\nb: {footprint: " + corners + "}\n"}) {
+    const FootprintVehicle made = around(text);
+    EXPECT_EQ(made.vehicle.rear_overhang, 0.1) << text;
+    EXPECT_EQ(made.vehicle.front_overhang, 0.1);
+    EXPECT_EQ(made.vehicle.width, 0.5);
+    EXPECT_EQ(made.vehicle.min_turning_radius, 0.5);
+    EXPECT_NEAR(made.footprint_area, 0.2125, 1e-12);
+    EXPECT_NEAR(made.added_area, 0.0375, 1e-12);
+    EXPECT_NEAR(made.added_width, 0.05, 1e-12);
+  }
+  const Vehicle moved = around(corners, 0.3, 0.05).vehicle;  // the axle is 5 cm ahead of the origin
+  EXPECT_EQ(moved.rear_overhang, 0.15);
+  EXPECT_EQ(moved.front_overhang, 0.05);
+}
+
+TEST_F(FilesOfVehicles, FootprintsThatCannotBeUsedHaveOneLineEach) {
+  EXPECT_EQ(refusal("a: 1\n"),
+            "a.yaml:1: has no footprint, expected a key of that name with corners");
+  EXPECT_EQ(refusal("a:\n  footprint: \"[[1, 2], [3, x], [0, 0]]\"\n"),
+            "a.yaml:2: a.footprint: [1][1]: is \"x\", expected a number");
+  EXPECT_EQ(refusal("[[1, 2], [3, 4]]"), "a.yaml:1: has 2 corners, expected at least 3");
+  EXPECT_EQ(refusal("a: {footprint: " + corners + "}\nb: {footprint: [[1, 0], [0, 1], [0, 0]]}\n"),
+            "a.yaml:2: b.footprint: is another footprint than that on line 1, expected one; put it "
+            "into a file of its own");
+  EXPECT_EQ(refusal(corners, 0.5),
+            "a.yaml: has a footprint with x from -0.1 to 0.4 m, but axles at 0 "
+            "and 0.5 m, expected them within it");
+  EXPECT_EQ(refusal(corners, -1), "a.yaml: vehicle.wheelbase: is -1, expected more than 0 m");
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "io/local_plane.h"
+
+#include <cmath>
+
+#include "vandplan/input_error.h"
+
+#ifdef VANDPLAN_GEOGRAPHICLIB
+#include <GeographicLib/LocalCartesian.hpp>
+
+namespace vandplan::io {
+namespace {
+
+double rounded(double metres) { return std::round(metres * 1e4) / 1e4; }
+
+}  // namespace
+
+ToPlane plane_around(const GeoPlace& origin) {
+  const GeographicLib::LocalCartesian plane(origin.latitude, origin.longitude);
+  return [plane](const GeoPlace& place) -> std::optional<Point> {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    plane.Forward(place.latitude, place.longitude, 0.0, x, y, z);
+    if (!(std::sqrt(x * x + y * y + z * z) <= largest_plane)) return {};
+    return Point{rounded(x), rounded(y)};
+  };
+}
+
+}  // namespace vandplan::io
+
+bool vandplan::reads_longitudes() noexcept { return true; }
+
+#else
+
+vandplan::io::ToPlane vandplan::io::plane_around(const GeoPlace&) {
+  throw InputError(
+      "GeographicLib",
+      "is missing in this build, which longitudes and latitudes need, expected metres");
+}
+
+bool vandplan::reads_longitudes() noexcept { return false; }
+
+#endif

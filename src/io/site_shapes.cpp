@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "io/site_shapes.h"
+
+#include <cmath>
+
+namespace vandplan::io {
+namespace {
+
+/// The line without corners that repeat the one before.
+std::vector<Point> without_repeats(std::span<const Point> line) {
+  std::vector<Point> corners;
+  for (const Point& point : line) {
+    if (corners.empty() || !(corners.back() == point)) corners.push_back(point);
+  }
+  return corners;
+}
+
+}  // namespace
+
+std::vector<Polygon> walls_along(std::span<const Point> line, double width) {
+  const std::vector<Point> corners = without_repeats(line);
+  if (corners.size() < 2) return {};
+  const bool is_closed = corners.front() == corners.back();
+  std::vector<Polygon> walls;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    const Point& from = corners[i];
+    const Point& to = corners[i + 1];
+    const double x = to.x - from.x;
+    const double y = to.y - from.y;
+    const double factor = width / 2 / std::sqrt(x * x + y * y);
+    const Point along = {x * factor, y * factor};  // half of the width
+    const double before = is_closed || i > 0 ? 1.0 : 0.0;
+    const double behind = is_closed || i + 2 < corners.size() ? 1.0 : 0.0;
+    const Point a = {from.x - before * along.x, from.y - before * along.y};
+    const Point b = {to.x + behind * along.x, to.y + behind * along.y};
+    walls.push_back({{a.x + along.y, a.y - along.x},
+                     {b.x + along.y, b.y - along.x},
+                     {b.x - along.y, b.y + along.x},
+                     {a.x - along.y, a.y + along.x}});
+  }
+  return walls;
+}
+
+Polygon square_around(const Point& center, double side) {
+  const double half = side / 2;
+  return {{center.x - half, center.y - half},
+          {center.x + half, center.y - half},
+          {center.x + half, center.y + half},
+          {center.x - half, center.y + half}};
+}
+
+bool lies_within(const Polygon& ring, const Point& point) noexcept {
+  bool is_within = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& a = ring[i];
+    const Point& b = ring[(i + 1) % ring.size()];
+    if ((a.y > point.y) == (b.y > point.y)) continue;
+    if (point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y))) is_within = !is_within;
+  }
+  return is_within;
+}
+
+}  // namespace vandplan::io
