@@ -67,11 +67,11 @@ Choice chosen(const ScenarioProblems& read, const PathArguments& arguments) {
 
 }  // namespace
 
-void expect_drive_output(const std::string& output, bool json) {
+void expect_drive_output(const std::string& output, const FileKind& kind, bool json) {
   if (json && output == "-") {
     throw InputError("--json", "and --output - both print, expected one of them");
   }
-  expect_ending(output, {"a drive is CSV", {".csv"}});
+  expect_ending(output, kind);
   expect_writable(output);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "endings.h"
 #include "vandplan/problem.h"
 #include "vandplan/result_file.h"
 #include "vandplan/scenario_file.h"
@@ -41,9 +42,9 @@ void add_choice(CLI::App& command, PathArguments& arguments);
 /// Why there is nothing to drive: no path, or one that the judge finds invalid; empty if there is.
 [[nodiscard]] std::string reason_not_to_drive(const Choice& choice);
 
-/// Throws InputError if the drive over time (CSV) cannot be written there: another ending, no such
-/// folder, or "-" while --json prints as well.
-void expect_drive_output(const std::string& output, bool json);
+/// Throws InputError if the drive over time cannot be written there: an ending of another kind of
+/// file, no such folder, or "-" while --json prints as well.
+void expect_drive_output(const std::string& output, const FileKind& kind, bool json);
 
 /// Says why there is nothing to drive; returns the exit status.
 int refuse(const Choice& choice, const std::string& reason, bool json);

@@ -257,7 +257,9 @@ void check_arguments(const DriveArguments& arguments) {
     throw InputError("--runs", fmt::format("is {}, expected 1 to {}", arguments.runs, most_runs));
   }
   if (arguments.picture) expect_picture(*arguments.picture);
-  if (arguments.output) expect_drive_output(*arguments.output, arguments.json);
+  if (arguments.output) {
+    expect_drive_output(*arguments.output, {"a drive is CSV", {".csv"}}, arguments.json);
+  }
 }
 
 int run(const DriveArguments& arguments) {

@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <memory>
 
 #include "chosen_path.h"
 #include "commands.h"
-#include "endings.h"
-#include "vandplan/files.h"
+#include "motions_file.h"
 #include "vandplan/input_error.h"
 #include "wording.h"
 
@@ -25,7 +25,8 @@ constexpr double most_rows = 2e6;
 struct SpeedArguments {
   PathArguments path;
   std::optional<std::string> output;
-  double step = 0.05;  // between rows [s]
+  double step = 0.05;         // between rows [s]
+  std::string frame = "map";  // of a nav_msgs/Path
   bool json = false;
 };
 
@@ -115,28 +116,26 @@ void print_summary(const Choice& choice, const SpeedProfile& profile) {
   if (!shares.empty()) fmt::print("  bound by: {}\n", shares);
 }
 
-/// Writes the drive, whole or not at all; returns the number of rows.
-std::size_t write_drive(const std::string& output, const std::vector<Motion>& motions) {
-  FileWriter writer(output);
-  writer.write("t,s,x,y,heading,curvature,steering_angle,direction,v,a\n");
-  std::string piece;
-  for (const Motion& m : motions) {
-    piece += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", m.t, m.s, m.pose.x, m.pose.y,
-                         m.pose.heading, m.curvature, m.steering_angle, m.direction, m.v, m.a);
-    if (piece.size() < (std::size_t{1} << 20)) continue;
-    writer.write(piece);
-    piece.clear();
-  }
-  writer.write(piece);
-  writer.commit();
-  return motions.size();
+/// What ROS calls a frame.
+void check_frame(const std::string& frame) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '/' || c == '.';
+  };
+  const bool begins_well =
+      !frame.empty() && std::isalpha(static_cast<unsigned char>(frame[0])) != 0;
+  if (begins_well && std::ranges::all_of(frame, is_plain)) return;
+  throw InputError("--frame", "is \"" + frame.substr(0, 40) +
+                                  "\", expected a letter, then letters, digits, _, -, / or .");
 }
 
 void check_output(const SpeedArguments& arguments) {
   if (!(arguments.step >= 1e-4 && arguments.step <= 0.05)) {
     throw InputError("--step", fmt::format("is {}, expected 0.0001 to 0.05 s", arguments.step));
   }
-  if (arguments.output) expect_drive_output(*arguments.output, arguments.json);
+  check_frame(arguments.frame);
+  if (arguments.output) {
+    expect_drive_output(*arguments.output, motions_file, arguments.json);
+  }
 }
 
 int run(const SpeedArguments& arguments) {
@@ -153,7 +152,9 @@ int run(const SpeedArguments& arguments) {
     if (profile.duration / arguments.step > most_rows) {
       throw InputError("--output", fmt::format("would have more than {} rows", most_rows));
     }
-    json["rows"] = write_drive(*arguments.output, sampled(*path, vehicle, profile, arguments.step));
+    const std::vector<Motion> motions = sampled(*path, vehicle, profile, arguments.step);
+    write_motions(*arguments.output, motions, arguments.frame);
+    json["rows"] = motions.size();
     json["output"] = *arguments.output;
   }
   if (arguments.json) {
@@ -180,15 +181,21 @@ void add_speed(CLI::App& vandplan, int& status) {
   command->footer(
       "Columns: t [s], s [m], x, y [m], heading [rad], curvature [1/m], steering_angle [rad],\n"
       "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse, a is its change.\n"
+      "A .yaml has the shape of a nav_msgs/Path of ROS 2: a pose with its time for each row.\n"
       "Exit status: 0 done, 1 no path or an invalid one, 2 bad input or usage.");
   const auto arguments = std::make_shared<SpeedArguments>();
   add_scenario_and_result(*command, arguments->path.scenario, arguments->path.result);
-  command->add_option("-o,--output", arguments->output, "The drive over time (.csv), - prints it")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "The drive over time (.csv, or .yaml for ROS), - prints it")
       ->type_name("FILE");
   command
       ->add_option("--step", arguments->step,
                    "Rows are no further apart [s]; 0.0001 to 0.05; all multiples of it have one")
       ->type_name("S")
+      ->capture_default_str();
+  command->add_option("--frame", arguments->frame, "The frame_id in a .yaml")
+      ->type_name("NAME")
       ->capture_default_str();
   add_choice(*command, arguments->path);
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -128,6 +129,33 @@ TEST_F(SpeedCommand, PrintsTheDriveAlone) {
   EXPECT_EQ(speed({"--output", "-", "--json"}).status, 2);
 }
 
+TEST_F(SpeedCommand, APathOfRosHoldsEveryRow) {
+  ASSERT_EQ(speed({"--output", csv_}).status, 0);
+  const std::string file = folder_ / "path.yaml";
+  const Outcome outcome = speed({"--output", file, "--frame", "site/map"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const YAML::Node path = YAML::LoadFile(file);
+  EXPECT_EQ(path["header"]["frame_id"].as<std::string>(), "site/map");
+  EXPECT_EQ(path["header"]["stamp"]["sec"].as<int>(), 0);
+  const std::vector<std::vector<double>> drive = rows();
+  ASSERT_EQ(path["poses"].size(), drive.size());
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    const YAML::Node stamped = path["poses"][i];
+    EXPECT_EQ(stamped["header"]["frame_id"].as<std::string>(), "site/map");
+    const YAML::Node stamp = stamped["header"]["stamp"];
+    EXPECT_LT(stamp["nanosec"].as<int>(), 1'000'000'000);
+    EXPECT_NEAR(stamp["sec"].as<int>() + 1e-9 * stamp["nanosec"].as<int>(), drive[i][0], 6e-10);
+    EXPECT_EQ(stamped["pose"]["position"]["x"].as<double>(), drive[i][2]);
+    EXPECT_EQ(stamped["pose"]["position"]["y"].as<double>(), drive[i][3]);
+    const YAML::Node turn = stamped["pose"]["orientation"];
+    EXPECT_NEAR(2 * std::atan2(turn["z"].as<double>(), turn["w"].as<double>()), drive[i][4], 1e-12);
+    EXPECT_EQ(turn["x"].as<double>(), 0);
+  }
+  EXPECT_EQ(
+      speed({"--output", file, "--frame", "a b"}).err,
+      "vandplan: --frame: is \"a b\", expected a letter, then letters, digits, _, -, / or .\n");
+}
+
 TEST_F(SpeedCommand, TheWheelsTurnWhileItStands) {
   write_content(scenario_, replaced(scenario(), "goal: {x: -3, y: 0, heading: 0",
                                     "goal: {x: 5.890296893, y: 3.217883863, heading: 1"));
@@ -176,7 +204,8 @@ TEST_F(SpeedCommand, SaysWhatCannotBeWrittenOrRead) {
   EXPECT_EQ(speed({"--output", folder_ / "none/drive.csv"}).status, 2);
   EXPECT_EQ(speed({"--output", folder_ / "drive.json"}).err,
             "vandplan: " + (folder_ / "drive.json") +
-                ": ends in .json, but a drive is CSV, expected a name that ends in .csv\n");
+                ": ends in .json, but a drive is CSV, or YAML for a nav_msgs/Path, expected a "
+                "name that ends in .csv\n");
   write_content(scenario_, replaced(scenario(), "max_braking: 2", "max_braking: 0"));
   EXPECT_EQ(speed().err, "vandplan: " + scenario_ +
                              ":2: vehicle.max_braking: is 0, expected 0.001 to 1000 m/s^2\n");

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does a drive become a file?
+
+#include <string>
+#include <vector>
+
+#include "endings.h"
+#include "vandplan/speed.h"
+
+namespace vandplan::app {
+
+inline const FileKind motions_file = {"a drive is CSV, or YAML for a nav_msgs/Path",
+                                      {".csv", ".yaml", ".yml"}};
+
+/// Writes the motions of a drive, whole or not at all: a table with a row each (CSV); if the name
+/// ends in .yaml or .yml, a nav_msgs/Path with a pose each, in the frame of that name.
+void write_motions(const std::string& output, const std::vector<Motion>& motions,
+                   const std::string& frame);
+
+}  // namespace vandplan::app
