@@ -13,7 +13,7 @@
 #include "commands.h"
 #include "standard_streams.h"
 #include "vandplan/input_error.h"
-#include "vandplan/version.h"
+#include "version_text.h"
 #include "wording.h"
 
 namespace vandplan::app {
@@ -39,7 +39,7 @@ int complain_of_memory() noexcept {
 int run(int argc, char** argv) {
   int status = exit_status::done;
   CLI::App app("Plans paths for trucks and buses.", "vandplan");
-  app.set_version_flag("--version", fmt::format("vandplan {}", build_info().version));
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(0, 1);
   app.footer("Exit status: 0 done, 1 no path or a check failed, 2 bad input or usage.");
   for (const AddCommand add : commands) add(app, status);

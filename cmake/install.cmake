@@ -26,4 +26,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vandplan-config.cmake
         DESTINATION ${package_folder})
 if(TARGET vandplan_cli)
   install(TARGETS vandplan_cli)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/app/help/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+  install(FILES ${PROJECT_BINARY_DIR}/app/help/vandplan
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()

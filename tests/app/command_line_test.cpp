@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "support/process.h"
 #include "support/shared_files.h"
@@ -21,6 +22,15 @@ TEST(CommandLine, VersionIsOneLine) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out.substr(0, 9), "vandplan ");
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
+}
+
+// A commit in brackets, unless nobody knows it.
+TEST(CommandLine, VersionNamesTheCommit) {
+  const std::string text = run_vandplan({"--version"}).out;
+  if (!std::filesystem::exists(repository() / ".git")) GTEST_SKIP() << "not a checkout";
+  EXPECT_TRUE(std::regex_match(
+      text, std::regex("vandplan [0-9]+\\.[0-9]+\\.[0-9]+ \\([0-9a-f]{7,40}(\\+changes)?\\)\n")))
+      << text;
 }
 
 /// The page shows the help of every command as it is.
