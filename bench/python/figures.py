@@ -2,9 +2,9 @@
 # Copyright (c) 2026, the Vändplan authors
 """How fast is the Python package? Prints the table of docs/python.md.
 
-usage: PYTHONPATH=build/bench/python bench/python/figures.py [BENCH_PROGRAM]
+usage: PYTHONPATH=build/ci/python /usr/bin/python3 bench/python/figures.py [BENCH_PROGRAM]
 
-BENCH_PROGRAM is build/bench/bench/python_call_bench: what the same plans take in C++.
+BENCH_PROGRAM is build/ci/bench/python_call_bench: what the same plans take in C++.
 """
 
 import os
