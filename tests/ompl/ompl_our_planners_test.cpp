@@ -213,6 +213,7 @@ TEST(OurPlannersInOmpl, TheyAppearInOmplsBenchmark) {
   request.runCount = 2;
   request.displayProgress = false;
   request.simplify = false;
+  request.saveConsoleOutput = false;  // no file beside the test
   benchmark.benchmark(request);
   std::ostringstream log;
   benchmark.saveResultsToStream(log);
