@@ -23,7 +23,7 @@ namespace {
 
 using namespace io;
 
-constexpr double room = 20.0;     // between what is in the file and the bounds [m]
+constexpr double room = 20.0;       // between what is in the file and the bounds [m]
 constexpr double hairline = 0.001;  // width of the walls along the rings of a ring-shaped thing [m]
 
 /// A start or goal, x and y as the file counts them.

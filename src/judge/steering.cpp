@@ -59,7 +59,8 @@ std::optional<SteeringFault> false_steering(const Track& track, const Task& task
     }
     before = curvature_at(stretch, stretch.length);
   }
-  if (!is_throughout || std::abs(task.curvatures.goal - before) <= allowed_jump) return std::nullopt;
+  if (!is_throughout || std::abs(task.curvatures.goal - before) <= allowed_jump)
+    return std::nullopt;
   const std::size_t last = track.stretches.size() - 1;
   return jump("at the goal", before, task.curvatures.goal, {last, track.stretches[last].length});
 }

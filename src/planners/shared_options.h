@@ -30,8 +30,8 @@ inline constexpr std::string_view table_key = "table";
 [[nodiscard]] std::vector<OptionInfo> estimate_options(std::string_view standard,
                                                        std::string_view max_with = "none");
 
-/// Says in the properties of a planner that takes an estimate which search it is, and which estimate
-/// guides it if nobody asks for another one.
+/// Says in the properties of a planner that takes an estimate which search it is, and which
+/// estimate guides it if nobody asks for another one.
 void name_estimate(Planner& planner);
 
 /// The estimate that complete options name. The task outlives it.

@@ -288,7 +288,7 @@ TEST_F(PlanCommand, AnOptionThatThePlannerDoesNotHonourIsRefused) {
   EXPECT_EQ(key.status, 2);
   EXPECT_EQ(key.err,
             "vandplan: reverse_weight: is no option of rrt-bsc-euc, expected one of the planners "
-            "that honour it: anytime\n");
+            "that honour it: anytime, hybrid-a-star\n");
 }
 
 TEST_F(PlanCommand, TheSteeringIsAnOption) {

@@ -27,7 +27,8 @@ set(parts -DVANDPLAN_APP=OFF)
 configure(components ${libraries_of_program})
 expect_success()
 
-set(parts -DVANDPLAN_SIMD=OFF -DVANDPLAN_THREADS=OFF -DVANDPLAN_APP=OFF -DVANDPLAN_IO=OFF -DVANDPLAN_DRAW=OFF)
+set(parts -DVANDPLAN_SIMD=OFF -DVANDPLAN_THREADS=OFF -DVANDPLAN_APP=OFF -DVANDPLAN_IO=OFF -DVANDPLAN_DRAW=OFF
+    -DVANDPLAN_OMPL=OFF)
 configure(core ${libraries_of_core} ${libraries_of_files_and_pictures} ${libraries_of_program})
 expect_success()
 

@@ -27,7 +27,7 @@ constexpr double radius = query_radius;
 
 PlanOptions few_iterations() {
   PlanOptions options{.cost = shortest_style};
-  options.budget.max_iterations = 500;
+  options.budget.max_iterations = 5000;
   return options;
 }
 
@@ -38,7 +38,7 @@ TEST(OurPlannersInOmpl, EachOfThemSolves) {
       Query query(yard_scenario(away, away));
       const auto wrapped = std::make_shared<ompl::Planner>(query.si, planner, few_iterations());
       query.simple.setPlanner(wrapped);
-      EXPECT_EQ(query.simple.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+      ASSERT_EQ(query.simple.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
       EXPECT_EQ(query.simple.getProblemDefinition()->getSolutions()[0].plannerName_,
                 "vandplan_" + planner.name);
       og::PathGeometric& path = query.simple.getSolutionPath();

@@ -173,9 +173,11 @@ TEST(PlannerOptions, AnIgnoredOneNamesThePlannersThatHonourIt) {
 }
 
 TEST(PlannerOptions, PricesAndThreadsAreRefusedByTheTrees) {
-  const auto refusal = [](const char* name) {
-    return std::string(name) +
-           ": is no option of rrt-opt-rs, expected one of the planners that honour it: anytime";
+  const auto refusal = [](const std::string& name) {
+    const bool is_price = name != "threads" && name != "target_gap";
+    return name +
+           ": is no option of rrt-opt-rs, expected one of the planners that honour it: anytime" +
+           (is_price ? ", hybrid-a-star" : "");
   };
   EXPECT_EQ(message_of_setting("rrt-opt-rs", "reverse_weight", "2"), refusal("reverse_weight"));
   EXPECT_EQ(message_of_setting("rrt-opt-rs", "gear_change_cost", "2"), refusal("gear_change_cost"));
@@ -217,7 +219,10 @@ TEST(SteeringOption, HasThreeNames) {
 }
 
 TEST(SteeringOption, IsHonouredByOurPlanners) {
+  EXPECT_TRUE(honours(planner_named("anytime"), "steering"));
+  EXPECT_TRUE(honours(planner_named("rrt-opt-rs"), "steering"));
   for (const Planner& planner : planners()) {
+    if (!honours(planner, "steering")) continue;
     PlanOptions options;
     set_option(options, planner, "steering", "continuous");
     EXPECT_EQ(complete(planner, options).steering, Steering::continuous) << planner.name;
@@ -313,9 +318,9 @@ TEST(Styles, OfThoseWhoKnowNoPricesAreTheShortest) {
   set_option(options, planner, "style", "shortest");
   EXPECT_EQ(complete(planner, options).cost, shortest_style);
   EXPECT_EQ(complete(planner, PlanOptions{}).cost, shortest_style);
-  EXPECT_EQ(
-      message_of_setting("rrt-opt-rs", "style", "driver"),
-      "style: is no option of rrt-opt-rs, expected one of the planners that honour it: anytime");
+  EXPECT_EQ(message_of_setting("rrt-opt-rs", "style", "driver"),
+            "style: is no option of rrt-opt-rs, expected one of the planners that honour it: "
+            "anytime, hybrid-a-star");
 }
 
 TEST(PlannerOptions, ABadTextNamesOptionValueAndRule) {
