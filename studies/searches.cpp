@@ -220,9 +220,9 @@ StudyFiles files_of(const SearchesStudy& study) {
       study.options.iterations, study.options.seed);
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const std::size_t column = i % columns;
+    const std::size_t row = i / columns;
     const double right = column + 1 < columns ? left[column + 1] : width;
-    const Panel panel{left[column],
-                      40.0 + static_cast<double>(i / columns) * (height + head + gap) + head,
+    const Panel panel{left[column], 40.0 + static_cast<double>(row) * (height + head + gap) + head,
                       right - gap - left[column], height};
     body += plot_of(study, i, panel, width, page_height);
   }

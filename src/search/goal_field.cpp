@@ -150,7 +150,8 @@ void GoalField::reach(const Entry& from, const Corner& to, double step) {
 
 /// Along the sides of open cells, across them, and across two of them that lie side by side.
 void GoalField::spread(const Entry& from) {
-  const auto [x, y] = from.corner;
+  const std::int32_t x = from.corner.x;
+  const std::int32_t y = from.corner.y;
   const std::uint8_t* const lower = cells(y - 1) + x;
   const std::uint8_t* const upper = cells(y) + x;
   const auto go = [&](bool is_open, int dx, int dy, double step) {

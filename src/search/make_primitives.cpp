@@ -107,15 +107,18 @@ double& Chooser::known(std::int32_t from, std::int32_t dx, std::int32_t dy, std:
 // those.
 std::vector<Ends> Chooser::candidates() const {
   std::vector<Ends> all;
+  const auto add_all_to = [&](std::int32_t from, std::int32_t dx, std::int32_t dy) {
+    for (std::int32_t to = 0; to < headings(); ++to) {
+      const Pose end{dx * step_, dy * step_, angle(to)};
+      const double length = dubins_length({0.0, 0.0, angle(from)}, end, 1.0);
+      if (length <= longest_) all.push_back({from, to, dx, dy, length});
+    }
+  };
   for (std::int32_t from = 0; is_first_octant(from); ++from) {
     for (std::int32_t dx = -reach_; dx <= reach_; ++dx) {
       for (std::int32_t dy = -reach_; dy <= reach_; ++dy) {
-        if (std::hypot(dx, dy) * step_ > longest_ || (dx == 0 && dy == 0)) continue;
-        for (std::int32_t to = 0; to < headings(); ++to) {
-          const Pose end{dx * step_, dy * step_, angle(to)};
-          const double length = dubins_length({0.0, 0.0, angle(from)}, end, 1.0);
-          if (length <= longest_) all.push_back({from, to, dx, dy, length});
-        }
+        if (dx == 0 && dy == 0) continue;
+        if (std::hypot(dx, dy) * step_ <= longest_) add_all_to(from, dx, dy);
       }
     }
   }
@@ -196,6 +199,7 @@ std::shared_ptr<const Primitives> make_primitives(double radius, const Primitive
   Chooser chooser(options);
   const double step = radius / options.steps_per_radius;
   std::vector<double> headings;
+  headings.reserve(static_cast<std::size_t>(chooser.headings()));
   for (std::int32_t i = 0; i < chooser.headings(); ++i) headings.push_back(chooser.angle(i));
   std::vector<Primitive> all;
   for (const Ends& ends : chooser.chosen()) {
