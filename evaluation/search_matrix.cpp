@@ -50,7 +50,7 @@ MedianEstimate median_over(const Runs& runs, Value value) {
   return median_of(std::move(values), confidence);
 }
 
-int count_solved(const Runs& runs) {
+int solved_among(const Runs& runs) {
   return static_cast<int>(std::ranges::count_if(
       runs, [](const RunRecord* run) { return run->result.path.has_value(); }));
 }
@@ -68,7 +68,7 @@ MatrixCell cell_of(const Planner& planner, const Runs& runs,
                   .search = planner.properties.search,
                   .estimate = planner.properties.estimate,
                   .runs = static_cast<int>(runs.size()),
-                  .solved = count_solved(runs)};
+                  .solved = solved_among(runs)};
   cell.solved_interval = share_interval(cell.solved, cell.runs, confidence);
   cell.first_time = median_over(runs, first_solution_time);
   cell.first_work = median_over(runs, first_work);
@@ -91,7 +91,7 @@ struct Claim {
   Guided rival;
 };
 
-constexpr std::array claims = {
+constexpr std::array literature_claims = {
     Claim{"the larger of table and grid guides better than the table alone (Dolgov et al. 2010)",
           {"hybrid-a-star", "max-hlut-4-grid"},
           {"hybrid-a-star", "hlut-4"}},
@@ -141,8 +141,8 @@ void compare(const Runs& runs, const Runs& rivals, LiteratureFinding& finding) {
   finding.first_time = compared(first_solution_time);
   finding.first_work = compared(first_work);
   finding.cost = compared(final_cost);
-  finding.solved = count_solved(first);
-  finding.rival_solved = count_solved(second);
+  finding.solved = solved_among(first);
+  finding.rival_solved = solved_among(second);
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ std::vector<LiteratureFinding> literature_findings(const std::vector<Planner>& p
                                                    const std::vector<RunRecord>& runs) {
   std::vector<LiteratureFinding> findings;
   for (const Region region : {Region::bounds, Region::scene}) {
-    for (const Claim& claim : claims) {
+    for (const Claim& claim : literature_claims) {
       const Planner* const planner = find(planners, claim.planner);
       const Planner* const rival = find(planners, claim.rival);
       if (planner == nullptr || rival == nullptr) continue;

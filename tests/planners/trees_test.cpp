@@ -80,7 +80,8 @@ struct Reading {
 
 // On open ground, where every edge is free.
 TreeSnapshot guided_tree(const Reading& reading, int iterations) {
-  const Task& task = open_ground().task();
+  const Problem ground = open_ground();
+  const Task& task = ground.task();
   const Bounds region = sampling_region(task, Region::scene);
   Rng rng(1);
   TreeSnapshot tree{{task.start}, {-1}};

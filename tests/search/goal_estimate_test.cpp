@@ -84,8 +84,9 @@ TEST(GoalEstimate, OfFieldsKnowsWhichGapsAreTooNarrow) {
 }
 
 TEST(GoalEstimate, OfFieldsIsInfiniteWhereTheGoalIsCutOff) {
+  const Problem problem = walled_in();
   for (const char* const name : {"grid", "any-angle", "choi"}) {
-    GoalEstimate estimate = make_goal_estimate(name, walled_in().task());
+    const GoalEstimate estimate = make_goal_estimate(name, problem.task());
     EXPECT_FALSE(std::isfinite(settled(estimate, {0, 0, 0}))) << name;
     EXPECT_TRUE(std::isfinite(estimate.length({50, 3, 1}))) << name;
   }
