@@ -23,7 +23,7 @@ TEST_P(PlannersOnEveryTarget, FindTheSamePath) {
   const Problem problem =
       problem_of({0, 0, 0}, {30, 0, 1}, {box(14, -12, 16, 12), box(14, 12, 40, 14)});
   PlanOptions options{.cost = shortest_style};
-  options.budget.max_iterations = std::max(cases(1500), 300);
+  options.budget.max_iterations = 1500;
   for (const auto& [name, text] : {std::pair{"region", "scene"}, {"keep_tree", "true"}}) {
     if (honours(GetParam(), name)) set_option(options, GetParam(), name, text);
   }
