@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "support/temporary_folder.h"
+#include "support/reader_test.h"
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
 
@@ -21,29 +21,11 @@ std::string exchanged(std::string text, const std::string& part, const std::stri
   return text.replace(at, part.size(), by);
 }
 
-class ForeignFiles : public testing::Test {
- protected:
-  template <typename Read>
-  std::string message_of(Read read) {
-    try {
-      (void)read();
-    } catch (const InputError& error) {
-      std::string text = error.what();
-      const std::size_t at = text.find(folder_.path());
-      if (at != std::string::npos) text.erase(at, folder_.path().size() + 1);
-      return text;
-    }
-    return "no error";
-  }
-
-  TemporaryFolder folder_;
-};
-
 const std::string movingai_map = "type octile\nheight 3\nwidth 4\nmap\n.GS@\nOTW.\n....\n";
 const std::string problems =
     "version 1\n0\ta.map\t4\t3\t0\t0\t0\t2\t2.0\n1\ta.map\t4\t3\t1\t2\t3\t2\t2.0\n";
 
-class MovingAi : public ForeignFiles {
+class MovingAi : public ReaderTest {
  protected:
   Scenario read(const std::string& map, const std::string& scen, int number) {
     return read_movingai({.map = folder_.put("a.map", map),
@@ -125,7 +107,7 @@ const std::string dynobench =
     "    start: [0.7, 0.6, 0]\n"
     "    goal: [1.9, 0.3, 1.5]\n";
 
-class Dynobench : public ForeignFiles {
+class Dynobench : public ReaderTest {
  protected:
   Scenario read(const std::string& text) {
     return read_dynobench(folder_.put("d.yaml", text), "van");

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "support/cases.h"
-#include "support/temporary_folder.h"
+#include "support/reader_test.h"
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
 
@@ -131,7 +131,7 @@ TEST(VehicleFile, AnyLimitsReadBackUnchanged) {
 }
 
 /// The lines that vehicle and footprint files are refused with, without their folder.
-class FilesOfVehicles : public testing::Test {
+class FilesOfVehicles : public ReaderTest {
  protected:
   FootprintVehicle around(const std::string& text, double wheelbase = 0.3, double rear_axle = 0) {
     return read_footprint({.file = folder_.put("a.yaml", text),
@@ -139,22 +139,9 @@ class FilesOfVehicles : public testing::Test {
                            .min_turning_radius = 0.5,
                            .rear_axle = rear_axle});
   }
-  template <typename Read>
-  std::string message_of(Read read) {
-    try {
-      (void)read();
-    } catch (const InputError& error) {
-      std::string text = error.what();
-      const std::size_t at = text.find(folder_.path());
-      return at == std::string::npos ? text : text.erase(at, folder_.path().size() + 1);
-    }
-    return "no error";
-  }
   std::string refusal(const std::string& text, double wheelbase = 0.3) {
     return message_of([&] { return around(text, wheelbase); });
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(FilesOfVehicles, AVehicleFileReadsBackExactly) {
