@@ -18,6 +18,7 @@
 #define HWY_TARGET_INCLUDE "simd/kernels_highway_pairs.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
+#include "simd/kernels_highway_words-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vandplan::simd::HWY_NAMESPACE {
@@ -39,18 +40,6 @@ Bits set(std::uint64_t value) { return hn::Set(U(), value); }
 /// As std::max(value, 0.0), for -0 and NaN, too.
 Doubles at_least_zero(Doubles value) {
   return hn::IfThenZeroElse(hn::Lt(value, hn::Zero(D())), value);
-}
-
-Doubles root(Doubles value) { return hn::Sqrt(at_least_zero(value)); }
-
-/// a * b + c * d, each rounded.
-Doubles sum_of_products(Doubles a, Doubles b, Doubles c, Doubles d) {
-  return hn::Add(hn::Mul(a, b), hn::Mul(c, d));
-}
-
-/// a * b - c * d, each rounded.
-Doubles difference_of_products(Doubles a, Doubles b, Doubles c, Doubles d) {
-  return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
 }
 
 /// a + z * b.
@@ -144,11 +133,14 @@ Doubles atan_2(Doubles y, Doubles x) {
 
 // ---- the formulas ----
 
-/// The pair in the mean frame, all signs positive; lengths in turning radii
-/// (steering/mean_frame.h).
-struct Circles {
-  Doubles x, y, a, s, c, lr, rl;
+struct Math {
+  using V = Doubles;
+  static V atan_2(V y, V x) { return HWY_NAMESPACE::atan_2(y, x); }
+  static V root(V value) { return hn::Sqrt(at_least_zero(value)); }
+  static V less_four_plus_pi(V value) { return hn::Add(hn::Sub(value, set(4.0)), set(pi)); }
 };
+using Word = ShortestWord<Math>;
+using Circles = Word::Circles;
 
 /// Pairs of poses.
 struct Pairs {
@@ -182,127 +174,6 @@ Circles circles(const Pairs& pairs) {
   return f;
 }
 
-/// A word's length is line + 2 * angle; the angle is that of the vector (x, y) turned by the one of
-/// (p, q).
-struct Parts {
-  Doubles line, x, y, p, q;
-
-  void choose(Which which, const Parts& other) {
-    line = hn::IfThenElse(which, other.line, line);
-    x = hn::IfThenElse(which, other.x, x);
-    y = hn::IfThenElse(which, other.y, y);
-    p = hn::IfThenElse(which, other.p, p);
-    q = hn::IfThenElse(which, other.q, q);
-  }
-  [[nodiscard]] Doubles angle() const {
-    return atan_2(sum_of_products(y, p, x, q), difference_of_products(x, p, y, q));
-  }
-};
-
-/// The conditions of the scalar code, of which the first one that holds counts, and what they
-/// share.
-struct Words {
-  Which l_r_l, r_lsl, lsl, r_lsr_l, r_lsr, lsr;
-  Doubles less, x, ahead, square;
-
-  explicit Words(const Circles& f) {
-    const Doubles zero = hn::Zero(D());
-    const Doubles two_s = hn::Mul(set(2.0), f.s);
-    less = hn::Sub(f.x, two_s);
-    x = hn::Add(f.x, two_s);
-    ahead = difference_of_products(less, f.c, f.y, f.s);
-    square = sum_of_products(x, x, f.y, f.y);
-    const Doubles beyond = hn::Sub(sum_of_products(x, f.c, f.y, f.s), set(2.0));
-    const Doubles two_cc = hn::Mul(hn::Mul(set(2.0), f.c), f.c);
-    const Doubles four_sc = hn::Mul(hn::Mul(set(4.0), f.s), f.c);
-    l_r_l = hn::Le(f.rl, zero);
-    r_lsl =
-        hn::And(hn::Le(ahead, zero), hn::Ge(difference_of_products(f.x, f.s, f.y, f.c), two_cc));
-    lsl = hn::And(hn::Ge(ahead, zero), hn::Ge(difference_of_products(less, f.s, f.y, f.c), zero));
-    r_lsr_l = hn::And(hn::Ge(f.rl, set(16.0)), hn::Le(beyond, zero));
-    r_lsr = hn::And(hn::And(hn::Ge(square, set(8.0)), hn::Ge(beyond, zero)),
-                    hn::Le(hn::Add(ahead, four_sc), set(2.0)));
-    lsr = hn::Ge(f.lr, zero);
-  }
-  [[nodiscard]] Which has_no_angle() const { return hn::Or(l_r_l, hn::Or(r_lsl, lsl)); }
-  [[nodiscard]] Which is_of_arcs() const {
-    return hn::Not(hn::Or(hn::Or(has_no_angle(), r_lsr_l), hn::Or(r_lsr, lsr)));
-  }
-};
-
-/// The words with a line; of those before 8.11 the line only.
-Parts with_line(const Circles& f, const Words& is) {
-  Doubles square = hn::IfThenElse(is.r_lsr, hn::Sub(is.square, set(4.0)), f.lr);         // 8.9, 8.2
-  square = hn::IfThenElse(is.r_lsr_l, f.rl, square);                                     // 8.11
-  square = hn::IfThenElse(is.lsl, sum_of_products(is.less, is.less, f.y, f.y), square);  // 8.1
-  square = hn::IfThenElse(is.r_lsl, hn::Add(set(4.0), f.rl), square);                    // 8.10
-  const Doubles d = root(square);
-  const Doubles two = set(2.0);
-  const Doubles two_c = hn::Mul(two, f.c);
-  const Doubles less_two = hn::Sub(d, two);
-  Parts parts{d, f.x, hn::Sub(f.y, two_c), d, two};       // 8.2
-  parts.choose(is.r_lsr, {less_two, is.x, f.y, d, two});  // 8.9
-  const Doubles less_arcs = hn::Add(hn::Sub(d, set(4.0)), set(pi));
-  parts.choose(is.r_lsr_l, {less_arcs, hn::Add(f.y, two_c), hn::Neg(f.x), d, two});  // 8.11
-  parts.line = hn::IfThenElse(is.lsl, d, parts.line);
-  parts.line = hn::IfThenElse(is.r_lsl, less_two, parts.line);
-  parts.line = hn::IfThenZeroElse(is.l_r_l, parts.line);
-  return parts;
-}
-
-/// 8.8 where `is_r_lr_l`, else 8.4.
-Parts of_arcs(const Circles& f, const Words& is, Which is_r_lr_l) {
-  const Doubles one = set(1.0);
-  const Doubles two = set(2.0);
-  const Doubles sixteenth = set(0.0625);
-  const Doubles cos = hn::Sub(one, hn::Mul(f.rl, sixteenth));
-  const Doubles sin = hn::Mul(root(hn::Mul(f.rl, hn::Sub(set(32.0), f.rl))), sixteenth);
-  Parts parts{hn::Zero(D()), is.x, f.y, root(hn::Sub(one, hn::Mul(is.square, sixteenth))),
-              hn::Mul(root(is.square), set(0.25))};
-  parts.choose(is_r_lr_l, {hn::Zero(D()), hn::Add(f.y, hn::Mul(two, f.c)), hn::Neg(f.x),
-                           hn::Sub(hn::Mul(two, cos), one), hn::Mul(two, sin)});
-  return parts;
-}
-
-/// 8.7; `between` the left and the right circle.
-Doubles lr_lr(const Circles& f, Doubles between) {
-  const Doubles two = set(2.0);
-  const Doubles sin_squared = hn::Div(hn::Neg(f.lr), hn::Mul(set(8.0), hn::Add(two, between)));
-  const Doubles u = hn::Mul(two, atan_2(root(sin_squared), root(hn::Sub(set(1.0), sin_squared))));
-  return hn::Sub(hn::Mul(set(4.0), u), hn::Mul(two, f.a));
-}
-
-/// In turning radii.
-Doubles shortest(const Circles& f) {
-  const Doubles zero = hn::Zero(D());
-  const Doubles two = set(2.0);
-  const Words is(f);
-  Parts parts = with_line(f, is);
-  const Which arcs = is.is_of_arcs();
-  const bool any_arcs = !hn::AllFalse(D(), arcs);
-  Which is_r_lr_l = arcs;
-  if (any_arcs) {
-    const Doubles eight_s = hn::Mul(set(8.0), f.s);
-    is_r_lr_l = hn::And(arcs, hn::Le(hn::Add(f.lr, hn::Mul(eight_s, is.x)), zero));
-    parts.choose(arcs, of_arcs(f, is, is_r_lr_l));
-  }
-  const Doubles angle = hn::IfThenElse(is.has_no_angle(), f.a, parts.angle());
-  const Doubles length = hn::Add(parts.line, hn::Mul(two, angle));
-  if (!any_arcs) return length;
-
-  const Doubles across = hn::Sub(hn::Mul(two, f.c), f.y);
-  const Doubles between = root(sum_of_products(f.x, f.x, across, across));
-  const Doubles rise =
-      sum_of_products(f.lr, hn::Add(between, set(4.0)), hn::Mul(set(4.0), hn::Add(between, two)),
-                      sum_of_products(f.s, is.x, f.y, f.c));
-  const Doubles end = hn::Add(is.ahead, hn::Mul(hn::Mul(two, f.y), f.s));
-  const Which is_lr_lr = hn::And(arcs, hn::And(hn::Le(rise, zero), hn::Le(end, zero)));
-  if (hn::AllFalse(D(), is_lr_lr)) return length;
-  const Doubles other = lr_lr(f, between);
-  const Which better = hn::Or(hn::Not(is_r_lr_l), hn::Lt(other, length));
-  return hn::IfThenElse(hn::And(is_lr_lr, better), other, length);
-}
-
 // ---- poses ----
 
 struct Poses {
@@ -321,7 +192,7 @@ Doubles lengths_of(const Poses& from, const Poses& to, double radius) {
   const Doubles scale = set(radius);
   const Pairs pairs{hn::Div(hn::Sub(to.x, from.x), scale), hn::Div(hn::Sub(to.y, from.y), scale),
                     from.heading, to.heading};
-  const Doubles length = hn::Mul(shortest(circles(pairs)), scale);
+  const Doubles length = hn::Mul(Word::shortest(circles(pairs)), scale);
   const Doubles most = set(2 * series::moderate);
   const Which is_moderate =
       hn::And(hn::Le(hn::Add(hn::Abs(from.heading), hn::Abs(to.heading)), most),
