@@ -34,6 +34,7 @@ Symmetry unfolding(const MeanFrame& f) {
 /// Poses as kernels see them: three numbers each.
 std::span<const double> numbers(std::span<const Pose> poses) {
   static_assert(sizeof(Pose) == 3 * sizeof(double));
+  if (poses.empty()) return {};
   return {&poses.front().x, 3 * poses.size()};
 }
 
