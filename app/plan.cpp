@@ -50,12 +50,15 @@ std::vector<ResultRecord> plan_goals(const ScenarioProblems& read, const Planner
   return records;
 }
 
-std::string outcome_of(const PlanResult& result) {
+std::string outcome_of(const PlanResult& result, const PlanOptions& options) {
   if (!result.path) return no_path_text(result);
+  const std::string time = options.cost.measure == CostMeasure::time
+                               ? fmt::format(", driven in {}", seconds_text(result.cost))
+                               : "";
   const double bound = result.lower_bound;  // 0 if the planner proves none
   const std::string gap =
       bound > 0 ? fmt::format(", gap {:.1f} %", 100 * (result.cost / bound - 1)) : "";
-  return fmt::format("solved: {}{}, first path after {}", path_text(*result.check), gap,
+  return fmt::format("solved: {}{}{}, first path after {}", path_text(*result.check), time, gap,
                      seconds_text(result.anytime.front().time));
 }
 
@@ -66,8 +69,8 @@ void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& re
   for (const ResultRecord& record : records) {
     const PlanResult& result = record.result;
     if (record.distance) fmt::print("{:7.6g} m: ", *record.distance);
-    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(result), result.iterations,
-               counter(result, "nodes"), seconds_text(result.time_total));
+    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(result, record.options),
+               result.iterations, counter(result, "nodes"), seconds_text(result.time_total));
   }
   if (!file.is_row()) return;
   const std::optional<double> furthest = furthest_reached(records);

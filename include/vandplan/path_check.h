@@ -26,9 +26,11 @@ struct StatedPose {
 
 /// What somebody says that a path costs.
 struct StatedCost {
-  double cost = 0.0;  ///< [m]; what being near things adds is believed to 1e-3 of it
+  /// [m]; what being near things adds is believed to 1e-3 of it. Where the cost is the time [s]: to
+  /// 1e-3 of it, or, with a limit of jerk, no less than without one.
+  double cost = 0.0;
   CostOptions rule = shortest_style;  ///< by which it is worked out
-  std::optional<double> bound = {};   ///< no path costs less [m]
+  std::optional<double> bound = {};   ///< no path costs less
   std::optional<double> gap = {};     ///< cost / bound - 1
 };
 

@@ -44,8 +44,14 @@ inline constexpr double default_time_limit = 1.0;
 /// What the vehicle drove last before it stands at the start.
 enum class InitialGear { any, forward, reverse };
 
+/// What the cost of a path is.
+enum class CostMeasure : std::uint8_t {
+  prices,  ///< metres, each at its price, and what changes of gear and curvature cost [m]
+  time,    ///< how long the fastest drive along it takes, as `speed_profile` finds it [s]
+};
+
 /// What driving costs. What is not set costs what it does for a driver; `shortest_style` makes the
-/// cost the length.
+/// cost the length. Where the cost is the time, prices say nothing: they are left as they are.
 struct CostOptions {
   double reverse_weight = 2.0;         ///< cost of a metre in reverse [m]; [1, 1000]
   double gear_change_cost = 5.0;       ///< cost of one gear change [m]; [0, 10000]
@@ -55,6 +61,7 @@ struct CostOptions {
   double clearance_weight = 2.0;                ///< [0, 1000]
   double clearance_distance = 1.0;              ///< [m]; [0.01, 1000]
   InitialGear initial_gear = InitialGear::any;  ///< driven before the start; any: free choice
+  CostMeasure measure = CostMeasure::prices;    ///< `time`: nothing of the above matters
   bool operator==(const CostOptions&) const = default;
 };
 

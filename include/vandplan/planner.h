@@ -32,6 +32,7 @@ struct PlannerProperties {
   std::string search = {};               ///< its name without the estimate; empty if it takes none
   bool tries_goal = false;               ///< tries the goal from every new node
   bool honours_prices = false;           ///< CostOptions; else its cost is the length
+  bool honours_time = false;             ///< CostMeasure::time
   bool honours_threads = false;          ///< BudgetOptions::threads
   bool honours_target_gap = false;       ///< BudgetOptions::target_gap: it proves lower bounds
   bool honours_steering = false;         ///< PlanOptions::steering; else it is `reeds_shepp`
@@ -59,8 +60,8 @@ struct PlanResult {
   PlanStatus status = PlanStatus::stopped;
   std::string reason = {};        ///< why there is no path, or no valid one; or empty
   std::optional<Path> path = {};  ///< from the start as it was given to the goal
-  double cost = 0.0;              ///< of the path [m]
-  double lower_bound = 0.0;       ///< no path costs less [m]; proven; 0: nothing is
+  double cost = 0.0;              ///< of the path [m], or [s] where the cost is the time
+  double lower_bound = 0.0;       ///< no path costs less; proven; 0: nothing is
   std::int64_t iterations = 0;
   double time_total = 0.0;  ///< in the planner [s]
   std::vector<CostSample> anytime = {};

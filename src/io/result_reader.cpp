@@ -155,6 +155,13 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
                         : word == "reverse" ? InitialGear::reverse
                                             : InitialGear::any;
   }
+  if (const Node* const measure = file.find(node, "cost")) {
+    const std::string& word = file.text(*measure);
+    if (word != "prices" && word != "time") {
+      file.fail(*measure, fmt::format("is \"{}\", expected prices or time", word));
+    }
+    cost.measure = word == "time" ? CostMeasure::time : CostMeasure::prices;
+  }
   const Node* const steering = file.find(node, "steering");
   if (steering != nullptr && steering->kind != Node::Kind::nothing) {
     try {

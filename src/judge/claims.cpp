@@ -13,6 +13,7 @@ namespace {
 
 constexpr double length_tolerance = 1e-6;  // [m]; of costs for every metre, too
 constexpr double near_tolerance = 1e-3;    // of a cost with something in it for being near things
+constexpr double time_tolerance = 1e-3;    // of a cost that is the time
 constexpr double finely_seen = 1e5;        // up to this length of a way [m]
 constexpr double gap_tolerance = 1e-6;
 constexpr double pose_distance = 0.1;  // between stated poses, at most [m]
@@ -41,7 +42,32 @@ double cost_of(const Track& track, double near, const CostOptions& rule) {
                              rule.curvature_change_cost * track.curvature_change + near);
 }
 
-std::optional<std::string> false_cost(const Track& track, double near, const StatedCost& stated) {
+std::optional<std::string> false_gap(const StatedCost& stated) {
+  if (!stated.gap || !stated.bound || !(*stated.bound > 0)) return std::nullopt;
+  const double gap = stated.cost / *stated.bound - 1;
+  if (std::abs(*stated.gap - gap) <= gap_tolerance) return std::nullopt;
+  return text("the stated gap is %.10g, cost and bound make it %.10g", *stated.gap, gap);
+}
+
+/// A stated time. With a limit of jerk the fastest drive is not known here: it takes no less than
+/// without one.
+std::optional<std::string> false_time(const Found& found, const StatedCost& stated) {
+  const double least = found.time * (1 - time_tolerance) - length_tolerance;
+  const double most = found.time * (1 + time_tolerance) + length_tolerance;
+  if (!(stated.cost >= least && (found.has_jerk_limit || stated.cost <= most))) {
+    return text("the stated cost is %.10g s, the fastest drive takes %.10g s%s", stated.cost,
+                found.time, found.has_jerk_limit ? " without a limit of jerk" : "");
+  }
+  if (stated.bound && !(*stated.bound <= stated.cost * (1 + gap_tolerance))) {
+    return text("the stated bound is %.10g s, the stated cost %.10g s", *stated.bound, stated.cost);
+  }
+  return false_gap(stated);
+}
+
+std::optional<std::string> false_cost(const Track& track, const Found& found,
+                                      const StatedCost& stated) {
+  if (stated.rule.measure == CostMeasure::time) return false_time(found, stated);
+  const double near = found.near;
   const double cost = cost_of(track, near, stated.rule);
   // What is near is looked at less finely on a longer way.
   const double rough = std::max(1.0, static_cast<double>(track.length) / finely_seen);
@@ -54,11 +80,7 @@ std::optional<std::string> false_cost(const Track& track, double near, const Sta
   if (!(*stated.bound <= cost + tolerance)) {
     return text("the stated bound is %.10g m, the path costs %.10g m", *stated.bound, cost);
   }
-  const double gap = stated.cost / *stated.bound - 1;
-  if (stated.gap && *stated.bound > 0 && !(std::abs(*stated.gap - gap) <= gap_tolerance)) {
-    return text("the stated gap is %.10g, cost and bound make it %.10g", *stated.gap, gap);
-  }
-  return std::nullopt;
+  return false_gap(stated);
 }
 
 bool is_near(const Position& position, const Pose& pose) {
@@ -103,10 +125,11 @@ std::optional<std::string> false_poses(const Track& track, const std::vector<Sta
 
 }  // namespace
 
-std::optional<std::string> false_claim(const Track& track, double near, const PathClaims& claims) {
+std::optional<std::string> false_claim(const Track& track, const Found& found,
+                                       const PathClaims& claims) {
   if (auto reason = false_figures(track, claims)) return reason;
   if (claims.cost) {
-    if (auto reason = false_cost(track, near, *claims.cost)) return reason;
+    if (auto reason = false_cost(track, found, *claims.cost)) return reason;
   }
   return false_poses(track, claims.poses);
 }

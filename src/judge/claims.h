@@ -11,9 +11,15 @@
 
 namespace vandplan::judge {
 
-/// The first claim that is false, and what is true; one line. `near` is what being near things adds
-/// to the cost [m].
-[[nodiscard]] std::optional<std::string> false_claim(const Track& track, double near,
+/// What was found of the cost of a path.
+struct Found {
+  double near = 0.0;  ///< what being near things adds to it [m]
+  double time = 0.0;  ///< of the fastest drive without a limit of jerk [s], where the cost is that
+  bool has_jerk_limit = false;
+};
+
+/// The first claim that is false, and what is true; one line.
+[[nodiscard]] std::optional<std::string> false_claim(const Track& track, const Found& found,
                                                      const PathClaims& claims);
 
 }  // namespace vandplan::judge

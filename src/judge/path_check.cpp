@@ -10,6 +10,7 @@
 
 #include "judge/along.h"
 #include "judge/claims.h"
+#include "judge/drive_time.h"
 #include "judge/ground.h"
 #include "judge/near_cost.h"
 #include "judge/steering.h"
@@ -216,8 +217,13 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Pat
     if (auto f = too_near(track, *ground, outlines, claims.clearance)) return f;
   }
   if (auto f = off_pose(track.end, task.goal, "ends", end_of(track))) return f;
-  const double near = claims.cost ? near_cost(track, *ground, outlines, claims.cost->rule) : 0.0;
-  if (const auto reason = false_claim(track, near, claims)) return Fault{*reason, {}};
+  Found found{.has_jerk_limit = task.vehicle.limits.max_jerk.has_value()};
+  if (claims.cost && claims.cost->rule.measure == CostMeasure::time) {
+    found.time = drive_time(track, task.vehicle, task.curvatures.start);
+  } else if (claims.cost) {
+    found.near = near_cost(track, *ground, outlines, claims.cost->rule);
+  }
+  if (const auto reason = false_claim(track, found, claims)) return Fault{*reason, {}};
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "planners/drive_time.h"
 #include "planners/registered.h"
 #include "planners/shared_options.h"
 #include "vandplan/goal_estimate.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double rounding = 1e-12;  // of a sum of lengths, relative
 constexpr std::string_view style_key = "style";
 constexpr std::string_view steering_key = "steering";
+constexpr std::string_view cost_key = "cost";
 constexpr std::string_view primitives_key = "primitives";
 
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
@@ -67,6 +69,23 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   }
   if (options.table && !honours(planner, planning::table_key)) refuse(planner, planning::table_key);
   if (options.primitives && !honours(planner, primitives_key)) refuse(planner, primitives_key);
+}
+
+/// Leaves no price in force where the cost is the time. Throws InputError for a price that is not
+/// what it is when nobody sets it.
+void settle_prices(PlanOptions& all) {
+  if (all.cost.measure != CostMeasure::time) return;
+  PlanOptions usual = all;
+  usual.cost = driver_style;
+  PlanOptions neutral = all;
+  neutral.cost = shortest_style;
+  usual.cost.measure = neutral.cost.measure = CostMeasure::time;
+  for (const CommonOption& common : common_options()) {
+    const std::string value = common.get(all);
+    if (value == common.get(usual) || value == common.get(neutral)) continue;
+    throw InputError(std::string(common.name), "is a price, and the cost is the time");
+  }
+  all.cost = neutral.cost;
 }
 
 /// Says how the vehicle steers, if nobody did. Throws InputError for an option that says nothing of
@@ -163,12 +182,17 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
 
 /// The cost of the path to all digits, which is also the last one of the trace: a planner looks at
 /// the clearance less finely.
-void settle_cost(const Task& task, const search::CostRule& rule, PlanResult& result) {
+void settle_cost(const Task& task, const CostOptions& options, PlanResult& result) {
+  const search::CostRule rule = search::cost_rule(options);
   search::Driven driven = rule.initial_gear;
   const std::vector<Segment>& segments = result.path->segments;
-  result.cost = drive_cost(rule, segments, driven);
-  if (rule.clearance_weight == 0.0) return;
-  result.cost += search::clearance_cost(task, rule, task.start, segments, search::Looks::answer);
+  if (options.measure == CostMeasure::time) {
+    result.cost = planning::drive_time(task, segments);
+  } else {
+    result.cost = drive_cost(rule, segments, driven);
+    if (rule.clearance_weight == 0.0) return;
+    result.cost += search::clearance_cost(task, rule, task.start, segments, search::Looks::answer);
+  }
   std::vector<CostSample>& trace = result.anytime;
   while (trace.size() > 1 && trace[trace.size() - 2].cost <= result.cost) trace.pop_back();
   if (!trace.empty()) trace.back().cost = result.cost;
@@ -247,6 +271,7 @@ bool honours(const Planner& planner, std::string_view option) {
   if (option == planning::table_key) return own_option(planner, planning::estimate_key) != nullptr;
   if (option == primitives_key) return planner.properties.honours_primitives;
   if (common_option(option) == nullptr) return false;
+  if (option == cost_key) return planner.properties.honours_time;
   if (option == "threads") return planner.properties.honours_threads;
   if (option == "target_gap") return planner.properties.honours_target_gap;
   if (option == steering_key) return planner.properties.honours_steering;
@@ -318,6 +343,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
     const OptionValue* const given = options.planner.find(info.name);
     all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
   }
+  settle_prices(all);
   settle_steering(planner, all);
   settle_table(planner, all);
   if (!all.budget.time_limit && !all.budget.max_iterations) {
@@ -340,7 +366,7 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
     result.reason = reason_at(problem, problem.goal(), all.clearance);
   }
   if (!result.path) return result;
-  settle_cost(task, search::cost_rule(all.cost), result);
+  settle_cost(task, all.cost, result);
   judge(problem, all, result);
   return result;
 }

@@ -15,6 +15,7 @@ namespace vandplan {
 namespace {
 
 constexpr std::array<std::string_view, 3> gear_names = {"any", "forward", "reverse"};
+constexpr std::array<std::string_view, 2> measure_names = {"prices", "time"};
 constexpr std::array<std::string_view, 3> steering_names = {
     "reeds-shepp", "continuous-between-stops", "continuous"};
 
@@ -36,6 +37,10 @@ std::string text_of(const std::optional<Number>& value) {
 
 std::string text_of(InitialGear gear) {
   return text_of(std::string(gear_names[static_cast<std::size_t>(gear)]));
+}
+
+std::string text_of(CostMeasure measure) {
+  return text_of(std::string(measure_names[static_cast<std::size_t>(measure)]));
 }
 
 // The setter throws with an empty place; its caller adds the name of the option.
@@ -72,6 +77,12 @@ void parse(std::string_view value, InitialGear& field) {
   const auto* const name = std::find(gear_names.begin(), gear_names.end(), value);
   if (name == gear_names.end()) reject(value, "any, forward or reverse");
   field = static_cast<InitialGear>(name - gear_names.begin());
+}
+
+void parse(std::string_view value, CostMeasure& field) {
+  const auto* const name = std::find(measure_names.begin(), measure_names.end(), value);
+  if (name == measure_names.end()) reject(value, "prices or time");
+  field = static_cast<CostMeasure>(name - measure_names.begin());
 }
 
 void parse(std::string_view value, std::optional<Steering>& field) {
@@ -123,6 +134,8 @@ constexpr std::array options_of_all = {
                                            "what is near for clearance_weight [m]; 0.01 to 1000"),
     cost<&CostOptions::initial_gear>("initial_gear",
                                      "driven before the start; any, forward or reverse"),
+    cost<&CostOptions::measure>("cost",
+                                "prices, or time: the seconds that the fastest drive takes"),
     clearance<&ClearanceOptions::margin>(
         "margin", "least distance from obstacles, of wheels from kerbs [m]; 0 to 1000"),
     clearance<&ClearanceOptions::margin_ramp>(
@@ -190,8 +203,9 @@ std::string OptionInfo::range() const {
 }
 
 bool is_length(const CostOptions& cost) {
-  return cost.reverse_weight == 1.0 && cost.gear_change_cost == 0.0 &&
-         cost.curvature_change_cost == 0.0 && cost.clearance_weight == 0.0;
+  return cost.measure == CostMeasure::prices && cost.reverse_weight == 1.0 &&
+         cost.gear_change_cost == 0.0 && cost.curvature_change_cost == 0.0 &&
+         cost.clearance_weight == 0.0;
 }
 
 std::string_view name_of(Steering steering) noexcept {

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -164,6 +166,21 @@ TEST_F(CheckCommand, TheRuleOfTheCostIsRead) {
   result["cost"] = 7;
   EXPECT_EQ(check(result).status, 0);
   result["options"]["initial_gear"] = "neutral";
+  EXPECT_EQ(check(result).status, 2);
+}
+
+TEST_F(CheckCommand, ACostMayBeTheTime) {
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5,", "goal: {x: 3, y: 0,"));
+  Json result = drive_ahead();
+  result["path"]["segments"] = {{{"turn", "straight"}, {"length", 3}}};
+  result["length"] = 3;
+  result["options"] = {{"cost", "time"}};
+  result["cost"] = 2 * std::sqrt(3.0);  // faster by 1 m/s every second to the middle, then slower
+  EXPECT_EQ(check(result).status, 0);
+  result["cost"] = 3;
+  EXPECT_EQ(check(result).out,
+            "invalid: the stated cost is 3 s, the fastest drive takes 3.464101615 s\n");
+  result["options"]["cost"] = "money";
   EXPECT_EQ(check(result).status, 2);
 }
 

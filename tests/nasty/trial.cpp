@@ -67,6 +67,10 @@ class Judgement {
     constexpr Steering kinds[] = {Steering::reeds_shepp, Steering::continuous_between_stops,
                                   Steering::continuous};
     if (honours(planner, "steering") && chance(0.7, rng_)) options.steering = kinds[rng_() % 3];
+    if (planner.properties.honours_time && chance(0.1, rng_)) {
+      options.cost.measure = CostMeasure::time;
+      return options;
+    }
     if (!planner.properties.honours_prices || chance(0.3, rng_)) return options;
     options.cost = shortest_style;
     if (chance(0.5, rng_)) return options;

@@ -7,9 +7,11 @@
 #include <deque>
 
 #include "base/parallel.h"
+#include "planners/anytime/fastest.h"
 #include "planners/anytime/island.h"
 #include "planners/anytime/open_ground.h"
 #include "planners/anytime/tidy.h"
+#include "planners/drive_time.h"
 #include "planners/shared_options.h"
 #include "search/enclosure.h"
 #include "steering/words.h"
@@ -44,6 +46,13 @@ constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 6
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
 
+constexpr std::int64_t quickening = 192;  // trials of a round
+constexpr double no_time = 1e-12;         // relative
+
+CostRule rule_of(const Task& task, const CostOptions& cost) {
+  return cost.measure == CostMeasure::time ? planning::prices_like_time(task) : cost_rule(cost);
+}
+
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options);
@@ -63,6 +72,8 @@ class Run {
  private:
   void merge(Slice& slice);
   [[nodiscard]] double lower_bound() const;
+  void quicken();
+  void offer_to_fastest();
 
   const Task& task_;
   CostRule rule_;
@@ -74,14 +85,15 @@ class Run {
   int looks_ = 0;  // for walls
   OpenGround open_ground_;
   std::optional<Route> best_;
-  std::vector<Segment> segments_;  // of the best route, in the end
+  std::optional<Fastest> fastest_;  // where the cost is the time
+  std::vector<Segment> segments_;   // of the best route, in the end
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0;
 };
 
 Run::Run(const Task& task, const PlanOptions& options)
     : task_(task),
-      rule_(cost_rule(options.cost)),
+      rule_(rule_of(task, options.cost)),
       threads_(options.budget.threads),
       target_gap_(options.budget.target_gap),
       budget_(options.budget),
@@ -89,6 +101,9 @@ Run::Run(const Task& task, const PlanOptions& options)
   const Bounds region = sampling_region(task, planning::region_of(options));
   for (std::size_t i = 0; i < island_count; ++i) {
     islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i));
+  }
+  if (options.cost.measure == CostMeasure::time) {
+    fastest_.emplace(task, rule_, stream_seed(options.budget.seed, island_count));
   }
 }
 
@@ -103,10 +118,29 @@ void Run::try_open_ground(const CostRule& rule) {
   price(Connector(task_, rule_), route);
   if (best_ && route.cost >= best_->cost) return;
   best_ = std::move(route);
+  if (fastest_) return offer_to_fastest();
   trace_.push_back({budget_.elapsed(), 0, best_->cost});
 }
 
+void Run::offer_to_fastest() {
+  if (!fastest_->offer(*best_)) return;
+  trace_.push_back({budget_.elapsed(), budget_.iterations(), fastest_->time()});
+}
+
+// [6c] Makes the fastest route faster yet.
+void Run::quicken() {
+  const std::int64_t trials = budget_.left(quickening * growth(rounds_), 0);
+  std::int64_t done = 0;
+  for (; done < trials && (done % 4 != 0 || !budget_.is_interrupted()); ++done) {
+    if (fastest_->step()) {
+      trace_.push_back({budget_.elapsed(), budget_.iterations() + done, fastest_->time()});
+    }
+  }
+  budget_.spend(done);
+}
+
 bool Run::is_optimal() const {
+  if (fastest_) return best_ && fastest_->time() <= lower_bound() * (1 + no_time);
   return best_ &&
          best_->cost <= least_cost(open_ground_, rule_, 0.0) * (1 + 1e-12) + open_ground_.leeway;
 }
@@ -116,15 +150,20 @@ double Run::lower_bound() const {
   const double off = rule_.is_length() ? 0.0 : 2 * steering::judged.position;
   double around = 0.0;
   for (const Island& island : islands_) around = std::max(around, island.shortest() - off);
+  if (fastest_) {
+    return planning::least_drive_time(task_.vehicle, std::max(open_ground_.shortest, around));
+  }
   return least_cost(open_ground_, rule_, around);
 }
 
 bool Run::is_good_enough() const {
-  return best_ && target_gap_ && best_->cost <= (1 + *target_gap_) * lower_bound();
+  if (!best_ || !target_gap_) return false;
+  return (fastest_ ? fastest_->time() : best_->cost) <= (1 + *target_gap_) * lower_bound();
 }
 
 void Run::merge(Slice& slice) {
   for (const CostSample& sample : slice.improvements) {
+    if (fastest_) break;  // it keeps the trace
     if (!trace_.empty() && sample.cost >= trace_.back().cost) continue;
     const double time = trace_.empty() ? sample.time : std::max(sample.time, trace_.back().time);
     trace_.push_back({time, budget_.iterations() + sample.iteration, sample.cost});
@@ -151,6 +190,13 @@ void Run::round() {
   parallel_for(island_count, best_ ? threads_ : 1,
                [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
   for (Slice& slice : slices) merge(slice);  // [8]
+  if (fastest_ && best_) {
+    offer_to_fastest();
+    for (Slice& slice : slices) {
+      for (Route& route : slice.losers) fastest_->offer(std::move(route));
+    }
+    quicken();
+  }
   ++rounds_;
   if (!best_ && rounds_ >= first_look_for_walls) look_for_walls();  // [9]
 }
@@ -184,10 +230,17 @@ void Run::tidy(std::uint64_t seed) {
 // Under prices and for those who ask for strokes: the shortest path is what it is.
 void Run::make_drivable(double min_stroke) {
   if (!best_) return;
-  segments_ = path_of(*best_).segments;
+  segments_ = path_of(fastest_ ? *fastest_->route() : *best_).segments;
   const bool is_continuous = task_.steering != Steering::reeds_shepp;
   if (is_continuous || (rule_.is_length() && min_stroke == 0.0)) return;
   Connector connector(task_, rule_);
+  if (fastest_) {
+    std::vector<Segment> neat = tidied(connector, task_.start, segments_, min_stroke);
+    const double time = planning::drive_time(task_, neat);
+    if (min_stroke == 0.0 && time > fastest_->time() * (1 + no_time)) return;
+    segments_ = std::move(neat);
+    return;
+  }
   segments_ = tidied(connector, task_.start, std::move(segments_), min_stroke);
   Driven driven = rule_.initial_gear;
   const double cost =
@@ -202,6 +255,10 @@ PlannerAnswer Run::result() const {
   result.anytime = trace_;
   result.lower_bound = lower_bound();
   std::int64_t nodes = 0, solves = 0, checks = 0;
+  if (fastest_) {
+    solves += fastest_->solves();
+    checks += fastest_->checks();
+  }
   for (const Island& island : islands_) {
     solves += island.solves();
     checks += island.checks();
@@ -221,7 +278,7 @@ PlannerAnswer Run::result() const {
 PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
   Run run(task, options);
   run.try_open_ground({});  // [1]
-  if (!is_length(options.cost)) run.try_open_ground(cost_rule(options.cost));
+  if (!is_length(options.cost)) run.try_open_ground(rule_of(task, options.cost));
   std::optional<PlanStatus> end;
   while (!run.is_optimal() && !run.is_good_enough() && !run.is_walled_in() && !end) {
     end = run.budget().exhausted();

@@ -90,6 +90,7 @@ bool Island::is_known(const Route& route) const {
 }
 
 void Island::give_up() {
+  losers_.push_back(candidate_->route());
   candidate_.reset();
   if (connector_.rule().is_length()) return;
   if (given_up_.size() == remembered) given_up_.erase(given_up_.begin());
@@ -144,6 +145,7 @@ void Island::take_over(const Route& best) {
 
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {
   Slice slice;
+  losers_.clear();
   if (best != nullptr) take_over(*best);
   if (!is_prepared_ && iterations > 0) prepare();
   if (detours_ && best != nullptr && best->cost < detoured_cost_) {
@@ -156,6 +158,7 @@ Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budg
     if (step()) slice.improvements.push_back({budget.elapsed(), slice.iterations, best_cost_});
   }
   if (!slice.improvements.empty()) slice.route = offer_;
+  slice.losers = std::move(losers_);
   return slice;
 }
 

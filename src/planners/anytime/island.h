@@ -29,6 +29,7 @@ struct Slice {
   std::int64_t iterations = 0;
   std::vector<CostSample> improvements;  // iterations count from the beginning of the slice
   std::optional<Route> route;            // the one of the last improvement
+  std::vector<Route> losers;             // routes that were given up
 };
 
 /// One line of work. What it does depends on its seed and on what it is told, on nothing else.
@@ -77,6 +78,7 @@ class Island {
   bool bound_is_final_ = false;
   std::optional<Shortener> candidate_;  // a route that may win yet
   Route raw_;                           // the candidate as it was found
+  std::vector<Route> losers_;           // given up in this slice
   std::vector<Route> given_up_;         // the last ones, as they were found
   std::optional<Route> offer_;          // a route that has won
   std::int64_t trials_ = 0;             // spent on the candidate

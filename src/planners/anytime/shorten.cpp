@@ -10,13 +10,19 @@ namespace {
 
 constexpr double progress = 5e-4;  // share of the cost that counts as progress
 constexpr double least_gain = 1e-9;
-constexpr int patience = 200;  // trials without progress after which a route is stalled,
+constexpr double guide_leeway = 1.3;  // what costs so much more may be better by another measure
+constexpr int patience = 200;         // trials without progress after which a route is stalled,
 constexpr int patience_for_each_leg = 60;  // and more for each leg
 
 }  // namespace
 
-Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed)
-    : connector_(connector), route_(std::move(route)), rng_(seed), progress_cost_(route_.cost) {}
+Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed,
+                     std::function<double(const Route&)> measure)
+    : connector_(connector),
+      measure_(std::move(measure)),
+      route_(std::move(route)),
+      rng_(seed),
+      progress_cost_(route_.cost) {}
 
 bool Shortener::is_stalled() const {
   return idle_ > patience + patience_for_each_leg * static_cast<int>(route_.legs.size());
@@ -63,8 +69,8 @@ double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) co
 Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const {
   const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
   const Gears gears = needs_gears ? gears_around(connector_.rule(), route_, first, last) : Gears{};
-  return {first, last, gears,
-          cost_of_legs(std::span(route_.legs).subspan(first, last - first), gears)};
+  const double cost = cost_of_legs(std::span(route_.legs).subspan(first, last - first), gears);
+  return {first, last, gears, measure_ ? guide_leeway * cost : cost};
 }
 
 // Finds what being near things adds to the cost of the trial. False if that takes up the gain.
@@ -90,11 +96,23 @@ bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
     if (!connector_.is_free(from, leg.piece)) return false;
   }
   if (!stays_cheaper(route_.begin_of(old.first), gain)) return false;
-  const auto at = route_.legs.begin() + static_cast<std::ptrdiff_t>(old.first);
-  const auto next = route_.legs.erase(at, at + static_cast<std::ptrdiff_t>(old.last - old.first));
-  route_.legs.insert(next, trial_.begin(), trial_.end());
+  if (measure_) {
+    Route changed = route_;
+    exchange(changed, old);
+    changed.cost = measure_(changed);
+    if (route_.cost - changed.cost < least_gain) return false;
+    route_ = std::move(changed);
+    return true;
+  }
+  exchange(route_, old);
   route_.cost = cost_of(connector_.rule(), route_);
   return true;
+}
+
+void Shortener::exchange(Route& route, const Stretch& old) const {
+  const auto at = route.legs.begin() + static_cast<std::ptrdiff_t>(old.first);
+  const auto next = route.legs.erase(at, at + static_cast<std::ptrdiff_t>(old.last - old.first));
+  route.legs.insert(next, trial_.begin(), trial_.end());
 }
 
 // Exact steering between two places of the route.

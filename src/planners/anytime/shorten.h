@@ -3,6 +3,7 @@
 #pragma once
 // How does a path get cheaper without leaving its surroundings?
 
+#include <functional>
 #include <vector>
 
 #include "search/route.h"
@@ -16,7 +17,10 @@ using namespace search;
 /// Improves one route by random trials; a trial is kept only if it is free and cheaper.
 class Shortener {
  public:
-  Shortener(Connector& connector, Route route, std::uint64_t seed);
+  /// With a `measure` a route is cheaper when that says so; the prices of the connector are a guide
+  /// only, and the route comes with the cost that the measure gives it.
+  Shortener(Connector& connector, Route route, std::uint64_t seed,
+            std::function<double(const Route&)> measure = {});
 
   /// One trial. True when the route got cheaper.
   bool step();
@@ -52,8 +56,11 @@ class Shortener {
   bool replace_by_way_of(const Pose& via, const Stretch& old, GearSign cusp);
   [[nodiscard]] bool stays_cheaper(Pose from, double gain);
   bool replace(const Stretch& old, std::span<const Leg> fresh);
+  /// Puts the trial in the place of the stretch.
+  void exchange(Route& route, const Stretch& old) const;
 
   Connector& connector_;
+  std::function<double(const Route&)> measure_;
   Route route_;
   Rng rng_;
   std::vector<Leg> trial_;  // buffer

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "judge/drive_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace vandplan::judge {
+namespace {
+
+constexpr Real ignored_turn = 1e-6L;   // of the wheels at a joint [rad]
+constexpr Real shortest_turn = 1e-9L;  // what is shorter is driven with the wheels as they are [m]
+constexpr Real least_places = 200;     // of a stretch
+constexpr Real usual_step = 1e-2L;     // from place to place [m]
+constexpr Real most_places = 2e6L;     // of a path
+
+struct FastPlace {
+  Real s = 0;
+  Real square = 0;  // of the largest speed there
+};
+
+Real wheel_angle(const Vehicle& vehicle, Real curvature) {
+  return std::atan(vehicle.wheelbase * curvature);
+}
+
+/// The square of the largest speed at a place, whatever happens elsewhere.
+Real square_at(const Stretch& stretch, Real t, const Vehicle& vehicle) {
+  const DrivingLimits& limits = vehicle.limits;
+  const Real curvature = curvature_at(stretch, t);
+  const Real top = stretch.direction < 0 ? limits.max_speed.reverse : limits.max_speed.forward;
+  Real square = top * top;
+  if (curvature != 0) {
+    square = std::min(square, limits.max_lateral_acceleration / std::abs(curvature));
+  }
+  if (stretch.rate == 0) return square;
+  const Real bend = vehicle.wheelbase * curvature;
+  const Real turned = vehicle.wheelbase * std::abs(stretch.rate) / (1 + bend * bend);
+  const Real slow = limits.max_steering_rate / turned;
+  return std::min(square, slow * slow);
+}
+
+/// The places of one drive from stop to stop; its time.
+Real time_of(std::vector<FastPlace>& places, const DrivingLimits& limits) {
+  if (places.empty()) return 0;
+  places.front().square = places.back().square = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const Real gain = 2 * limits.max_acceleration * (places[i].s - places[i - 1].s);
+    places[i].square = std::min(places[i].square, places[i - 1].square + gain);
+  }
+  const Real braking = limits.max_braking.value_or(limits.max_acceleration);
+  Real time = 0;
+  for (std::size_t i = places.size() - 1; i > 0; --i) {
+    const Real way = places[i].s - places[i - 1].s;
+    FastPlace& before = places[i - 1];
+    before.square = std::min(before.square, places[i].square + 2 * braking * way);
+    if (way > 0) time += 2 * way / (std::sqrt(places[i].square) + std::sqrt(before.square));
+  }
+  places.clear();
+  return time;
+}
+
+}  // namespace
+
+double drive_time(const Track& track, const Vehicle& vehicle, double start_curvature) {
+  constexpr Real pi = full_turn / 2;
+  const Real step = std::max(usual_step, track.length / most_places);
+  const Real least =
+      std::min(least_places, most_places / static_cast<Real>(track.stretches.size()));
+  std::vector<FastPlace> places;
+  Real time = 0;
+  Real curvature = start_curvature;  // that the wheels are turned to
+  Real direction = 0;
+  for (const Stretch& stretch : track.stretches) {
+    if (stretch.length == 0) continue;
+    const bool turns = stretch.length >= shortest_turn;
+    const Real turn =
+        turns ? std::abs(wheel_angle(vehicle, stretch.curvature) - wheel_angle(vehicle, curvature))
+              : Real{0};
+    if (turn > ignored_turn || (direction != 0 && direction != stretch.direction)) {
+      time += time_of(places, vehicle.limits);
+      if (turn > ignored_turn) time += turn / vehicle.limits.max_steering_rate;
+    }
+    direction = stretch.direction;
+    if (turns) curvature = curvature_at(stretch, stretch.length);
+    // Denser near the ends, where the vehicle may come to its speed within a hair's breadth.
+    const Real count = std::max(least, std::ceil(stretch.length / step));
+    for (Real k = 0; k <= count; ++k) {
+      const Real t = stretch.length * (1 - std::cos(pi * k / count)) / 2;
+      places.push_back({stretch.s + t, square_at(stretch, t, vehicle)});
+    }
+  }
+  return static_cast<double>(time + time_of(places, vehicle.limits));
+}
+
+}  // namespace vandplan::judge

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/fastest.h"
+
+#include <limits>
+#include <utility>
+
+#include "planners/drive_time.h"
+
+namespace vandplan::anytime {
+
+namespace {
+
+// Of the largest change of curvature per metre, one after another: wheels that turn over a longer
+// way can be turned at a higher speed.
+constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
+
+constexpr double worth_a_try = 1.3;  // of the time of the fastest
+constexpr std::size_t most_challengers = 32;
+constexpr double hopeless_excess = 20;  // over the least time, times the trials it took
+
+}  // namespace
+
+Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed)
+    : task_(task), seed_(seed), time_(std::numeric_limits<double>::infinity()) {
+  for (const double sharpness : sharpnesses) {
+    Task& softer = tasks_.emplace_back(task);
+    softer.vehicle.limits.max_curvature_rate = sharpness * max_curvature_rate(task.vehicle);
+    connectors_.emplace_back(softer, rule);
+  }
+}
+
+// Goes on with the fastest route, steering in the next way.
+void Fastest::begin() {
+  begin_with(*route_);
+  is_challenger_ = false;
+}
+
+void Fastest::begin_with(const Route& route) {
+  Connector& connector = connectors_[beginnings_ % connectors_.size()];
+  shortener_.emplace(connector, route, stream_seed(seed_, ++beginnings_), [&](const Route& r) {
+    return planning::drive_time(task_, path_of(r).segments);
+  });
+}
+
+bool Fastest::offer(Route route) {
+  const double time = planning::drive_time(task_, path_of(route).segments);
+  route.cost = time;
+  if (time >= time_) {
+    if (time < worth_a_try * time_ && challengers_.size() < most_challengers) {
+      challengers_.push_back(std::move(route));
+    }
+    return false;
+  }
+  time_ = time;
+  route_ = std::move(route);
+  begin();
+  return true;
+}
+
+// Tries what lost by the prices, and may win by time.
+void Fastest::challenge() {
+  const Route route = std::move(challengers_.back());
+  challengers_.pop_back();
+  begin_with(route);
+  is_challenger_ = true;
+  trials_ = 0;
+}
+
+bool Fastest::step() {
+  if (!shortener_) return false;
+  ++trials_;
+  const double excess = shortener_->route().cost / time_ - 1;
+  if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless_excess)) {
+    if (!is_challenger_ && !challengers_.empty()) {
+      challenge();
+    } else {
+      begin();
+    }
+  }
+  if (!shortener_->step() || shortener_->route().cost >= time_) return false;
+  is_challenger_ = false;
+  route_ = shortener_->route();
+  time_ = route_->cost;
+  return true;
+}
+
+std::int64_t Fastest::solves() const {
+  std::int64_t sum = 0;
+  for (const Connector& connector : connectors_) sum += connector.solves();
+  return sum;
+}
+
+std::int64_t Fastest::checks() const {
+  std::int64_t sum = 0;
+  for (const Connector& connector : connectors_) sum += connector.checks();
+  return sum;
+}
+
+}  // namespace vandplan::anytime

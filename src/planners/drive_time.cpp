@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/drive_time.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vandplan/speed.h"
+
+namespace vandplan::planning {
+namespace {
+
+// Of what a stop takes from a vehicle that drives at its full speed: most strokes are too short for
+// that speed.
+constexpr double share_of_stop = 0.25;
+
+double braking_of(const DrivingLimits& limits) {
+  return limits.max_braking.value_or(limits.max_acceleration);
+}
+
+double top_speed(const DrivingLimits& limits) {
+  return std::max(limits.max_speed.forward, limits.max_speed.reverse);
+}
+
+}  // namespace
+
+double drive_time(const Task& task, std::span<const Segment> segments) {
+  const Path path{task.start, {segments.begin(), segments.end()}};
+  return speed_profile(path, task.vehicle, {.start_curvature = task.curvatures.start}).duration;
+}
+
+double least_drive_time(const Vehicle& vehicle, double length) {
+  const DrivingLimits& limits = vehicle.limits;
+  const double top = top_speed(limits);
+  // Gaining a speed v and losing it takes the time v slowness, and the way v^2 slowness / 2.
+  const double slowness = 1 / limits.max_acceleration + 1 / braking_of(limits);
+  const double v = std::min(top, std::sqrt(2 * length / slowness));
+  if (v == 0.0) return 0.0;
+  return v * slowness + (length - v * v * slowness / 2) / v;
+}
+
+search::CostRule prices_like_time(const Task& task) {
+  const DrivingLimits& limits = task.vehicle.limits;
+  const double top = top_speed(limits);
+  const double slowness = 1 / limits.max_acceleration + 1 / braking_of(limits);
+  const double stop = share_of_stop * top * top * slowness / 2;
+  // Wheels turn a curvature of one by so many radians, near straight on.
+  const double turn = task.vehicle.wheelbase / limits.max_steering_rate;
+  return {.forward_weight = top / limits.max_speed.forward,
+          .reverse_weight = top / limits.max_speed.reverse,
+          .gear_change_cost = stop,
+          .curvature_change_cost = top * turn};
+}
+
+}  // namespace vandplan::planning
