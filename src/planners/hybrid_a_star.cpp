@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -24,6 +25,7 @@ using namespace search;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-9;           // of a bound, relative
+constexpr double reach_of_field = 4;        // of the Voronoi field [vehicle widths]
 constexpr std::size_t segments_of_leg = 5;  // of a route that is shortened
 
 /// A pose that was reached: the way to it is free and paid for.
@@ -71,12 +73,13 @@ class Search {
         headings_(static_cast<int>(options.planner.integer("headings"))),
         step_(step_of(options.planner.number("step"))),
         weight_(options.planner.number("weight")),
+        voronoi_weight_(options.planner.number("voronoi_weight")),
         shot_spacing_(options.planner.number("shot_spacing")),
         improves_(options.planner.flag("improve")),
         keeps_tree_(options.planner.flag("keep_tree")),
         max_nodes_(static_cast<std::size_t>(options.planner.integer("max_nodes"))) {
     is_variable_ = options.planner.flag("variable_step");
-    if (is_variable_) voronoi_.emplace(task, cell_);
+    if (is_variable_ || voronoi_weight_ > 0.0) voronoi_.emplace(task, cell_);
     for (int halvings = 0; halvings <= most_halvings; ++halvings) make_steps(halvings);
     nodes_.push_back({task.start, {}, 0.0, 0.0, -1});  // whatever the estimate
     open_.push_back({0.0, 0});
@@ -115,7 +118,9 @@ class Search {
     const std::optional<Connection> shot = connector_.connect(
         node.pose, task_.goal, {node.cost_to_come, found_.cost, {driven_to(node), {}}});
     if (!shot) return false;
-    found_ = {id, shot->piece, shot->cost};
+    const double cost = shot->cost + aside(node.pose, shot->piece.view());
+    if (cost >= found_.cost) return false;
+    found_ = {id, shot->piece, cost};
     const double least = connector_.least_cost(task_.start, task_.goal, ends());
     is_shortest_ = found_.cost <= least * (1 + rounding);
     return true;
@@ -158,6 +163,12 @@ class Search {
   }
 
   [[nodiscard]] Connector& connector() { return connector_; }
+  [[nodiscard]] bool keeps_to_middle() const { return voronoi_weight_ > 0.0; }
+
+  // What a route counts for: its cost, and what being beside the middle adds.
+  [[nodiscard]] double measure(const Route& route) const {
+    return cost_of(connector_.rule(), route) + aside(route.start, path_of(route).segments);
+  }
 
   void report(PlannerAnswer& answer) {
     answer.counters = {{"nodes", static_cast<std::int64_t>(nodes_.size())},
@@ -254,6 +265,13 @@ class Search {
     return std::max(length, connector_.least_cost(node.pose, task_.goal, {driven_to(node), {}}));
   }
 
+  // What being beside the middle adds along segments [m].
+  [[nodiscard]] double aside(const Pose& from, std::span<const Segment> segments) const {
+    if (voronoi_weight_ == 0.0) return 0.0;
+    const double falloff = task_.vehicle.width;
+    return voronoi_weight_ * voronoi_->along(from, segments, {falloff, reach_of_field * falloff});
+  }
+
   // Steps [6] and [7]: adds the node unless its cell was reached for less, or the way is blocked.
   void open(Node node) {
     if (node.cost_to_come >= found_.cost) return;
@@ -261,7 +279,8 @@ class Search {
     if (node.cost_to_come >= least) return;
     const Pose& from = at(node.parent).pose;
     if (!connector_.is_free(from, node.segment)) return;
-    node.cost_to_come += connector_.clearance_cost(from, std::span(&node.segment, 1));
+    node.cost_to_come += connector_.clearance_cost(from, std::span(&node.segment, 1)) +
+                         aside(from, std::span(&node.segment, 1));
     if (node.cost_to_come >= least) return;
     node.to_go = to_go(node);
     if (!(node.cost_to_come + node.to_go < found_.cost)) return;  // infinite, too
@@ -290,6 +309,7 @@ class Search {
   std::optional<VoronoiField> voronoi_;
   bool is_variable_ = false;
   double weight_;
+  double voronoi_weight_;
   double shot_spacing_;
   bool improves_;
   bool keeps_tree_;
@@ -306,11 +326,31 @@ class Search {
   std::vector<std::int32_t> place_;  // of a node in `tree_`
 };
 
+// Step [8]. Who keeps to the middle shortens what the route counts for, and shows its cost in the
+// end.
+template <typename Trace>
+std::vector<Segment> shortened(Search& search, Budget& budget, const PlanOptions& options,
+                               const Trace& trace) {
+  const bool shortens = options.planner.flag("shorten") && !search.is_shortest();
+  Route route = search.route();
+  std::function<double(const Route&)> measure;
+  if (search.keeps_to_middle()) {
+    measure = [&](const Route& changed) { return search.measure(changed); };
+    route.cost = measure(route);
+  }
+  anytime::Shortener shortener(search.connector(), std::move(route), options.budget.seed, measure);
+  while (shortens && !shortener.is_stalled() && budget.next()) {
+    if (shortener.step() && !measure) trace(shortener.route().cost);
+  }
+  if (measure) trace(cost_of(search.connector().rule(), shortener.route()));
+  return merged(path_of(shortener.route()).segments);
+}
+
 }  // namespace
 
 // Dolgov, Thrun, Montemerlo and Diebel 2010, with exact ends and edges.
 //
-//   [1] the start waits; with variable_step: find the middle between things
+//   [1] the start waits; with variable_step or voronoi_weight: find the middle between things
 //   until nothing waits, the budget is spent or the tree is full:
 //   [2]   node := the one that waits with the least cost-to-come + weight * estimate; end if a path
 //         is known that costs no more than that
@@ -337,18 +377,14 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
       answer.reason = search.is_full() ? "the search tree is full" : "";
       break;
     }
-    if (search.shoot(*node)) trace(search.found().cost);  // [4]
-    search.expand(*node);                                 // [5] [6] [7]
+    const bool is_better = search.shoot(*node);  // [4]
+    if (is_better && !search.keeps_to_middle()) trace(search.found().cost);
+    search.expand(*node);  // [5] [6] [7]
   }
   if (search.found().node >= 0) {
-    anytime::Shortener shortener(search.connector(), search.route(), options.budget.seed);
-    const bool shortens = options.planner.flag("shorten") && !search.is_shortest();
-    while (shortens && !shortener.is_stalled() && budget.next()) {  // [8]
-      if (shortener.step()) trace(shortener.route().cost);
-    }
     answer.status = PlanStatus::solved;
     answer.reason.clear();
-    answer.segments = merged(path_of(shortener.route()).segments);
+    answer.segments = shortened(search, budget, options, trace);  // [8]
   } else if (answer.status == PlanStatus::node_limit && search.is_cut_off()) {
     answer.status = PlanStatus::no_path;
     answer.reason = "no way for the vehicle's width leads to the goal";

@@ -32,6 +32,13 @@ std::vector<OptionInfo> options() {
       {.name = "variable_step",
        .summary = "half and quarter steps and cells where there is little room",
        .standard = false},
+      {.name = "voronoi_weight",
+       .summary =
+           "keeps to the middle between things: a metre beside it counts up to 1 + this times "
+           "as much in the search, not in the cost",
+       .standard = 0.0,
+       .least = 0,
+       .most = 1000},
       {.name = "shot_spacing",
        .summary = "the exact way to the goal is tried once in 1 + estimate / this expansions [m]",
        .standard = 10.0,

@@ -173,4 +173,28 @@ VoronoiField::Distances VoronoiField::at(const Point& point) const noexcept {
   return {distance(obstacles_, spot), distance(middle_, spot)};
 }
 
+double VoronoiField::potential(const Point& point, const Range& range) const noexcept {
+  const auto [obstacle, middle] = at(point);
+  if (obstacle >= range.reach) return 0.0;
+  const double near = range.falloff / (range.falloff + obstacle);
+  const double aside = obstacle + middle > 0.0 ? middle / (obstacle + middle) : 1.0;
+  const double left = 1 - obstacle / range.reach;
+  return near * aside * left * left;
+}
+
+double VoronoiField::along(Pose from, std::span<const Segment> segments,
+                           const Range& range) const noexcept {
+  double sum = 0.0;
+  for (const Segment& segment : segments) {
+    const double length = std::abs(segment.length);
+    const double looks = std::ceil(length / side_);
+    for (double i = 0; i < looks; ++i) {
+      const Pose pose = advance(from, part_of(segment, 0.0, (i + 0.5) * length / looks));
+      sum += potential({pose.x, pose.y}, range) * length / looks;
+    }
+    from = advance(from, segment);
+  }
+  return sum;
+}
+
 }  // namespace vandplan::search

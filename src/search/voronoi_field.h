@@ -7,6 +7,7 @@
 // a step aside has another nearest thing, more than 60 degrees away from the first one.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "vandplan/problem.h"
@@ -28,6 +29,18 @@ class VoronoiField {
     double obstacle, middle;
   };
   [[nodiscard]] Distances at(const Point& point) const noexcept;
+
+  /// How far things are felt [m]: the potential falls the more slowly the larger `falloff` is, and
+  /// is 0 from `reach` on.
+  struct Range {
+    double falloff, reach;
+  };
+  /// The potential of Dolgov et al. (2010): 1 at things, 0 in the middle between them and where
+  /// nothing is within reach.
+  [[nodiscard]] double potential(const Point& point, const Range& range) const noexcept;
+  /// Its integral over what the rear axle drives [m].
+  [[nodiscard]] double along(Pose from, std::span<const Segment> segments,
+                             const Range& range) const noexcept;
 
  private:
   struct Spot {

@@ -151,6 +151,32 @@ TEST(VoronoiField, KnowsThingsAndTheMiddleBetweenThem) {
     EXPECT_NEAR(field.at({10, y}).obstacle, 5 - std::abs(y), 0.6) << y;
     EXPECT_NEAR(field.at({10, y}).middle, std::abs(y), 0.6) << y;
   }
+  const search::VoronoiField::Range range{2, 8};
+  EXPECT_NEAR(field.potential({10, 4.9}, range), 1.0, 0.3);
+  EXPECT_LT(field.potential({10, 0}, range), 0.05);
+  EXPECT_GT(field.potential({10, 3}, range), field.potential({10, 2}, range));
+  EXPECT_EQ(field.potential({10, 3}, {2, 1}), 0.0);  // out of reach
+  const Segment ahead{0.0, 10.0};
+  EXPECT_NEAR(field.along({5, 3, 0}, {&ahead, 1}, range), 10 * field.potential({10, 3}, range),
+              1e-9);
+}
+
+// The start and the goal are near the same wall of an alley.
+TEST(HybridAStar, KeepsToTheMiddleOnRequest) {
+  const Problem problem = problem_of(
+      {0, 3, 0}, {60, 3, 0}, {box(-40, 7, 100, 8), box(-40, -7, 100, -6)}, {-40, 100, -20, 20});
+  const auto mean_aside = [&](const char* weight) {
+    const PlanResult result =
+        plan(problem, hybrid(), by_length({{"voronoi_weight", weight}}, 20000));
+    EXPECT_EQ(result.status, PlanStatus::solved);
+    EXPECT_NEAR(result.cost, length(*result.path), 1e-9);  // the field is no part of the cost
+    double sum = 0.0;
+    const std::vector<PathPoint> points = sampled(*result.path, 0.5);
+    for (const PathPoint& point : points) sum += std::abs(point.pose.y - 0.5);
+    return sum / static_cast<double>(points.size());
+  };
+  EXPECT_NEAR(mean_aside("0"), 2.5, 1e-9);
+  EXPECT_LT(mean_aside("10"), 1.2);
 }
 
 // A gap of 4 m above the wall, and none below it.
