@@ -183,9 +183,9 @@ struct Poses {
 Poses one_pose(const double* pose) { return {set(pose[0]), set(pose[1]), set(pose[2])}; }
 
 Poses next_poses(const double* poses) {
-  Poses p;
-  hn::LoadInterleaved3(D(), poses, p.x, p.y, p.heading);
-  return p;
+  Doubles x, y, heading;  // on ARM a struct that is not filled yet cannot hold them
+  hn::LoadInterleaved3(D(), poses, x, y, heading);
+  return {x, y, heading};
 }
 
 Doubles lengths_of(const Poses& from, const Poses& to, double radius) {
