@@ -3,6 +3,7 @@
 #
 # In a checkout git says it, with "+changes" if there are some. In a tarball commit.txt does, which
 # git filled in when the tarball was packed. Else nobody knows, and the header says nothing.
+cmake_minimum_required(VERSION 3.25)
 set(commit "")
 if(EXISTS ${SOURCE}/.git)
   execute_process(

@@ -1,6 +1,8 @@
 # How do others find us after install?
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vandplan)
+# Packages are made of components: development, program, python (packages.cmake).
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
 # One export per component, so that nobody needs the dependencies of what he does not use.
 install(TARGETS vandplan EXPORT vandplan-targets FILE_SET HEADERS)
@@ -24,7 +26,9 @@ write_basic_package_version_file(vandplan-config-version.cmake COMPATIBILITY Sam
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vandplan-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/vandplan-config-version.cmake
         DESTINATION ${package_folder})
+include(cmake/pkg_config.cmake)
 if(TARGET vandplan_cli)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
   install(TARGETS vandplan_cli)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/app/help/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
   install(FILES ${PROJECT_BINARY_DIR}/app/help/vandplan
