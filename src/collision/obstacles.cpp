@@ -3,7 +3,6 @@
 #include "collision/obstacles.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace vandplan::collision {
 namespace {
@@ -11,7 +10,7 @@ namespace {
 /// Some sides of a polygon that follow each other.
 struct Group {
   Sides sides;
-  bool closed;  // they are all of its sides
+  double left;  // of the whole polygon: the least x
 };
 
 double twice_area(const Polygon& polygon) {
@@ -35,8 +34,10 @@ Bounds box_of(const Sides& sides) {
 void append_groups(Polygon polygon, std::vector<Group>& groups) {
   if (twice_area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
   const std::size_t count = polygon.size();
+  double left = polygon[0].x;
+  for (const Point& corner : polygon) left = std::min(left, corner.x);
   for (std::size_t first = 0; first < count; first += 4) {
-    Group group{.sides = {}, .closed = count <= 4};
+    Group group{.sides = {}, .left = left};
     for (std::size_t i = 0; i < 5; ++i) {
       const Point& corner = polygon[std::min(first + i, count) % count];
       group.sides.x[i] = corner.x;
@@ -75,8 +76,8 @@ Obstacles::Obstacles(std::span<const Polygon> polygons) {
     sides_.push_back(groups[i].sides);
     near.push_back(boxes[i]);
     right_of.push_back(boxes[i]);
-    // A polygon in one group is not around what is outside of its box.
-    if (!groups[i].closed) right_of.back().x_min = -std::numeric_limits<double>::max();
+    // A polygon is not around what is left of it: all of its groups count there, or none.
+    right_of.back().x_min = groups[i].left;
   }
   near_ = geometry::BoxTree(near);
   right_of_ = geometry::BoxTree(right_of);

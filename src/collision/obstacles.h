@@ -35,8 +35,7 @@ class Obstacles {
  private:
   std::vector<Sides> sides_;
   geometry::BoxTree near_;
-  geometry::BoxTree
-      right_of_;  // the boxes, those of sides that do not close a polygon endless to the left
+  geometry::BoxTree right_of_;  // the boxes, each as far to the left as the whole polygon
 };
 
 }  // namespace vandplan::collision
