@@ -338,7 +338,8 @@ std::vector<Segment> shortened(Search& search, Budget& budget, const PlanOptions
     measure = [&](const Route& changed) { return search.measure(changed); };
     route.cost = measure(route);
   }
-  anytime::Shortener shortener(search.connector(), std::move(route), options.budget.seed, measure);
+  anytime::Shortener shortener(search.connector(), std::move(route), options.budget.seed,
+                               anytime::Scope::all, measure);
   while (shortens && !shortener.is_stalled() && budget.next()) {
     if (shortener.step() && !measure) trace(shortener.route().cost);
   }

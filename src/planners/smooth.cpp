@@ -232,8 +232,8 @@ PlannerAnswer smoothed(const Task& task, const PlanOptions& options, const Path&
   if (is_free && !(kept && method == SmoothMethod::clothoids)) {
     anytime::Shortener shortener(connector, chain.route(), stream_seed(options.budget.seed, 1));
     const auto offer = [&] {
-      const Route& route = shortener.route();
-      if (route.cost >= least) return;
+      if (shortener.cost() >= least) return;
+      const Route route = shortener.route();
       least = route.cost;
       take(path_of(route).segments, route.cost);
     };

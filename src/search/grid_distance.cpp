@@ -30,6 +30,13 @@ double squared_distance(const Point& p, const Point& a, const Point& b) {
 
 }  // namespace
 
+double GridDistance::side_of_cells(const Task& task, const Bounds& box, double side) {
+  const double width = box.x_max - box.x_min;
+  const double height = box.y_max - box.y_min;
+  return std::max({side * task.vehicle.width, std::sqrt(width * height / most_cells),
+                   std::max(width, height) / most_cells});
+}
+
 GridDistance::GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
                            const Pose& root)
     : map_(task.world->local().map ? task.checker.get() : nullptr),
@@ -38,8 +45,7 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
       last_(unreached) {
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;
-  side_ = std::max({side * task.vehicle.width, std::sqrt(width * height / most_cells),
-                    std::max(width, height) / most_cells});
+  side_ = side_of_cells(task, box, side);
   columns_ = static_cast<std::int32_t>(width / side_) + 3;
   rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);

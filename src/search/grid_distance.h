@@ -7,27 +7,31 @@
 #include <cstdint>
 #include <vector>
 
+#include "search/guide.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::search {
 
 /// Distances to one target on a grid (eight neighbours), as a guide and not as a bound. They are
 /// computed by A* from the target, so only where a search from `root` is likely to come.
-class GridDistance {
+class GridDistance final : public Guide {
  public:
+  /// The side of the cells that cover `box` [m]: `side` vehicle widths, in large boxes more.
+  [[nodiscard]] static double side_of_cells(const Task& task, const Bounds& box, double side);
+
   /// Covers `box` with cells of `side` vehicle widths, in large boxes of more; obstacles are
   /// marked, distances are not computed yet.
   GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
                const Pose& root);
 
   /// Settles the next cells, some microseconds of work. False when there is no more to do.
-  bool step();
+  bool step() override;
 
   /// Whether a way between target and root was found.
-  [[nodiscard]] bool is_connected() const noexcept { return reached_; }
+  [[nodiscard]] bool is_connected() const noexcept override { return reached_; }
 
   /// Distance to the target [m]; where it is not known, what it must exceed.
-  [[nodiscard]] double at(double x, double y) const noexcept;
+  [[nodiscard]] double at(double x, double y) const noexcept override;
 
  private:
   struct RasterCell {

@@ -12,7 +12,8 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;      // of distances from the map [m]; of a stretch, relative
+constexpr double rounding = 1e-9;  // of distances from the map [m]; of a stretch, relative
+constexpr std::size_t most_bands = 1024;
 constexpr double most_stretch = 1.02;  // for the sake of a wider disc
 
 /// Adds to [low, high] the places on the line at height `y` that are within `near` of a point.
@@ -88,6 +89,7 @@ OpenRows::OpenRows(const Task& task, const Bounds& box, double side, double near
       a = b;
     }
   }
+  sort_into_bands();
   if (!ground.map) return;
   map_box_ = bounding_box(outline(*ground.map));
   const double reach = near + side;
@@ -107,8 +109,33 @@ void OpenRows::close(double low, double high) {
   if (first <= last) closed_.push_back({first, std::min(last + 1, columns_)});
 }
 
-void OpenRows::close_near_sides(double y) {
+std::size_t OpenRows::band_of(double y) const noexcept {
+  const double share = (y - box_.y_min) / (box_.y_max - box_.y_min);
+  const double last = static_cast<double>(bands_) - 1;
+  return static_cast<std::size_t>(std::clamp(share * static_cast<double>(bands_), 0.0, last));
+}
+
+void OpenRows::sort_into_bands() {
+  if (box_.y_max > box_.y_min) bands_ = std::clamp<std::size_t>(sides_.size() / 8, 1, most_bands);
+  band_begins_.assign(bands_ + 1, 0);
   for (const Side& side : sides_) {
+    for (std::size_t i = band_of(side.y_min); i <= band_of(side.y_max); ++i) ++band_begins_[i];
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& begin : band_begins_) begin = sum += begin;
+  band_sides_.resize(sum);
+  for (std::size_t s = sides_.size(); s-- > 0;) {  // from behind: their order is kept
+    const Side& side = sides_[s];
+    for (std::size_t i = band_of(side.y_min); i <= band_of(side.y_max); ++i) {
+      band_sides_[--band_begins_[i]] = static_cast<std::uint32_t>(s);
+    }
+  }
+}
+
+void OpenRows::close_near_sides(double y) {
+  const std::size_t band = band_of(y);
+  for (std::uint32_t i = band_begins_[band]; i < band_begins_[band + 1]; ++i) {
+    const Side& side = sides_[band_sides_[i]];
     if (y < side.y_min || y > side.y_max) continue;
     double low = infinity;
     double high = -infinity;

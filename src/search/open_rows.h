@@ -71,6 +71,8 @@ class OpenRows {
 
   [[nodiscard]] double place_of(double x) const noexcept;
   void close(double low, double high);
+  void sort_into_bands();
+  [[nodiscard]] std::size_t band_of(double y) const noexcept;
   void close_near_sides(double y);
   void close_near_map(double y);
 
@@ -81,6 +83,10 @@ class OpenRows {
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
   std::vector<Side> sides_;
+  // The box in bands from below: the sides of each, in their order, so that a row asks few.
+  std::size_t bands_ = 1;
+  std::vector<std::uint32_t> band_begins_;  // in `band_sides_`, and the end
+  std::vector<std::uint32_t> band_sides_;
   Bounds map_box_ = {};  // around all cells that the map can close
   std::unordered_map<std::int32_t, Row> known_;
   Row closed_;  // of the row that is being worked out, in any order

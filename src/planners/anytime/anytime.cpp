@@ -14,6 +14,7 @@
 #include "planners/drive_time.h"
 #include "planners/shared_options.h"
 #include "search/enclosure.h"
+#include "search/far_guide.h"
 #include "steering/words.h"
 
 namespace vandplan::anytime {
@@ -22,6 +23,7 @@ namespace {
 constexpr std::size_t island_count = 6;
 constexpr int tidy_trials = 1000;
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
+constexpr std::int64_t first_look_far = 100;      // over a whole site, where a look takes longer
 constexpr int early_looks = 64;                   // for walls: most are found by then
 constexpr int looks_of_round = 32;                // as long as there were no more than these,
 constexpr int late_looks_of_round = 3;            // and from then on
@@ -77,6 +79,7 @@ class Run {
 
   const Task& task_;
   CostRule rule_;
+  bool is_far_;  // over a whole site
   int threads_;
   std::optional<double> target_gap_;
   Budget budget_;
@@ -94,6 +97,7 @@ class Run {
 Run::Run(const Task& task, const PlanOptions& options)
     : task_(task),
       rule_(rule_of(task, options.cost)),
+      is_far_(search::FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
       threads_(options.budget.threads),
       target_gap_(options.budget.target_gap),
       budget_(options.budget),
@@ -198,7 +202,9 @@ void Run::round() {
     quicken();
   }
   ++rounds_;
-  if (!best_ && rounds_ >= first_look_for_walls) look_for_walls();  // [9]
+  if (!best_ && rounds_ >= (is_far_ ? first_look_far : first_look_for_walls)) {
+    look_for_walls();  // [9]
+  }
 }
 
 // As long as there is no route: perhaps there is none. These looks are no iterations: what a budget

@@ -38,9 +38,9 @@ void Fastest::begin() {
 
 void Fastest::begin_with(const Route& route) {
   Connector& connector = connectors_[beginnings_ % connectors_.size()];
-  shortener_.emplace(connector, route, stream_seed(seed_, ++beginnings_), [&](const Route& r) {
-    return planning::drive_time(task_, path_of(r).segments);
-  });
+  shortener_.emplace(
+      connector, route, stream_seed(seed_, ++beginnings_), Scope::all,
+      [&](const Route& r) { return planning::drive_time(task_, path_of(r).segments); });
 }
 
 bool Fastest::offer(Route route) {

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "planners/shared_options.h"
+#include "search/far_guide.h"
+
 namespace vandplan::anytime {
 namespace {
 
@@ -22,6 +25,8 @@ Island::Island(Work work, const Task& task, const CostRule& rule, const Bounds& 
       region_(region),
       work_(work),
       seed_(seed),
+      scope_(FarGuide::is_wanted(task, sampling_region(task, Region::scene)) ? Scope::windows
+                                                                             : Scope::all),
       connector_(task, rule),
       best_cost_(std::numeric_limits<double>::infinity()),
       detoured_cost_(best_cost_) {}
@@ -76,9 +81,10 @@ bool Island::has_work() const {
 // A route that is far above the best after many trials will not win: what shortening gains falls
 // about as one over the number of trials (docs/algorithms/anytime.md).
 bool Island::is_hopeless() const {
-  const double excess = candidate_->route().cost / best_cost_ - 1.0;
+  const double excess = candidate_->cost() / best_cost_ - 1.0;
   const double most = connector_.rule().is_length() ? hopeless_excess : hopeless_excess_with_prices;
-  return candidate_->is_stalled() || excess * static_cast<double>(trials_) > most;
+  return candidate_->is_stalled() ||
+         excess * static_cast<double>(trials_) / candidate_->trials_for_one() > most;
 }
 
 // With prices searches find many routes of the kinds that were tried in vain.
@@ -119,16 +125,16 @@ bool Island::step() {
     if (connector_.rule().clearance_weight > 0.0) price(connector_, *route);
     if (is_known(*route)) return false;
     if (!connector_.rule().is_length()) raw_ = *route;
-    candidate_.emplace(connector_, *std::move(route), stream_seed(seed_, ++candidates_));
+    candidate_.emplace(connector_, *std::move(route), stream_seed(seed_, ++candidates_), scope_);
     trials_ = 0;
   } else {
     candidate_->step();  // [5] [6]
     ++trials_;
   }
-  const bool won = candidate_->route().cost < best_cost_;
+  const bool won = candidate_->cost() < best_cost_;
   if (won) {
-    best_cost_ = candidate_->route().cost;
-    offer_ = candidate_->route();
+    best_cost_ = candidate_->cost();
+    if (work_ != Work::refine) offer_ = candidate_->route();
   }
   if (work_ != Work::refine && !won && is_hopeless()) give_up();
   if (work_ != Work::refine && won) candidate_.reset();
@@ -140,7 +146,7 @@ void Island::take_over(const Route& best) {
   if (best.cost >= best_cost_) return;
   best_cost_ = best.cost;
   if (work_ == Work::refine)
-    candidate_.emplace(connector_, best, stream_seed(seed_, ++candidates_));
+    candidate_.emplace(connector_, best, stream_seed(seed_, ++candidates_), scope_);
 }
 
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {
@@ -157,8 +163,11 @@ Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budg
     ++slice.iterations;
     if (step()) slice.improvements.push_back({budget.elapsed(), slice.iterations, best_cost_});
   }
-  if (!slice.improvements.empty()) slice.route = offer_;
   slice.losers = std::move(losers_);
+  if (slice.improvements.empty()) return slice;
+  // Nothing but what won changes the best route.
+  slice.route = work_ == Work::refine ? candidate_->route() : offer_;
+  best_cost_ = slice.route->cost;
   return slice;
 }
 

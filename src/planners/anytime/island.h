@@ -68,6 +68,7 @@ class Island {
   Bounds region_;
   Work work_;
   std::uint64_t seed_;
+  Scope scope_;  // of shortening
   Connector connector_;
   double best_cost_;  // of the routes it knows of
   std::optional<Ladder> ladder_;

@@ -13,6 +13,7 @@ namespace {
 constexpr double hopeless_shot = 1.2;       // ways around that are longer than the shot by this
 constexpr double guide_trust = 0.9;         // of a way around on the grid, which is no bound
 constexpr double straight_cells = 1.5;      // length of a straight step: it leaves its cell
+constexpr std::size_t rare_shot = 256;      // poses expanded for one from afar
 constexpr int looks = 8;                    // at open ground, for one entry
 constexpr std::size_t segments_of_leg = 5;  // of arcs and lines
 constexpr int most_locks = 8;               // to either side
@@ -31,7 +32,7 @@ int locks_for(const Connector& connector, double step) {
 }  // namespace
 
 Lattice::Lattice(const Pose& root, const Pose& target, const Gears& gears,
-                 const LatticeOptions& options, const GridDistance& guide, Connector& connector)
+                 const LatticeOptions& options, const Guide& guide, Connector& connector)
     : connector_(connector),
       guide_(guide),
       options_(options),
@@ -177,6 +178,8 @@ std::optional<Lattice::Entry> Lattice::next() {
 // gives a cheaper route.
 bool Lattice::shoot(const Entry& entry) {
   if (entry.around > hopeless_shot * entry.open_ground + cell_) return false;
+  const bool is_far = entry.open_ground > options_.far_shot * connector_.radius();
+  if (is_far && closed_count_ % rare_shot != 0) return false;
   const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
   const std::optional<Connection> shot = connector_.connect(
       node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), gears_.after}});

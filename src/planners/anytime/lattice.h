@@ -5,10 +5,11 @@
 // pose per cell (Hybrid A*, Dolgov et al. 2010). Its routes are seeds for the shortener. Where the
 // curvature is continuous, clothoids lead from lock to lock, and a cell is one for each of them.
 
+#include <limits>
 #include <optional>
 #include <vector>
 
-#include "search/grid_distance.h"
+#include "search/guide.h"
 #include "search/route.h"
 #include "vandplan/search.h"
 
@@ -23,13 +24,15 @@ struct LatticeOptions {
   double greediness = 1.0;  ///< weight of the cost-to-go; >= 1
   /// A pose's turn comes without regard to what is near: routes are found sooner, not the best.
   bool overlooks_clearance = false;
+  /// Beyond, the exact path to the target is tried once in a while only [turning radii].
+  double far_shot = std::numeric_limits<double>::infinity();
 };
 
 /// One search from `root` to `target`; what is driven before and after it are its gears.
 class Lattice {
  public:
   Lattice(const Pose& root, const Pose& target, const Gears& gears, const LatticeOptions& options,
-          const GridDistance& guide, Connector& connector);
+          const Guide& guide, Connector& connector);
 
   /// Expands one pose. True when a route was found that is cheaper than those before: `route`.
   [[nodiscard]] bool step();
@@ -81,7 +84,7 @@ class Lattice {
   void build_route(std::int32_t node, const Piece& last);
 
   Connector& connector_;
-  const GridDistance& guide_;
+  const Guide& guide_;
   LatticeOptions options_;
   Pose target_;
   Gears gears_;

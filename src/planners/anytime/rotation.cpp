@@ -39,7 +39,7 @@ CostRule priced(CostRule rule, double price) {
 }  // namespace
 
 Rotation::Rotation(const Task& task, const CostRule& rule, const Pose& root, const Pose& target,
-                   const Gears& gears, const GridDistance& guide)
+                   const Gears& gears, const Guide& guide)
     : root_(root),
       target_(target),
       gears_(gears),

@@ -19,7 +19,7 @@ class Rotation {
   /// `rule` is that of the direction of the search. All arguments but the poses and the rule
   /// outlive the rotation.
   Rotation(const Task& task, const CostRule& rule, const Pose& root, const Pose& target,
-           const Gears& gears, const GridDistance& guide);
+           const Gears& gears, const Guide& guide);
 
   /// Expands one pose. True when a route was found: `route`. Only routes that cost less than
   /// `cutoff` by now, or a little more, are of interest.
@@ -46,7 +46,7 @@ class Rotation {
   Pose root_;
   Pose target_;
   Gears gears_;
-  const GridDistance& guide_;
+  const Guide& guide_;
   std::vector<std::unique_ptr<Search>> searches_;
   std::size_t current_ = 0;
   std::size_t joined_;  // how many take turns

@@ -14,18 +14,114 @@ constexpr double guide_leeway = 1.3;  // what costs so much more may be better b
 constexpr int patience = 200;         // trials without progress after which a route is stalled,
 constexpr int patience_for_each_leg = 60;  // and more for each leg
 
+constexpr std::size_t legs_of_window = 16;
+constexpr int trials_of_window = 320;
+constexpr int idle_trials_of_window = 48;
+constexpr double progress_of_window = 1e-2;  // that counts [turning radii]
+
+Driven driven_last(std::span<const Leg> legs, const Driven& before) {
+  for (std::size_t i = legs.size(); i > 0; --i) {
+    const Driven driven = last_driven(legs[i - 1].piece);
+    if (driven.gear != 0) return driven;
+  }
+  return before;
+}
+
+/// `legs` have the first one last.
+Driven driven_first(std::span<const Leg> legs) {
+  for (std::size_t i = legs.size(); i > 0; --i) {
+    const Driven driven = first_driven(legs[i - 1].piece);
+    if (driven.gear != 0) return driven;
+  }
+  return {};
+}
+
 }  // namespace
 
-Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed,
+Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope,
                      std::function<double(const Route&)> measure)
     : connector_(connector),
       measure_(std::move(measure)),
       route_(std::move(route)),
+      start_(route_.start),
+      cost_(route_.cost),
+      visit_cost_(cost_),
       rng_(seed),
-      progress_cost_(route_.cost) {}
+      progress_cost_(route_.cost) {
+  if (scope == Scope::all || route_.legs.size() <= 2 * legs_of_window) return;
+  // Anywhere: one that takes over a route would begin with the same legs ever again.
+  const std::size_t begin = rng_() % route_.legs.size();
+  const auto first = route_.legs.begin() + static_cast<std::ptrdiff_t>(begin);
+  passed_.assign(route_.legs.begin(), first);
+  ahead_.assign(route_.legs.rbegin(), std::make_reverse_iterator(first));
+  route_.legs.clear();
+  next_window();
+}
+
+Route Shortener::route() const {
+  if (is_whole()) return route_;
+  Route whole{start_, passed_, 0.0};
+  whole.legs.insert(whole.legs.end(), route_.legs.begin(), route_.legs.end());
+  whole.legs.insert(whole.legs.end(), ahead_.rbegin(), ahead_.rend());
+  whole.cost = cost_of(connector_.rule(), whole);
+  return whole;
+}
 
 bool Shortener::is_stalled() const {
-  return idle_ > patience + patience_for_each_leg * static_cast<int>(route_.legs.size());
+  return idle_ > patience + patience_for_each_leg * static_cast<int>(count_of_legs());
+}
+
+double Shortener::trials_for_one() const {
+  if (is_whole()) return 1.0;
+  return static_cast<double>(count_of_legs()) / static_cast<double>(legs_of_window);
+}
+
+// Half of the window stays, so that what lies across its end comes into the middle of the next one.
+// At an end of the route the windows turn back.
+void Shortener::move_window() {
+  const std::size_t half = route_.legs.size() / 2;
+  if (goes_back_ ? passed_.empty() : ahead_.empty()) goes_back_ = !goes_back_;
+  if (goes_back_) {
+    for (std::size_t i = 0; i < half; ++i) {
+      ahead_.push_back(route_.legs.back());
+      route_.legs.pop_back();
+    }
+  } else {
+    const auto end = route_.legs.begin() + static_cast<std::ptrdiff_t>(half);
+    passed_.insert(passed_.end(), route_.legs.begin(), end);
+    route_.legs.erase(route_.legs.begin(), end);
+  }
+  next_window();
+}
+
+// Fills the window from the side that it goes to.
+void Shortener::next_window() {
+  std::vector<Leg>& legs = route_.legs;
+  while (!goes_back_ && legs.size() < legs_of_window && !ahead_.empty()) {
+    legs.push_back(ahead_.back());
+    ahead_.pop_back();
+  }
+  while (goes_back_ && legs.size() < legs_of_window && !passed_.empty()) {
+    legs.insert(legs.begin(), passed_.back());
+    passed_.pop_back();
+  }
+  route_.start = passed_.empty() ? start_ : passed_.back().end;
+  visit_cost_ = cost_;
+  visit_ = 0;
+  idle_visit_ = 0;
+  if (is_whole()) route_.cost = cost_ = cost_of(connector_.rule(), route_);
+}
+
+// Of legs of the window, as the whole route is driven.
+Gears Shortener::gears_beside(std::size_t first, std::size_t last) const {
+  const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
+  if (!needs_gears) return {};
+  Gears gears = gears_around(connector_.rule(), route_, first, last);
+  if (!passed_.empty() && driven_last(std::span(route_.legs).first(first), {}).gear == 0) {
+    gears.before = driven_last(passed_, gears.before);
+  }
+  if (!ahead_.empty() && gears.after.gear == 0) gears.after = driven_first(ahead_);
+  return gears;
 }
 
 Shortener::Place Shortener::random_place() {
@@ -67,8 +163,7 @@ double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) co
 
 // The legs that a trial would replace, and what it has to undercut.
 Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const {
-  const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
-  const Gears gears = needs_gears ? gears_around(connector_.rule(), route_, first, last) : Gears{};
+  const Gears gears = gears_beside(first, last);
   const double cost = cost_of_legs(std::span(route_.legs).subspan(first, last - first), gears);
   return {first, last, gears, measure_ ? guide_leeway * cost : cost};
 }
@@ -105,7 +200,11 @@ bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
     return true;
   }
   exchange(route_, old);
-  route_.cost = cost_of(connector_.rule(), route_);
+  if (is_whole()) {
+    route_.cost = cost_of(connector_.rule(), route_);
+  } else {
+    cost_ -= old.cost - cost_of_legs(trial_, old.gears);
+  }
   return true;
 }
 
@@ -201,10 +300,18 @@ bool Shortener::step() {
                        : kind < 0.9 ? move_via()
                                     : move_place();
   ++idle_;
-  if (route_.cost < progress_cost_ * (1 - progress)) {
-    progress_cost_ = route_.cost;
+  if (cost() < progress_cost_ * (1 - progress)) {
+    progress_cost_ = cost();
     idle_ = 0;
   }
+  if (is_whole()) return shorter;
+  ++visit_;
+  ++idle_visit_;
+  if (cost_ < visit_cost_ - progress_of_window * connector_.radius()) {
+    visit_cost_ = cost_;
+    idle_visit_ = 0;
+  }
+  if (visit_ >= trials_of_window || idle_visit_ >= idle_trials_of_window) move_window();
   return shorter;
 }
 

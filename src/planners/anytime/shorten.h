@@ -14,18 +14,27 @@ namespace vandplan::anytime {
 
 using namespace search;
 
+/// What of a route is looked at at a time.
+enum class Scope {
+  all,      ///< the whole route
+  windows,  ///< some legs, then the next ones: a trial costs as much however long the route is
+};
+
 /// Improves one route by random trials; a trial is kept only if it is free and cheaper.
 class Shortener {
  public:
   /// With a `measure` a route is cheaper when that says so; the prices of the connector are a guide
-  /// only, and the route comes with the cost that the measure gives it.
-  Shortener(Connector& connector, Route route, std::uint64_t seed,
+  /// only, the scope is all, and the route comes with the cost that the measure gives it.
+  Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope = Scope::all,
             std::function<double(const Route&)> measure = {});
 
   /// One trial. True when the route got cheaper.
   bool step();
 
-  [[nodiscard]] const Route& route() const { return route_; }
+  [[nodiscard]] Route route() const;
+  [[nodiscard]] double cost() const { return is_whole() ? route_.cost : cost_; }
+  /// How many trials bring about as much as one on a short route.
+  [[nodiscard]] double trials_for_one() const;
   /// Whether many trials in a row brought next to nothing.
   [[nodiscard]] bool is_stalled() const;
 
@@ -44,6 +53,13 @@ class Shortener {
     double cost;
   };
 
+  [[nodiscard]] bool is_whole() const { return passed_.empty() && ahead_.empty(); }
+  [[nodiscard]] std::size_t count_of_legs() const {
+    return passed_.size() + route_.legs.size() + ahead_.size();
+  }
+  [[nodiscard]] Gears gears_beside(std::size_t first, std::size_t last) const;
+  void move_window();
+  void next_window();
   [[nodiscard]] Place random_place();
   [[nodiscard]] Pose pose_at(const Place& place) const;
   [[nodiscard]] Pose perturbed(const Pose& pose);
@@ -61,7 +77,16 @@ class Shortener {
 
   Connector& connector_;
   std::function<double(const Route&)> measure_;
-  Route route_;
+  Route route_;  // or the window of it
+  Pose start_;   // of the whole route
+  // The legs before the window, and those after it, the last one first.
+  std::vector<Leg> passed_;
+  std::vector<Leg> ahead_;
+  bool goes_back_ = false;  // from window to window
+  double cost_;             // of the whole route
+  double visit_cost_;       // of it when a trial in this window last brought something
+  int visit_ = 0;           // trials in this window,
+  int idle_visit_ = 0;      // and since one last brought something
   Rng rng_;
   std::vector<Leg> trial_;  // buffer
   int idle_ = 0;            // trials since the last progress worth the name

@@ -7,6 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "search/far_guide.h"
+#include "search/grid_distance.h"
+
 namespace vandplan::anytime {
 namespace {
 
@@ -22,9 +25,15 @@ constexpr double first_guide_side = 1.0;             // [vehicle widths]
 constexpr double fine_guide_side = 0.5;              // of all searches but the first
 constexpr double last_guide_side = 0.25;
 constexpr std::size_t last_coarse_level = 4;
-constexpr double slack = 1.05;                 // what shortening may yet take off a route
-constexpr std::array far_shares = {1.0, 0.4};  // of the attempts with trees, in turns
-constexpr std::int64_t first_patience = 256;   // samples
+// Over a whole site: a search that gets there at once and one that follows a way which is nearly
+// the shortest, each with a guide of its own.
+constexpr double far_shot = 40.0;  // [turning radii]
+constexpr std::array<LatticeOptions, 2> far_searches = {
+    LatticeOptions{12, 0.5, 2.0, false, far_shot}, LatticeOptions{24, 0.25, 1.5, false, far_shot}};
+constexpr std::array far_greediness = {1.25, 1.03};  // of their guides
+constexpr double slack = 1.05;                       // what shortening may yet take off a route
+constexpr std::array far_shares = {1.0, 0.4};        // of the attempts with trees, in turns
+constexpr std::int64_t first_patience = 256;         // samples
 
 CostRule rule_from(const CostRule& rule, Root root) {
   return root == Root::start ? rule : reversed(rule, 0);
@@ -38,6 +47,7 @@ Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
       from_(root == Root::start ? task.start : task.goal),
       to_(root == Root::start ? task.goal : task.start),
       root_(root),
+      is_far_(FarGuide::is_wanted(task, scene_)),
       rule_(rule),
       by_length_(task),
       by_price_(task, rule_from(rule, root)),
@@ -48,7 +58,13 @@ Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
 
 void Ladder::next_guide() {
   lattice_.reset();
-  guide_.emplace(task_, scene_, guide_side_, to_, from_);
+  if (is_far_) {
+    const std::size_t last = far_greediness.size() - 1;
+    guide_ = std::make_unique<FarGuide>(task_, scene_, far_greediness[std::min(level_, last)], to_,
+                                        from_);
+  } else {
+    guide_ = std::make_unique<GridDistance>(task_, scene_, guide_side_, to_, from_);
+  }
   guide_side_ /= 2;
   guided_ = false;
 }
@@ -67,7 +83,9 @@ void Ladder::next_search() {
     return;
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
-  lattice_.emplace(from_, to_, gears_from(connector.rule()), searches[level_], *guide_, connector);
+  const bool goes_far = is_far_ && level_ < far_searches.size();
+  const LatticeOptions& options = goes_far ? far_searches[level_] : searches[level_];
+  lattice_.emplace(from_, to_, gears_from(connector.rule()), options, *guide_, connector);
   ++level_;
 }
 
@@ -75,7 +93,7 @@ bool Ladder::step() {
   if (!guided_) {
     if (guide_->step()) return false;
     // Coarse cells may close a narrow opening.
-    guided_ = guide_->is_connected() || guide_side_ < last_guide_side;
+    guided_ = guide_->is_connected() || is_far_ || guide_side_ < last_guide_side;
     if (!guided_) next_guide();
     return false;
   }
@@ -86,7 +104,7 @@ bool Ladder::step() {
     level_ -= std::min<std::size_t>(level_, 1);
   }
   if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_lattice_nodes) {
-    if (level_ == 1 && guide_side_ > fine_guide_side / 2) {
+    if (needs_next_guide()) {
       next_guide();
       return false;
     }
@@ -97,9 +115,12 @@ bool Ladder::step() {
   return !lattice_->is_exhausted() && lattice_->step();
 }
 
+// All searches but the first have a better one.
+bool Ladder::needs_next_guide() const { return level_ == 1 && guide_side_ > fine_guide_side / 2; }
+
 // Where coarse searches found nothing there are no other kinds to look for.
 bool Ladder::takes_turns() const {
-  return !rule_.is_length() && is_known() && (rotation_ || level_ <= last_coarse_level);
+  return !is_far_ && !rule_.is_length() && is_known() && (rotation_ || level_ <= last_coarse_level);
 }
 
 bool Ladder::is_known() const { return cutoff_ < std::numeric_limits<double>::infinity(); }

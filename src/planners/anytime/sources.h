@@ -4,12 +4,13 @@
 // Where do the islands of the anytime planner get routes from?
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
 #include "planners/anytime/trees.h"
-#include "search/grid_distance.h"
+#include "search/guide.h"
 #include "search/route.h"
 
 namespace vandplan::anytime {
@@ -44,16 +45,18 @@ class Ladder {
   [[nodiscard]] Gears gears_from(const CostRule& rule) const;
   void next_search();
   void next_guide();
+  [[nodiscard]] bool needs_next_guide() const;
 
   const Task& task_;
   Bounds scene_;
   Pose from_;
   Pose to_;
   Root root_;
+  bool is_far_;          // over a site of which only a strip is looked at
   CostRule rule_;        // of the route
   Connector by_length_;  // of searches before a route is known
   Connector by_price_;   // of searches from then on, in their direction
-  std::optional<GridDistance> guide_;
+  std::unique_ptr<Guide> guide_;
   double guide_side_;    // of its cells [vehicle widths]
   bool guided_ = false;  // the guide is complete
   bool finished_ = false;

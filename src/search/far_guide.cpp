@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/far_guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "search/grid_distance.h"
+
+namespace vandplan::search {
+namespace {
+
+constexpr std::int32_t closed_cell = -1;
+constexpr std::int32_t unknown_cell = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t cost_of_side = 5;  // 5 and 7: their ratio is near the square root of two
+constexpr std::int32_t cost_of_corner = 7;
+constexpr std::int64_t whole = 64;        // greediness is a multiple of 1 / 64
+constexpr std::size_t most_tiles = 8192;  // 4 KB each; of 32 x 32 cells
+constexpr int settled_at_once = 64;
+
+/// Kept with the world: many plans share it.
+std::shared_ptr<const SiteSquares> squares_of(const World& world) {
+  return std::static_pointer_cast<const SiteSquares>(world.kept(typeid(SiteSquares), [&] {
+    return std::make_shared<const SiteSquares>(
+        SiteSquares{PolygonSquares(world.local().obstacles), PolygonSquares(world.local().kerbs)});
+  }));
+}
+
+double squared_distance(const Point& p, const Point& a, const Point& b) {
+  const double ux = b.x - a.x;
+  const double uy = b.y - a.y;
+  const double uu = ux * ux + uy * uy;
+  const double t = uu > 0 ? ((p.x - a.x) * ux + (p.y - a.y) * uy) / uu : 0.0;
+  const double along = std::clamp(t, 0.0, 1.0);
+  const double dx = a.x + along * ux - p.x;
+  const double dy = a.y + along * uy - p.y;
+  return dx * dx + dy * dy;
+}
+
+}  // namespace
+
+bool FarGuide::is_wanted(const Task& task, const Bounds& box) {
+  return GridDistance::side_of_cells(task, box, 1.0) > task.vehicle.width;
+}
+
+FarGuide::FarGuide(const Task& task, const Bounds& box, double greediness, const Pose& target,
+                   const Pose& root)
+    : site_(squares_of(*task.world)),
+      map_(task.world->local().map ? task.checker.get() : nullptr),
+      box_(box),
+      target_{target.x, target.y},
+      side_(task.vehicle.width),
+      near_(std::max(
+          inner_radius(footprint(task.vehicle)) + task.least_margin - side_ * std::sqrt(0.5),
+          side_ / 2)),
+      greediness_(std::llround(greediness * whole)),
+      root_(cell_of({root.x, root.y})) {
+  // The vehicle stands there.
+  cost_at(root_) = unknown_cell;
+  const RasterCell to = cell_of(target_);
+  cost_at(to) = 0;
+  open_.push({rank_of(to, 0), to});
+}
+
+FarGuide::RasterCell FarGuide::cell_of(const Point& point) const noexcept {
+  return {static_cast<std::int32_t>(std::floor((point.x - box_.x_min) / side_)),
+          static_cast<std::int32_t>(std::floor((point.y - box_.y_min) / side_))};
+}
+
+std::uint64_t FarGuide::tile_of(const RasterCell& cell) noexcept {
+  const auto x = static_cast<std::uint32_t>(cell.x / tile_side);
+  const auto y = static_cast<std::uint32_t>(cell.y / tile_side);
+  return (std::uint64_t{x} << 32) | y;
+}
+
+std::size_t FarGuide::place_in_tile(const RasterCell& cell) noexcept {
+  return static_cast<std::size_t>(cell.y % tile_side * tile_side + cell.x % tile_side);
+}
+
+std::int32_t& FarGuide::cost_at(const RasterCell& cell) {
+  const std::uint64_t key = tile_of(cell);
+  if (last_tile_ == nullptr || key != last_key_) {
+    std::unique_ptr<Tile>& tile = tiles_[key];
+    if (!tile) {
+      tile = std::make_unique<Tile>();
+      tile->fill(unknown_cell);
+      const RasterCell first{cell.x / tile_side * tile_side, cell.y / tile_side * tile_side};
+      mark(*tile, first, site_->obstacles, near_);
+      mark(*tile, first, site_->kerbs, side_ / 2);  // the rear axle reaches as far
+    }
+    last_key_ = key;
+    last_tile_ = tile.get();
+  }
+  return (*last_tile_)[place_in_tile(cell)];
+}
+
+Point FarGuide::centre_of(const RasterCell& cell) const noexcept {
+  return {box_.x_min + (cell.x + 0.5) * side_, box_.y_min + (cell.y + 0.5) * side_};
+}
+
+// Cells whose centre is so near to a side that no point of them is free for the disc; at least the
+// cells that the side runs through.
+void FarGuide::mark(Tile& tile, const RasterCell& first, const PolygonSquares& polygons,
+                    double near) const {
+  const Point low = centre_of(first);
+  const Point high = centre_of({first.x + tile_side - 1, first.y + tile_side - 1});
+  const Bounds around{low.x - near, high.x + near, low.y - near, high.y + near};
+  polygons.visit_near(around, [&](const Polygon& polygon) {
+    Point a = polygon.back();
+    for (const Point& b : polygon) {
+      mark(tile, first, a, b, near);
+      a = b;
+    }
+  });
+}
+
+void FarGuide::mark(Tile& tile, const RasterCell& first, const Point& a, const Point& b,
+                    double near) const {
+  const Point origin = centre_of(first);
+  // In double first: an obstacle may be further away than an integer counts cells.
+  const auto begin = [&](double offset) {
+    return static_cast<std::int32_t>(std::clamp(std::ceil(offset / side_), 0.0, tile_side + 0.0));
+  };
+  const auto end = [&](double offset) {
+    return static_cast<std::int32_t>(
+        std::clamp(std::floor(offset / side_) + 1, 0.0, tile_side + 0.0));
+  };
+  const std::int32_t x_begin = begin(std::min(a.x, b.x) - near - origin.x);
+  const std::int32_t x_end = end(std::max(a.x, b.x) + near - origin.x);
+  const std::int32_t y_end = end(std::max(a.y, b.y) + near - origin.y);
+  for (std::int32_t y = begin(std::min(a.y, b.y) - near - origin.y); y < y_end; ++y) {
+    for (std::int32_t x = x_begin; x < x_end; ++x) {
+      const RasterCell cell{first.x + x, first.y + y};
+      if (squared_distance(centre_of(cell), a, b) > near * near) continue;
+      tile[place_in_tile(cell)] = closed_cell;
+    }
+  }
+}
+
+bool FarGuide::is_closed(const RasterCell& cell) const {
+  const Point centre = centre_of(cell);
+  return !contains(box_, centre) || (map_ != nullptr && map_->map_is_within(centre, near_));
+}
+
+// Never above the cost of the way from a cell to the root.
+std::int32_t FarGuide::to_root(const RasterCell& cell) const noexcept {
+  const std::int32_t dx = std::abs(cell.x - root_.x);
+  const std::int32_t dy = std::abs(cell.y - root_.y);
+  return cost_of_side * std::max(dx, dy) + (cost_of_corner - cost_of_side) * std::min(dx, dy);
+}
+
+std::int64_t FarGuide::rank_of(const RasterCell& cell, std::int32_t cost) const noexcept {
+  return whole * cost + greediness_ * to_root(cell);
+}
+
+void FarGuide::reach(const RasterCell& cell, std::int32_t cost) {
+  if (cell.x < 0 || cell.y < 0) return;
+  std::int32_t& known = cost_at(cell);
+  if (known <= cost) return;  // closed ones, too
+  if (known == unknown_cell && !(cell == root_) && is_closed(cell)) {
+    known = closed_cell;
+    return;
+  }
+  known = cost;
+  open_.push({rank_of(cell, cost), cell});
+}
+
+void FarGuide::settle(const RasterCell& cell, std::int32_t cost) {
+  for (const std::int32_t dy : {-1, 0, 1}) {
+    for (const std::int32_t dx : {-1, 0, 1}) {
+      const bool is_straight = dx == 0 || dy == 0;
+      reach({cell.x + dx, cell.y + dy}, cost + (is_straight ? cost_of_side : cost_of_corner));
+    }
+  }
+}
+
+bool FarGuide::step() {
+  for (int settled = 0; settled < settled_at_once; ++settled) {
+    if (reached_ || open_.empty() || tiles_.size() > most_tiles) return false;
+    const auto [rank, cell] = open_.top();
+    open_.pop();
+    const std::int32_t cost = cost_at(cell);
+    if (rank != rank_of(cell, cost)) continue;  // a shorter way there was found meanwhile
+    front_ = std::max(front_, rank);
+    reached_ = cell == root_;
+    settle(cell, cost);
+  }
+  return true;
+}
+
+double FarGuide::at(double x, double y) const noexcept {
+  const double euclid = std::hypot(x - target_.x, y - target_.y);
+  if (!reached_ || !contains(box_, {x, y})) return euclid;
+  const RasterCell cell = cell_of({x, y});
+  const auto tile = tiles_.find(tile_of(cell));
+  const std::int32_t known =
+      tile == tiles_.end() ? unknown_cell : (*tile->second)[place_in_tile(cell)];
+  if (known == closed_cell) return euclid;
+  const double least = known == unknown_cell
+                           ? static_cast<double>(front_ - greediness_ * to_root(cell)) / whole
+                           : known;
+  return std::max(euclid, least * side_ / cost_of_side);
+}
+
+}  // namespace vandplan::search

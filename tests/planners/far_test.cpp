@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Whole sites: what is near is found among very many, a strip is looked at instead of all of it,
+// and a long route is shortened window by window.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "../support/cases.h"
+#include "../support/grids.h"
+#include "../support/problems.h"
+#include "planners/anytime/lattice.h"
+#include "planners/anytime/shorten.h"
+#include "search/far_guide.h"
+#include "search/grid_distance.h"
+#include "search/polygon_squares.h"
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+#include "vandplan/random.h"
+
+namespace vandplan {
+namespace {
+
+using anytime::Lattice;
+using anytime::Scope;
+using anytime::Shortener;
+using search::Connector;
+using search::CostRule;
+using search::FarGuide;
+using search::GridDistance;
+using search::PolygonSquares;
+using search::Route;
+
+bool overlap(const Bounds& a, const Bounds& b) {
+  return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
+}
+
+Bounds random_bounds(double reach, Rng& rng) {
+  const double x = uniform(-500, 500, rng);
+  const double y = uniform(-200, 200, rng);
+  return {x, x + uniform(0, reach, rng), y, y + uniform(0, reach, rng)};
+}
+
+Polygon box_around(const Bounds& b) { return box(b.x_min, b.y_min, b.x_max, b.y_max); }
+
+// One in forty reaches over much of the plane.
+TEST(PolygonSquares, VisitsAllThatAreNear) {
+  for_each_case(1, 200, [](Rng& rng) {
+    std::vector<Polygon> polygons;
+    const auto count = 1 + rng() % 200;
+    for (std::size_t i = 0; i < count; ++i) {
+      polygons.push_back(box_around(random_bounds(rng() % 40 == 0 ? 800 : 20, rng)));
+    }
+    const PolygonSquares squares(polygons);
+    for (int i = 0; i < 20; ++i) {
+      const Bounds query = random_bounds(100, rng);
+      std::set<const Polygon*> visited;
+      squares.visit_near(query, [&](const Polygon& polygon) { visited.insert(&polygon); });
+      for (const Polygon& polygon : polygons) {
+        EXPECT_TRUE(!overlap(bounding_box(polygon), query) || visited.contains(&polygon));
+      }
+    }
+  });
+}
+
+TEST(PolygonSquares, OfNoPolygonsVisitsNone) {
+  const PolygonSquares squares({});
+  squares.visit_near({-1, 1, -1, 1}, [](const Polygon&) { FAIL(); });
+}
+
+// One building on 900 m^2, none where start and goal are; they lie in opposite corners.
+Problem site(double side, std::uint64_t seed) {
+  Rng rng(seed);
+  std::vector<Polygon> buildings;
+  for (double left = side * side / 900; left > 0; --left) {
+    const double x = uniform(0, side, rng), y = uniform(0, side, rng);
+    const double apart = std::min(std::hypot(x, y), std::hypot(x - side, y - side));
+    const double width = uniform(3, 12, rng), height = uniform(3, 12, rng);
+    if (apart > 30) buildings.push_back(box(x, y, x + width, y + height));
+  }
+  return problem_in({.bounds = {-60, side + 60, -60, side + 60}, .obstacles = buildings}, {0, 0, 0},
+                    {side, side, 1.5});
+}
+
+Bounds all_of(const Problem& problem) { return sampling_region(problem.task(), Region::scene); }
+
+// The grid over all of it is the oracle, as long as it is small.
+TEST(FarGuide, WithoutGreedIsAsFarAsTheGridOverAllOfIt) {
+  for_each_case(2, 20, [](Rng& rng) {
+    const Problem problem = site(200, rng());
+    const Pose& start = problem.start();
+    const Pose& goal = problem.goal();
+    GridDistance grid(problem.task(), all_of(problem), 1.0, goal, start);
+    FarGuide exact(problem.task(), all_of(problem), 1.0, goal, start);
+    FarGuide greedy(problem.task(), all_of(problem), 1.25, goal, start);
+    while (grid.step()) {
+    }
+    while (exact.step()) {
+    }
+    while (greedy.step()) {
+    }
+    ASSERT_EQ(grid.is_connected(), exact.is_connected());
+    ASSERT_EQ(grid.is_connected(), greedy.is_connected());
+    if (!grid.is_connected()) return;
+    const double least = grid.at(start.x, start.y);
+    EXPECT_NEAR(exact.at(start.x, start.y), least, 1e-9);
+    EXPECT_GE(greedy.at(start.x, start.y), least - 1e-9);
+    EXPECT_LE(greedy.at(start.x, start.y), 1.25 * least + 1e-9);
+    EXPECT_NEAR(exact.at(-500, 0), std::hypot(-500 - goal.x, goal.y), 1e-9);  // outside: Euclid
+  });
+}
+
+TEST(FarGuide, GoesAroundTheCellsOfAMapAndAroundKerbs) {
+  OccupancyGrid map = grid_of(std::vector<std::string>(60, "..#.."), 0.5, {19, -15, 0});
+  map.unknown_is_free = true;
+  const Polygon wall = box(20, -15, 20.5, 15);
+  const Bounds bounds{-30, 70, -40, 40};
+  const Surroundings grounds[] = {{.bounds = bounds, .map = map},
+                                  {.bounds = bounds, .kerbs = {wall}},
+                                  {.bounds = bounds, .obstacles = {wall}}};
+  for (const Surroundings& ground : grounds) {
+    const Problem problem = problem_in(ground, {0, 0, 0}, {40, 0, 0});
+    FarGuide guide(problem.task(), bounds, 1.0, problem.goal(), problem.start());
+    while (guide.step()) {
+    }
+    EXPECT_TRUE(guide.is_connected());
+    EXPECT_NEAR(guide.at(0, 0), 2 * std::hypot(20, 15), 6.0);
+  }
+}
+
+TEST(FarGuide, SaysWhereNoWayIs) {
+  const Problem problem = problem_of({0, 0, 0}, {40, 0, 0}, {box(20, -300, 21, 300)});
+  FarGuide guide(problem.task(), {-30, 70, -40, 40}, 1.25, problem.goal(), problem.start());
+  while (guide.step()) {
+  }
+  EXPECT_FALSE(guide.is_connected());
+  EXPECT_NEAR(guide.at(0, 0), 40.0, 1e-9);
+}
+
+TEST(FarGuide, IsWantedWhereOneGridWouldBeTooCoarse) {
+  const Problem problem = site(600, 1);
+  EXPECT_TRUE(FarGuide::is_wanted(problem.task(), {0, 600, 0, 600}));
+  EXPECT_FALSE(FarGuide::is_wanted(problem.task(), {0, 400, 0, 400}));
+}
+
+// A raw route of more legs than windows have, as a lattice finds it.
+std::optional<Route> long_route(const Problem& problem, Connector& connector) {
+  FarGuide guide(problem.task(), all_of(problem), 1.25, problem.goal(), problem.start());
+  while (guide.step()) {
+  }
+  Lattice lattice(problem.start(), problem.goal(), {}, {12, 0.5, 2.0}, guide, connector);
+  for (int i = 0; i < 20000; ++i) {
+    if (lattice.step()) return lattice.route();
+  }
+  return std::nullopt;
+}
+
+TEST(Shortener, WindowsShortenALongRouteAndKeepItWhole) {
+  constexpr CostRule rules[] = {{}, {1.0, 2.0, 3.0, 0}};
+  for_each_case(3, 6, [&](Rng& rng) {
+    const Problem problem = site(1000, rng());
+    const CostRule& rule = rules[rng() % 2];
+    Connector connector(problem.task(), rule);
+    const std::optional<Route> raw = long_route(problem, connector);
+    ASSERT_TRUE(raw);
+    ASSERT_GT(raw->legs.size(), 40U);
+    Shortener shortener(connector, *raw, rng(), Scope::windows);
+    EXPECT_GT(shortener.trials_for_one(), 2.0);
+    double cost = shortener.cost();
+    EXPECT_NEAR(cost, raw->cost, 1e-6);
+    for (int i = 0; i < 20000; ++i) {
+      const bool is_cheaper = shortener.step();
+      EXPECT_EQ(is_cheaper, shortener.cost() < cost);
+      cost = shortener.cost();
+    }
+    const Route route = shortener.route();
+    EXPECT_NEAR(route.cost, cost, 1e-6);
+    EXPECT_LT(route.cost, 0.97 * raw->cost);
+    EXPECT_LT(route.legs.size(), raw->legs.size());
+    const PathCheck check = check_path(problem, path_of(route), {});
+    EXPECT_TRUE(check.valid) << check.reason;
+    EXPECT_NEAR(check.length + rule.gear_change_cost * check.gear_changes +
+                    (rule.reverse_weight - 1) * check.reverse_length,
+                cost, 1e-5);
+  });
+}
+
+// 1.4 km from corner to corner; a grid over all of it had cells of 5 m, and found nothing for long.
+TEST(Anytime, CrossesAWholeSiteInFewIterations) {
+  const Problem problem = site(1000, 5);
+  for (const char* style : {"shortest", "driver"}) {
+    PlanOptions options;
+    if (style == std::string_view("shortest")) options.cost = shortest_style;
+    options.budget.time_limit.reset();
+    options.budget.max_iterations = is_sanitized ? 6000 : 40000;
+    const PlanResult result = plan(problem, options);
+    ASSERT_TRUE(result.path) << style;
+    EXPECT_LT(result.anytime.front().iteration, 6000);
+    EXPECT_LT(result.check->length, (is_sanitized ? 1.4 : 1.1) * 1000 * std::sqrt(2));
+    options.budget.threads = 2;
+    EXPECT_EQ(plan(problem, options).cost, result.cost) << style;
+  }
+}
+
+}  // namespace
+}  // namespace vandplan
