@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "vandplan/path.h"
+#include "vandplan/speed.h"
 
 namespace vandplan {
 
@@ -69,6 +70,8 @@ struct PlannerAnswer {
   PlanStatus status = PlanStatus::stopped;
   /// From the task's start to its goal; there if and only if the status is `solved`.
   std::optional<std::vector<Segment>> segments = {};
+  /// When the vehicle is where; there if the task has something that moves, and a path.
+  std::optional<SpeedProfile> speeds = {};
   double lower_bound = 0.0;  ///< no path costs less [m]; proven; 0: nothing is
   std::int64_t iterations = 0;
   std::vector<CostSample> anytime = {};

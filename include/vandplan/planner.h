@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "vandplan/drive_check.h"
 #include "vandplan/outcome.h"
 #include "vandplan/path_check.h"
 #include "vandplan/plan_options.h"
@@ -37,6 +38,7 @@ struct PlannerProperties {
   bool honours_target_gap = false;       ///< BudgetOptions::target_gap: it proves lower bounds
   bool honours_steering = false;         ///< PlanOptions::steering; else it is `reeds_shepp`
   bool honours_primitives = false;       ///< PlanOptions::primitives
+  bool honours_moving = false;           ///< Task::moving: it answers speeds, too
   bool anytime = false;                  ///< goes on improving its path for as long as it may
   bool deterministic = true;             ///< same seed and iterations, same path
   std::vector<std::string> groups = {};  ///< sets that it belongs to: "thesis"
@@ -70,6 +72,10 @@ struct PlanResult {
   std::optional<TreeSnapshot> tree = {};
   /// What the judge found: of the path, or of a path that it rejected.
   std::optional<PathCheck> check = {};
+  /// When the vehicle is where on the path, if anything moves in the problem.
+  std::optional<SpeedProfile> speeds = {};
+  /// What the judge found of these times, or of times that it rejected.
+  std::optional<DriveCheck> drive_check = {};
 };
 
 /// What was counted under this name; 0 if nothing was.
@@ -123,7 +129,8 @@ void set_honoured(PlanOptions& options, const Planner& planner, std::span<const 
 
 /// Plans a path. A run without limit of time or iterations takes `default_time_limit`. Throws
 /// InputError for options that `complete` refuses. A path that the judge rejects, whoever planned
-/// it, is none: the status is `rejected`, and `check` says why.
+/// it, is none: the status is `rejected`, and `check` says why. Where something moves the planner
+/// has to honour that, else InputError names those that do.
 [[nodiscard]] PlanResult plan(const Problem& problem, const Planner& planner,
                               const PlanOptions& options = {});
 

@@ -11,11 +11,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <typeindex>
 #include <vector>
 
 #include "vandplan/collision.h"
+#include "vandplan/moving.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/vehicle.h"
 
@@ -43,9 +45,10 @@ struct Scenario {
   Pose goal = {};
   EndCurvatures curvatures = {};
   std::vector<Polygon> obstacles = {};
-  std::vector<Polygon> kerbs = {};        ///< low ones, that overhangs may swing over
-  std::string map_file = {};              ///< where the map is from; empty without map
-  std::optional<OccupancyGrid> map = {};  ///< the occupancy map itself; none: there is no map
+  std::vector<Polygon> kerbs = {};          ///< low ones, that overhangs may swing over
+  std::string map_file = {};                ///< where the map is from; empty without map
+  std::optional<OccupancyGrid> map = {};    ///< the occupancy map itself; none: there is no map
+  std::vector<MovingObstacle> moving = {};  ///< what else moves while the vehicle drives
 };
 
 /// Ground and obstacles, without a vehicle: checked, immutable, shared between threads, vehicles
@@ -99,6 +102,7 @@ struct Task {
   Pose goal;
   Steering steering = Steering::reeds_shepp;
   EndCurvatures curvatures = {};
+  std::vector<MovingObstacle> moving = {};  ///< what else moves; no part of `checker`
 };
 
 /// One vehicle, start and goal in a world: checked, immutable, cheap to copy.
@@ -118,6 +122,7 @@ class Problem {
  private:
   friend Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
                               const Pose& start, const Pose& goal, const EndCurvatures& curvatures);
+  friend Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
 
   Pose start_;
   Pose goal_;
@@ -150,6 +155,10 @@ void check_map(const OccupancyGrid& map);
 [[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
                                    const Pose& start, const Pose& goal,
                                    const EndCurvatures& curvatures = {});
+
+/// The problem among what moves, in the scenario's frame, instead of what moved in it before.
+/// Throws InputError naming "moving[2].outline" or another key.
+[[nodiscard]] Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
 
 /// The problem as planners see it when the vehicle keeps its distance and steers like this.
 [[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options,

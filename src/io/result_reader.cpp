@@ -13,6 +13,7 @@
 #include "io/document.h"
 #include "io/input_file.h"
 #include "io/result_lists.h"
+#include "io/speeds_file.h"
 #include "vandplan/input_error.h"
 #include "vandplan/result_file.h"
 
@@ -229,6 +230,9 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
   }
   if (result.status == PlanStatus::solved) {
     result.path = path_from(file, file.at(node, "path"), radius);
+    if (const Node* const speeds = file.find(node, "speeds")) {
+      result.speeds = speeds_from(file, *speeds);
+    }
     record.claims = claims_from(file, node, lists);
     record.options.cost = shortest_style;
     if (const Node* const options = file.find(node, "options")) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/escape.h"
+#include "io/speeds_file.h"
 #include "vandplan/files.h"
 #include "vandplan/result_file.h"
 #include "vandplan/version.h"
@@ -183,6 +184,7 @@ Json Results::json_of_record(const Vehicle& vehicle, const ResultRecord& record)
       json["gap"] = result.cost / result.lower_bound - 1.0;
     }
     json["gear_changes"] = gear_changes(result.path->segments);
+    if (result.speeds) json["duration"] = result.speeds->duration;
     if (result.check) {
       json["reverse_length"] = result.check->reverse_length;
       // JSON has no infinity: without obstacles there is no clearance.
@@ -196,6 +198,7 @@ Json Results::json_of_record(const Vehicle& vehicle, const ResultRecord& record)
   json["counters"] = counters_of(result);
   json["anytime"] = anytime_of(result);
   if (result.path) json["path"] = json_of_path(*result.path, vehicle.min_turning_radius);
+  if (result.speeds) json["speeds"] = io::json_of(*result.speeds);
   if (result.tree && extent_.trees) json["tree"] = json_of_tree(*result.tree);
   json["options"] = options_of(record.options);
   json["build"] = build_of(build_info());

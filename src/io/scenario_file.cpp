@@ -9,6 +9,7 @@
 
 #include "io/document.h"
 #include "io/heading_doubt.h"
+#include "io/moving_file.h"
 #include "io/vehicle_file.h"
 #include "problem/checks.h"
 #include "vandplan/files.h"
@@ -167,7 +168,7 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     file.fail(*image, "belongs into a map, expected a scenario that names this file as its map");
   }
   file.allow_only(root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals",
-                         "obstacles", "kerbs", "map", "unknown", "options"});
+                         "obstacles", "kerbs", "map", "unknown", "moving", "options"});
   const Node* const goals = file.find(root, "goals");
   const Node* const goal = file.find(root, "goal");
   if (goals != nullptr && goal != nullptr) {
@@ -194,6 +195,9 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     scenario.curvatures.goal = curvature_from(file, *goal);
   }
   read_ground(file, where, map, scenario);
+  if (const Node* const moving = file.find(root, "moving")) {
+    scenario.moving = moving_from(file, *moving);
+  }
   if (const Node* const options = file.find(root, "options")) {
     result.options = settings_from(file, *options);
   }
@@ -225,8 +229,9 @@ Problem problem_of_row(const ScenarioFile& file, std::size_t i,
   try {
     if (!goal.obstacles.empty()) return make_problem(scenario_at(file, i));
     if (shared != nullptr) {
-      return make_problem(shared, file.scenario.vehicle, file.scenario.start, goal.goal,
-                          {file.scenario.curvatures.start, goal.curvature});
+      return with_moving(make_problem(shared, file.scenario.vehicle, file.scenario.start, goal.goal,
+                                      {file.scenario.curvatures.start, goal.curvature}),
+                         file.scenario.moving);
     }
     Problem made = make_problem(scenario_at(file, i));
     shared = made.world();
@@ -368,6 +373,7 @@ std::string to_yaml(const ScenarioFile& file) {
     text += fmt::format("map: {}\n", quoted(scenario.map_file));
     if (scenario.map->unknown_is_free) text += "unknown: free\n";
   }
+  text += moving_to_yaml(scenario.moving);
   if (!file.options.empty()) text += "options:\n";
   for (const Setting& setting : file.options) {
     text += fmt::format("  {}: {}\n", setting.name, setting.value);

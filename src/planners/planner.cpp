@@ -53,6 +53,16 @@ const CommonOption* common_option(std::string_view name) {
   throw InputError(std::string(option), "unknown option, expected one of " + base::joined(names));
 }
 
+[[noreturn]] void refuse_moving(const Planner& planner) {
+  std::vector<std::string> others;
+  for (const Planner& other : planners()) {
+    if (other.properties.honours_moving) others.push_back(other.name);
+  }
+  throw InputError("moving",
+                   "is not honoured by " + planner.name +
+                       ", expected one of the planners that honour it: " + base::joined(others));
+}
+
 /// What is no default though the planner takes no notice of it. That it plans by length, or arcs
 /// and lines, may be said.
 void refuse_ignored(const Planner& planner, const PlanOptions& options) {
@@ -138,6 +148,7 @@ std::optional<PlannerAnswer> settled(const Task& task) {
   if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
   answer.status = PlanStatus::solved;
   answer.segments.emplace();
+  if (!task.moving.empty()) answer.speeds = speed_profile({task.start, {}}, task.vehicle);
   answer.anytime.push_back({});
   return answer;
 }
@@ -159,11 +170,22 @@ PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
   return {.cost = cost, .clearance = all.clearance, .steering = *all.steering};
 }
 
+/// Why the times of a path among what moves are no good; empty if they are.
+std::string fault_of_times(const Problem& problem, const PlanOptions& options, PlanResult& result) {
+  if (problem.task().moving.empty()) return "";
+  if (!result.speeds) return "the planner gives a path among what moves, and no speeds";
+  result.drive_check =
+      check_drive(problem, {*result.path, *result.speeds}, {options.clearance.margin});
+  return result.drive_check->reason;
+}
+
 /// Lets the judge see the path; takes it away if he rejects it, also for a bound that is above the
 /// cost.
 void judge(const Problem& problem, const PlanOptions& options, PlanResult& result) {
   result.check = check_path(problem, *result.path, claims_of(result, options));
-  if (result.check->valid) {
+  result.reason = result.check->reason;
+  if (result.check->valid) result.reason = fault_of_times(problem, options, result);
+  if (result.reason.empty()) {
     if (result.anytime.empty()) {  // a planner that keeps no trace
       result.anytime.push_back({result.time_total, result.iterations, result.cost});
     }
@@ -173,8 +195,8 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
     return;
   }
   result.status = PlanStatus::rejected;
-  result.reason = result.check->reason;
   result.path.reset();
+  result.speeds.reset();
   result.anytime.clear();
   result.cost = 0.0;
   result.lower_bound = 0.0;
@@ -219,6 +241,7 @@ PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time
                   : "the planner gives a path, and says " + std::string(name_of(answer.status));
   } else if (is_solved) {
     result.path = Path{problem.start(), *std::move(answer.segments)};
+    result.speeds = std::move(answer.speeds);
   }
   return result;
 }
@@ -353,6 +376,9 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
 }
 
 PlanResult plan(const Problem& problem, const Planner& planner, const PlanOptions& options) {
+  if (!problem.task().moving.empty() && !planner.properties.honours_moving) {
+    refuse_moving(planner);
+  }
   const PlanOptions all = complete(planner, options);
   const search::Budget clock(all.budget);
   const Task task = task_of(problem, all.clearance, *all.steering);

@@ -57,24 +57,6 @@ void require_in_reach(const Point& local, const std::string& where) {
                               base::shortest_text(largest_reach) + " m along each axis");
 }
 
-Polygon local_polygon(const Polygon& polygon, const Point& origin, const std::string& where) {
-  Polygon local;
-  local.reserve(polygon.size());
-  for (const Point& corner : polygon) {
-    require_within(corner.x, largest_coordinate, where);
-    require_within(corner.y, largest_coordinate, where);
-    local.push_back(local_point(corner, origin));
-    require_in_reach(local.back(), where);
-  }
-  require(local.size() >= 3, where,
-          "has " + std::to_string(local.size()) + " corner" + (local.size() == 1 ? "" : "s") +
-              ", expected at least 3");
-  local = geometry::cleaned(local);
-  const std::string flaw = geometry::flaw_of(local, origin);
-  require(flaw.empty(), where, flaw);
-  return local;
-}
-
 }  // namespace
 
 void require_within(double value, double limit, const std::string& where) {
@@ -127,6 +109,24 @@ void check_distance(const Pose& start, const Pose& goal, const std::string& wher
 
 void check_row_distance(double distance, const std::string& where) {
   require_not_negative(distance, largest_coordinate, where);
+}
+
+Polygon local_polygon(const Polygon& polygon, const Point& origin, const std::string& where) {
+  Polygon local;
+  local.reserve(polygon.size());
+  for (const Point& corner : polygon) {
+    require_within(corner.x, largest_coordinate, where);
+    require_within(corner.y, largest_coordinate, where);
+    local.push_back(local_point(corner, origin));
+    require_in_reach(local.back(), where);
+  }
+  require(local.size() >= 3, where,
+          "has " + std::to_string(local.size()) + " corner" + (local.size() == 1 ? "" : "s") +
+              ", expected at least 3");
+  local = geometry::cleaned(local);
+  const std::string flaw = geometry::flaw_of(local, origin);
+  require(flaw.empty(), where, flaw);
+  return local;
 }
 
 std::vector<Polygon> local_polygons(const std::vector<Polygon>& polygons, const Point& origin,

@@ -35,6 +35,11 @@ void check_row_distance(double distance, const std::string& where);
 /// supported: 10^6 m from the origin along each axis. Errors name "bounds.x" or "bounds.y".
 [[nodiscard]] Bounds local_bounds(const Bounds& bounds, const Point& origin);
 
+/// A polygon of the scenario's frame in the frame of `origin`, cleaned, simple, and no further from
+/// it than the largest world reaches.
+[[nodiscard]] Polygon local_polygon(const Polygon& polygon, const Point& origin,
+                                    const std::string& where);
+
 /// Polygons of the scenario's frame in the frame of `origin`, cleaned, simple, and no further from
 /// it than the largest world reaches; errors name `name[i]`.
 [[nodiscard]] std::vector<Polygon> local_polygons(const std::vector<Polygon>& polygons,

@@ -9,6 +9,7 @@
 #include "base/derived.h"
 #include "collision/ground.h"
 #include "problem/checks.h"
+#include "problem/moving.h"
 
 namespace vandplan {
 namespace {
@@ -72,6 +73,8 @@ void check_scenario(const Scenario& scenario) {
                 problem::local_origin({scenario.start.x, scenario.start.y}));
   check_poses(scenario.start, scenario.goal);
   problem::check_curvatures(scenario.curvatures, scenario.vehicle);
+  (void)problem::local_moving(scenario.moving,
+                              problem::local_origin({scenario.start.x, scenario.start.y}));
 }
 
 Surroundings surroundings(const Scenario& scenario) {
@@ -86,8 +89,9 @@ Problem make_problem(const Scenario& scenario) {
   problem::check_pose(scenario.start, "start");
   auto world = std::make_shared<const World>(surroundings(scenario),
                                              Point{scenario.start.x, scenario.start.y});
-  return make_problem(std::move(world), scenario.vehicle, scenario.start, scenario.goal,
-                      scenario.curvatures);
+  return with_moving(make_problem(std::move(world), scenario.vehicle, scenario.start, scenario.goal,
+                                  scenario.curvatures),
+                     scenario.moving);
 }
 
 Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle, const Pose& start,
@@ -104,6 +108,11 @@ Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
   made.task_.curvatures = curvatures;
   made.task_.world = std::move(world);
   return made;
+}
+
+Problem with_moving(Problem problem, std::span<const MovingObstacle> moving) {
+  problem.task_.moving = problem::local_moving(moving, problem.world()->origin());
+  return problem;
 }
 
 Task task_of(const Problem& problem, const ClearanceOptions& options, Steering steering) {

@@ -6,61 +6,20 @@
 #include <cmath>
 
 #include "base/trigonometry.h"
+#include "speed/driven.h"
+#include "speed/way.h"
 #include "vandplan/speed.h"
 
 namespace vandplan {
 namespace {
+
+using speed::Way;
 
 /// The last stop that has begun at `t`; null if there is none.
 const Stop* stop_at(const SpeedProfile& profile, double t) {
   const auto later = std::ranges::upper_bound(profile.stops, t, {}, &Stop::t);
   return later == profile.stops.begin() ? nullptr : &*std::prev(later);
 }
-
-/// The drive along one path: the segments with what lies before them.
-class Way {
- public:
-  explicit Way(const Path& path)
-      : origin_{std::round(path.start.x), std::round(path.start.y)},
-        segments_(merged(path.segments)) {
-    // Poses are added up beside the start, like those of the path.
-    Pose pose{path.start.x - origin_.x, path.start.y - origin_.y, path.start.heading};
-    double s = 0.0;
-    for (const Segment& segment : segments_) {
-      begins_.push_back({s, pose});
-      pose = advance(pose, segment);
-      s += std::abs(segment.length);
-    }
-    begins_.push_back({s, pose});
-  }
-
-  /// The place after `s` metres. Where two segments meet `is_next` chooses the later one.
-  [[nodiscard]] PathPoint at(double s, bool is_next) const {
-    if (segments_.empty()) return {0.0, to_path(begins_.front().pose), 0.0, 1};
-    const auto later = is_next ? std::ranges::upper_bound(begins_, s, {}, &Begin::s)
-                               : std::ranges::lower_bound(begins_, s, {}, &Begin::s);
-    const auto after = static_cast<std::size_t>(later - begins_.begin());
-    const std::size_t i = std::clamp<std::size_t>(after, 1, segments_.size()) - 1;
-    const Segment& segment = segments_[i];
-    const double driven = std::clamp(s - begins_[i].s, 0.0, std::abs(segment.length));
-    return {s, to_path(advance(begins_[i].pose, part_of(segment, 0.0, driven))),
-            curvature_at(segment, driven), segment.length < 0.0 ? -1 : 1};
-  }
-
- private:
-  struct Begin {
-    double s;
-    Pose pose;  // beside the origin
-  };
-
-  [[nodiscard]] Pose to_path(const Pose& pose) const {
-    return {pose.x + origin_.x, pose.y + origin_.y, pose.heading};
-  }
-
-  Point origin_;
-  std::vector<Segment> segments_;
-  std::vector<Begin> begins_;  // of the segments, and the end of the path
-};
 
 /// Everything but the motion along the path, for a vehicle that stands.
 Motion standing(const Way& way, const Vehicle& vehicle, const Stop& stop, double t) {
@@ -75,19 +34,37 @@ Motion standing(const Way& way, const Vehicle& vehicle, const Stop& stop, double
   return motion;
 }
 
+/// What is driven with one acceleration or jerk: from a knot to `end` [m].
+struct Part {
+  const SpeedKnot& knot;
+  double end;
+};
+
+/// `t` lies within the drive.
+Part part_at(const SpeedProfile& profile, double t) {
+  const auto later = std::ranges::upper_bound(profile.knots, t, {}, &SpeedKnot::t);
+  const SpeedKnot& knot = *std::prev(later);
+  return {knot, later == profile.knots.end() ? knot.s : later->s};
+}
+
+double place_on(const Part& part, double t) {
+  const SpeedKnot& knot = part.knot;
+  const double d = t - knot.t;
+  return std::min(knot.s + d * (knot.v + d * (knot.a / 2 + d * knot.jerk / 6)), part.end);
+}
+
 Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& profile, double t) {
   t = std::clamp(t, 0.0, profile.duration);
   const Stop* const stop = stop_at(profile, t);
   if (stop != nullptr && t < stop->t + stop->pause) return standing(way, vehicle, *stop, t);
-  const auto later = std::ranges::upper_bound(profile.knots, t, {}, &SpeedKnot::t);
-  const SpeedKnot& knot = *std::prev(later);
-  const double end = later == profile.knots.end() ? knot.s : later->s;
+  const Part part = part_at(profile, t);
+  const SpeedKnot& knot = part.knot;
   const double d = t - knot.t;
-  const double s = std::min(knot.s + d * (knot.v + d * (knot.a / 2 + d * knot.jerk / 6)), end);
+  const double s = place_on(part, t);
   const double v = std::max(knot.v + d * (knot.a + d * knot.jerk / 2), 0.0);
   const double a = knot.a + d * knot.jerk;
   // At a stop the segment that leads there, until the stop has begun.
-  const PathPoint place = way.at(s, s < end);
+  const PathPoint place = way.at(s, s < part.end);
   return {.t = t,
           .s = s,
           .pose = place.pose,
@@ -99,6 +76,11 @@ Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& pro
 }
 
 }  // namespace
+
+double speed::driven_at(const SpeedProfile& profile, double t) noexcept {
+  t = std::clamp(t, 0.0, profile.duration);
+  return place_on(part_at(profile, t), t);
+}
 
 Motion motion_at(const Path& path, const Vehicle& vehicle, const SpeedProfile& profile, double t) {
   return motion_on(Way(path), vehicle, profile, t);

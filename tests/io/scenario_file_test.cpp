@@ -67,6 +67,7 @@ void expect_equal(const ScenarioFile& one, const ScenarioFile& other) {
   EXPECT_EQ(a.goal, b.goal);
   EXPECT_EQ(a.curvatures, b.curvatures);
   EXPECT_EQ(a.obstacles, b.obstacles);
+  EXPECT_EQ(a.moving, b.moving);
   EXPECT_EQ(one.options, other.options);
   ASSERT_EQ(one.row.size(), other.row.size());
   for (std::size_t i = 0; i < one.row.size(); ++i) {
@@ -179,6 +180,37 @@ TEST(ScenarioFile, KerbsAreReadAndWritten) {
   EXPECT_EQ(scenario_from_yaml(to_yaml(file), "s.yaml").scenario.kerbs, scenario.kerbs);
   EXPECT_EQ(message_for(valid + "kerbs: [[[10, 2], [12, 2]]]\n"),
             "s.yaml:15: kerbs[0]: has 2 corners, expected at least 3");
+}
+
+TEST(ScenarioFile, WhatMovesIsReadAndWritten) {
+  const std::string text =
+      valid +
+      "moving:\n"
+      "  - {outline: [[-2, -1], [2, -1], [2, 1]], trajectory: [[0, 10, 5, 0]]}\n"
+      "  - outline: [[0, 0], [1, 0], [1, 0.1]]\n"
+      "    trajectory: [[-1.5, 10, 5, 0], [8, 40, 5, 0.1]]\n"
+      "    after: leaves\n"
+      "    inflate: 0.25\n";
+  const ScenarioFile file = scenario_from_yaml(text, "s.yaml");
+  const std::vector<MovingObstacle> expected = {
+      {.outline = {{-2, -1}, {2, -1}, {2, 1}}, .trajectory = {{0, {10, 5, 0}}}},
+      {.outline = {{0, 0}, {1, 0}, {1, 0.1}},
+       .trajectory = {{-1.5, {10, 5, 0}}, {8, {40, 5, 0.1}}},
+       .after = Afterwards::leaves,
+       .inflate = 0.25}};
+  EXPECT_EQ(file.scenario.moving, expected);
+  EXPECT_EQ(scenario_from_yaml(to_yaml(file), "s.yaml").scenario.moving, expected);
+  EXPECT_EQ(message_for(exchanged(text, "leaves", "gone")),
+            "s.yaml:19: moving[1].after: is \"gone\", expected stays or leaves");
+  EXPECT_EQ(
+      message_for(exchanged(text, "[8, 40, 5, 0.1]", "[8, 40, 5]")),
+      "s.yaml:18: moving[1].trajectory[1]: has 3 elements, expected a row [t, x, y, heading]");
+  EXPECT_EQ(message_for(exchanged(text, "[8, 40", "[-2, 40")),
+            "s.yaml:18: moving[1].trajectory[1]: has the time -2, expected more than that of the "
+            "row before, -1.5");
+  EXPECT_EQ(message_for(exchanged(text, "inflate", "inflated")),
+            "s.yaml:20: moving[1]: unknown key \"inflated\", expected one of outline, trajectory, "
+            "after, inflate");
 }
 
 std::string with_vehicle(const std::string& vehicle) {
@@ -306,7 +338,7 @@ std::vector<BadFile> bad_files() {
              "max_lateral_acceleration, max_jerk"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, map, unknown, options"),
+             "goal, goals, obstacles, kerbs, map, unknown, moving, options"),
       spoilt("name: yard\n", "", "1: key \"name\" is missing, expected it"),
       spoilt("width: 2.55, ", "", "3: vehicle: key \"width\" is missing, expected it"),
       spoilt("  y: 5.25   # metres\n", "", "7: goal: key \"y\" is missing, expected it"),
@@ -314,7 +346,7 @@ std::vector<BadFile> bad_files() {
              "1: key \"goal\" is missing, expected either goal or goals"),
       spoilt("goal:", "gaol:",
              "6: unknown key \"gaol\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, map, unknown, options"),
+             "goal, goals, obstacles, kerbs, map, unknown, moving, options"),
       spoilt("heading: .5", "y: 6",
              "9: key \"y\" is given again, expected it once (first on line 8)"),
       spoilt("start:", "map: yard.yaml\nstart:",

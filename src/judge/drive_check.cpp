@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/drive_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "judge/ground.h"
+#include "judge/meetings.h"
+#include "judge/text.h"
+#include "judge/track.h"
+
+namespace vandplan {
+namespace {
+
+using judge::Driver;
+using judge::Moment;
+using judge::Place;
+using judge::Real;
+using judge::Stretch;
+using judge::text;
+using judge::Track;
+
+constexpr Real time_slack = 1e-6L;      // [s]
+constexpr Real distance_slack = 1e-6L;  // [m]
+constexpr Real speed_slack = 1e-6L;     // [m/s]
+constexpr Real limit_slack = 1e-6L;     // relative
+constexpr Real look_step = 1e-2L;       // [m]
+constexpr Real steering_slack = 1e-6L;  // [rad]: jumps that are rounding
+constexpr Real least_motion = 1e-9L;    // [m]
+
+struct DriveFault {
+  std::string reason;
+  std::optional<Real> t;
+  std::optional<Place> place;
+};
+
+/// The place after `s` metres; where two stretches meet the later one.
+Place place_at(const Track& track, Real s) {
+  const auto later = std::ranges::upper_bound(track.stretches, s, {}, &Stretch::s);
+  const auto i =
+      static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - track.stretches.begin() - 1, 0));
+  return {i, std::clamp<Real>(s - track.stretches[i].s, 0, track.stretches[i].length)};
+}
+
+/// Where a knot leads to in `d` seconds.
+struct Reached {
+  Real s, v, a;
+};
+
+Reached after_knot(const SpeedKnot& knot, Real d) {
+  return {knot.s + d * (knot.v + d * (knot.a / Real{2} + d * knot.jerk / 6)),
+          knot.v + d * (knot.a + d * knot.jerk / 2), knot.a + d * knot.jerk};
+}
+
+bool is_finite(const SpeedKnot& knot) {
+  return std::isfinite(knot.t) && std::isfinite(knot.s) && std::isfinite(knot.v) &&
+         std::isfinite(knot.a) && std::isfinite(knot.jerk);
+}
+
+DriveFault knot_fault(std::size_t i, const std::string& what) {
+  return {"knots[" + std::to_string(i) + "] " + what, {}, {}};
+}
+
+/// Whether speeds and distances follow from each other, over the whole path and no more.
+std::optional<DriveFault> false_knots(const SpeedProfile& speeds, Real length) {
+  const std::vector<SpeedKnot>& knots = speeds.knots;
+  if (knots.empty()) return DriveFault{"the drive has no knots", {}, {}};
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (!is_finite(knots[i])) return knot_fault(i, "is not finite");
+  }
+  const SpeedKnot& first = knots.front();
+  const SpeedKnot& last = knots.back();
+  if (first.t != 0 || std::abs(first.s) > distance_slack) {
+    return DriveFault{"the drive does not begin at the start at 0 s", {}, {}};
+  }
+  if (first.v > speed_slack || last.v > speed_slack) {
+    return DriveFault{"the vehicle does not stand at both ends of the drive", {}, {}};
+  }
+  if (std::abs(last.s - length) > distance_slack) {
+    return DriveFault{text("the drive ends after %.9g m, the path is %.9g m long", last.s,
+                           static_cast<double>(length)),
+                      {},
+                      {}};
+  }
+  if (std::abs(last.t - speeds.duration) > time_slack) {
+    return DriveFault{
+        text("the last knot is at %.9g s, the stated duration is %.9g s", last.t, speeds.duration),
+        {},
+        {}};
+  }
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const Real lasts = static_cast<Real>(knots[i + 1].t) - knots[i].t;
+    if (lasts < 0) return knot_fault(i + 1, "is earlier than the one before");
+    const Reached end = after_knot(knots[i], lasts);
+    if (std::abs(end.s - knots[i + 1].s) > distance_slack ||
+        std::abs(end.v - knots[i + 1].v) > speed_slack) {
+      return knot_fault(i + 1, "does not follow from the one before");
+    }
+  }
+  return std::nullopt;
+}
+
+/// The limits of a vehicle, asked at one moment.
+class LimitCheck {
+ public:
+  LimitCheck(const Track& track, const Vehicle& vehicle) : track_(track), vehicle_(vehicle) {}
+
+  [[nodiscard]] std::optional<DriveFault> at(const SpeedKnot& knot, Real d) const {
+    const Reached now = after_knot(knot, d);
+    const Place place = place_at(track_, now.s);
+    const Stretch& stretch = track_.stretches[place.stretch];
+    const auto [what, value, limit] =
+        worst(stretch, judge::curvature_at(stretch, place.t), now, knot.jerk);
+    if (value <= limit * (1 + limit_slack) + speed_slack) return std::nullopt;
+    return DriveFault{text("%s is %.7g, the limit is %.7g", what, static_cast<double>(value),
+                           static_cast<double>(limit)),
+                      knot.t + d, place};
+  }
+
+ private:
+  struct Limit {
+    const char* what;
+    Real value, limit;
+  };
+
+  /// The limit that is exceeded most, or any.
+  [[nodiscard]] Limit worst(const Stretch& stretch, Real curvature, const Reached& now,
+                            Real jerk) const {
+    const DrivingLimits& limits = vehicle_.limits;
+    const Real bend = vehicle_.wheelbase * curvature;
+    const Real turning = now.v * vehicle_.wheelbase * std::abs(stretch.rate) / (1 + bend * bend);
+    const Real braking = limits.max_braking.value_or(limits.max_acceleration);
+    const Real jerkiest = limits.max_jerk.value_or(std::numeric_limits<double>::max());
+    const Limit all[] = {
+        {"the speed", now.v,
+         stretch.direction > 0 ? limits.max_speed.forward : limits.max_speed.reverse},
+        {"the speed backwards along the path", -now.v, 0},
+        {"the lateral acceleration", now.v * now.v * std::abs(curvature),
+         limits.max_lateral_acceleration},
+        {"the steering rate", turning, limits.max_steering_rate},
+        {"the acceleration", now.a, limits.max_acceleration},
+        {"the braking", -now.a, braking},
+        {"the jerk", std::abs(jerk), jerkiest}};
+    return *std::ranges::max_element(
+        all, {}, [](const Limit& limit) { return limit.value - limit.limit * (1 + limit_slack); });
+  }
+
+  const Track& track_;
+  const Vehicle& vehicle_;
+};
+
+/// Every centimetre, and at the ends of what is driven with one acceleration.
+std::optional<DriveFault> broken_limit(const SpeedProfile& speeds, const Track& track,
+                                       const Vehicle& vehicle) {
+  const LimitCheck check(track, vehicle);
+  for (std::size_t i = 0; i + 1 < speeds.knots.size(); ++i) {
+    const SpeedKnot& knot = speeds.knots[i];
+    const Real lasts = static_cast<Real>(speeds.knots[i + 1].t) - knot.t;
+    // At both ends the vehicle is inside of what it drives, not at the joint.
+    const Real way = std::abs(static_cast<Real>(speeds.knots[i + 1].s) - knot.s);
+    if (way <= least_motion || lasts <= 0) continue;
+    const auto count = static_cast<int>(std::min<Real>(std::ceil(way / look_step), 1e7L)) + 2;
+    for (int k = 0; k <= count; ++k) {
+      const Real share = std::clamp<Real>(static_cast<Real>(k) / count, 1e-6L, 1 - 1e-6L);
+      if (auto fault = check.at(knot, lasts * share)) return fault;
+    }
+  }
+  return std::nullopt;
+}
+
+/// How the vehicle comes through a place of its path.
+struct Passing {
+  Real t = 0;         // when it comes [s]
+  Real speed = 0;     // [m/s]
+  Real standing = 0;  // for how long [s]
+};
+
+Passing passing_of(const SpeedProfile& speeds, Real s) {
+  Passing passing{.t = speeds.duration, .speed = 0, .standing = 0};
+  bool has_come = false;
+  for (std::size_t i = 0; i + 1 < speeds.knots.size(); ++i) {
+    const SpeedKnot& knot = speeds.knots[i];
+    const SpeedKnot& next = speeds.knots[i + 1];
+    if (next.s < s - distance_slack || knot.s > s + distance_slack) continue;
+    if (!has_come) {
+      passing.t = std::abs(knot.s - s) <= distance_slack ? knot.t : next.t;
+      passing.speed = std::abs(knot.s - s) <= distance_slack ? knot.v : next.v;
+      // In the middle of what is driven with one acceleration nobody stands.
+      if (next.s > s + distance_slack && knot.s < s - distance_slack) {
+        passing.speed = std::max<Real>({knot.v, next.v, speed_slack * 2});
+      }
+      has_come = true;
+    }
+    if (next.s - knot.s <= least_motion && knot.v <= speed_slack) {
+      passing.standing += static_cast<Real>(next.t) - knot.t;
+    }
+  }
+  return passing;
+}
+
+/// Where the gear changes, or the wheels are turned at standstill.
+std::optional<DriveFault> rushed_stop(const SpeedProfile& speeds, const Track& track,
+                                      const Task& task) {
+  const Vehicle& vehicle = task.vehicle;
+  const auto angle = [&](Real curvature) { return std::atan(vehicle.wheelbase * curvature); };
+  Real before = task.curvatures.start;
+  for (std::size_t i = 0; track.length > 0 && i < track.stretches.size(); ++i) {
+    const Stretch& stretch = track.stretches[i];
+    const bool changes_gear = i > 0 && stretch.direction != track.stretches[i - 1].direction;
+    const Real turn = std::abs(angle(stretch.curvature) - angle(before));
+    before = judge::curvature_at(stretch, stretch.length);
+    if (!changes_gear && turn <= steering_slack) continue;
+    const Passing passing = passing_of(speeds, stretch.s);
+    const Place place{i, 0};
+    if (passing.speed > speed_slack) {
+      return DriveFault{
+          text("the vehicle drives at %.4g m/s where the %s", static_cast<double>(passing.speed),
+               changes_gear ? "gear changes" : "curvature jumps"),
+          passing.t, place};
+    }
+    const Real needed = turn <= steering_slack ? 0 : turn / vehicle.limits.max_steering_rate;
+    if (passing.standing >= needed - time_slack) continue;
+    return DriveFault{text("the vehicle stands for %.6g s, its wheels need %.6g s to turn",
+                           static_cast<double>(passing.standing), static_cast<double>(needed)),
+                      passing.t, place};
+  }
+  return std::nullopt;
+}
+
+/// The vehicle of a drive, to look who comes near it.
+Driver driver_of(const SpeedProfile& speeds, const Track& track, const Vehicle& vehicle) {
+  Driver driver{.body = judge::outlines_of(vehicle).body, .curvature = 0, .where = {}};
+  for (const Stretch& stretch : track.stretches) {
+    driver.curvature = std::max(driver.curvature, judge::steepest(stretch));
+  }
+  driver.where = [&speeds, &track](Real t) -> Moment {
+    const std::vector<SpeedKnot>& knots = speeds.knots;
+    const auto later =
+        std::ranges::upper_bound(knots, t, {}, [](const SpeedKnot& knot) { return Real{knot.t}; });
+    if (later == knots.end()) {
+      return {track.end, 0, std::numeric_limits<Real>::infinity()};
+    }
+    const SpeedKnot& knot = *std::prev(later);
+    const Real lasts = static_cast<Real>(later->t) - knot.t;
+    const Place place = place_at(track, after_knot(knot, t - knot.t).s);
+    const Real bulge = std::abs(static_cast<Real>(knot.jerk)) * lasts * lasts / 8;
+    return {judge::after(track.stretches[place.stretch], place.t),
+            std::max(std::abs(knot.v), std::abs(later->v)) + bulge, later->t};
+  };
+  return driver;
+}
+
+std::optional<DriveFault> bad_company(const judge::Company& company, const DriveClaims& claims,
+                                      const SpeedProfile& speeds, const Track& track) {
+  if (!company.too_near) return std::nullopt;
+  const auto& [obstacle, t, distance] = *company.too_near;
+  const Real clamped = std::min<Real>(t, speeds.duration);
+  Place place = place_at(track, track.length);
+  for (std::size_t i = 0; i + 1 < speeds.knots.size(); ++i) {
+    const SpeedKnot& knot = speeds.knots[i];
+    if (knot.t <= clamped && clamped < speeds.knots[i + 1].t) {
+      place = place_at(track, after_knot(knot, clamped - knot.t).s);
+    }
+  }
+  const std::string name = "moving[" + std::to_string(obstacle) + "]";
+  if (distance == 0) return DriveFault{"the footprint hits " + name, t, place};
+  return DriveFault{text("the footprint is only %.3f m from %s, the margin is %g m", distance,
+                         name.c_str(), claims.margin),
+                    t, place};
+}
+
+}  // namespace
+
+DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const DriveClaims& claims) {
+  constexpr double margin_slack = 1e-6;  // [m]
+  const World& world = *problem.world();
+  const Task& task = problem.task();
+  const SpeedProfile& speeds = drive.speeds;
+  const Track track = judge::integrate({to_local(world, drive.path.start), drive.path.segments});
+  DriveCheck check;
+  check.duration = speeds.duration;
+  std::optional<DriveFault> fault = false_knots(speeds, track.length);
+  if (!fault) fault = broken_limit(speeds, track, task.vehicle);
+  if (!fault) fault = rushed_stop(speeds, track, task);
+  if (!fault) {
+    const judge::Company company =
+        judge::company_on(driver_of(speeds, track, task.vehicle), task.moving, speeds.duration,
+                          std::max(claims.margin - margin_slack, 0.0));
+    check.clearance = company.clearance;
+    fault = bad_company(company, claims, speeds, track);
+  }
+  check.valid = !fault;
+  if (!fault) return check;
+  check.reason = fault->reason;
+  if (fault->t) check.t = static_cast<double>(*fault->t);
+  if (fault->place) {
+    check.at = judge::point_at(track, *fault->place);
+    check.at->pose = to_scenario(world, check.at->pose);
+  }
+  return check;
+}
+
+}  // namespace vandplan

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "moving/encounters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/trigonometry.h"
+
+namespace vandplan::moving {
+namespace {
+
+using collision::Rectangle;
+
+/// A turn and a shift.
+struct Frame {
+  double x, y, sin, cos;
+
+  [[nodiscard]] Point place(const Point& p) const noexcept {
+    return {x + cos * p.x - sin * p.y, y + sin * p.x + cos * p.y};
+  }
+};
+
+/// The frame of `pose` as one sees it from `seen_from`.
+Frame frame_of(const Pose& pose, const Pose& seen_from) noexcept {
+  const auto [sin, cos] = base::sin_cos(seen_from.heading);
+  const double dx = pose.x - seen_from.x;
+  const double dy = pose.y - seen_from.y;
+  const auto turn = base::sin_cos(pose.heading - seen_from.heading);
+  return {cos * dx + sin * dy, cos * dy - sin * dx, turn.sin, turn.cos};
+}
+
+/// Whether the side from a to b crosses the axis of x ahead of the origin.
+bool passes_ahead(const Point& a, const Point& b) noexcept {
+  if ((a.y > 0.0) == (b.y > 0.0)) return false;
+  return (a.x * (b.y - a.y) - a.y * (b.x - a.x) > 0.0) == (b.y > a.y);
+}
+
+double squared_gap(const Rectangle& body, std::span<const Point> outline,
+                   const Frame& frame) noexcept {
+  double least = std::numeric_limits<double>::infinity();
+  bool holds_axle = false;
+  Point from = frame.place(outline.back());
+  for (const Point& corner : outline) {
+    const Point to = frame.place(corner);
+    least = std::min(least, collision::squared_distance(body, from, to));
+    holds_axle ^= passes_ahead(from, to);
+    from = to;
+  }
+  return holds_axle ? 0.0 : least;
+}
+
+/// The distance of the middle of the box from the outline around it; 0 if it is not within it.
+double core_of(std::span<const Point> outline, const Bounds& box) noexcept {
+  const Frame centred{-(box.x_min + box.x_max) / 2, -(box.y_min + box.y_max) / 2, 0.0, 1.0};
+  constexpr Rectangle point{0.0, 0.0, 0.0};
+  double least = std::numeric_limits<double>::infinity();
+  bool is_within = false;
+  Point from = centred.place(outline.back());
+  for (const Point& corner : outline) {
+    const Point to = centred.place(corner);
+    least = std::min(least, collision::squared_distance(point, from, to));
+    is_within ^= passes_ahead(from, to);
+    from = to;
+  }
+  return is_within ? std::sqrt(least) : 0.0;
+}
+
+}  // namespace
+
+Encounters::Encounters(const Path& path, const Vehicle& vehicle,
+                       std::span<const MovingObstacle> moving, double margin)
+    : way_(path), margin_(margin) {
+  const Footprint body = footprint(vehicle);
+  body_ = {body.rear, body.front, body.half_width};
+  const double reach = std::hypot(std::max(body.rear, body.front), body.half_width);
+  Begin begin{};
+  for (const Segment& segment : way_.segments()) {
+    begins_.push_back(begin);
+    const double way = std::abs(segment.length);
+    const double bend = std::max(std::abs(segment.curvature), std::abs(curvature_at(segment, way)));
+    begin.s += way;
+    begin.driven += way * (1.0 + bend * reach);
+  }
+  begins_.push_back(begin);
+  movers_.reserve(moving.size());
+  for (const MovingObstacle& obstacle : moving) movers_.push_back(mover_of(obstacle));
+}
+
+Encounters::Mover Encounters::mover_of(const MovingObstacle& obstacle) {
+  const Bounds box = bounding_box(obstacle.outline);
+  Mover mover{.obstacle = &obstacle,
+              .centre = {(box.x_min + box.x_max) / 2, (box.y_min + box.y_max) / 2},
+              .reach = 0.0,
+              .core = core_of(obstacle.outline, box),
+              .moved = {0.0},
+              .before = obstacle.inflate};
+  double turns = 0.0;  // distance of the outline from what it turns about
+  for (const Point& corner : obstacle.outline) {
+    const Point& c = mover.centre;
+    mover.reach = std::max(mover.reach, std::hypot(corner.x - c.x, corner.y - c.y));
+    turns = std::max(turns, std::hypot(corner.x, corner.y));
+  }
+  const std::vector<TimedPose>& rows = obstacle.trajectory;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Pose& from = rows[i - 1].pose;
+    const Pose& to = rows[i].pose;
+    const double way = std::hypot(to.x - from.x, to.y - from.y);
+    const double turn = std::abs(wrap_angle(to.heading - from.heading));
+    const double growth = obstacle.inflate * (rows[i].t - rows[i - 1].t);
+    mover.moved.push_back(mover.moved.back() + way + turn * turns + growth);
+  }
+  return mover;
+}
+
+double Encounters::gap(std::size_t i, const Pose& pose, double t, double enough) const noexcept {
+  const Mover& mover = movers_[i];
+  const MovingObstacle& obstacle = *mover.obstacle;
+  const double kept = margin_ + growth_at(obstacle, t);
+  const Frame frame = frame_of(*vandplan::pose_at(obstacle, t), pose);
+  // 1. A circle around the outline is far enough.
+  const Point centre = frame.place(mover.centre);
+  const double dx = std::max({-body_.back - centre.x, centre.x - body_.front, 0.0});
+  const double dy = std::max(std::abs(centre.y) - body_.half_width, 0.0);
+  const double coarse = std::hypot(dx, dy) - mover.reach - kept;
+  if (coarse >= enough) return coarse;
+  // 2. The outline itself.
+  return std::sqrt(squared_gap(body_, obstacle.outline, frame)) - kept;
+}
+
+double Encounters::depth(std::size_t i, const Pose& pose, double t) const noexcept {
+  const Mover& mover = movers_[i];
+  const MovingObstacle& obstacle = *mover.obstacle;
+  const Point centre = frame_of(*vandplan::pose_at(obstacle, t), pose).place(mover.centre);
+  const double x = std::max(-body_.back - centre.x, centre.x - body_.front);
+  const double y = std::abs(centre.y) - body_.half_width;
+  // Of the centre from the body; inside of the body it is negative.
+  const double distance = x > 0.0 && y > 0.0 ? std::hypot(x, y) : std::max(x, y);
+  return mover.core + margin_ + growth_at(obstacle, t) - distance;
+}
+
+double Encounters::driven(double s) const noexcept {
+  const auto next = std::ranges::upper_bound(begins_, s, {}, &Begin::s);
+  if (next == begins_.end()) return begins_.back().driven;
+  if (next == begins_.begin()) return 0.0;
+  const Begin& from = *std::prev(next);
+  return from.driven + (s - from.s) / (next->s - from.s) * (next->driven - from.driven);
+}
+
+double Encounters::moved(std::size_t i, double t) const noexcept {
+  const Mover& mover = movers_[i];
+  const std::vector<TimedPose>& rows = mover.obstacle->trajectory;
+  if (t >= rows.back().t) return mover.moved.back();
+  const auto next = std::ranges::upper_bound(rows, t, {}, &TimedPose::t);
+  if (next == rows.begin()) return mover.before * (t - next->t);
+  const auto k = static_cast<std::size_t>(next - rows.begin());
+  const double share = (t - rows[k - 1].t) / (rows[k].t - rows[k - 1].t);
+  return mover.moved[k - 1] + share * (mover.moved[k] - mover.moved[k - 1]);
+}
+
+double Encounters::rests(std::size_t i) const noexcept {
+  return movers_[i].obstacle->trajectory.back().t;
+}
+
+std::optional<double> Encounters::leaves(std::size_t i) const noexcept {
+  const MovingObstacle& obstacle = *movers_[i].obstacle;
+  if (obstacle.after == Afterwards::stays) return std::nullopt;
+  return obstacle.trajectory.back().t;
+}
+
+}  // namespace vandplan::moving

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Which drive meets something that moves, and when first?
+
+#include <algorithm>
+
+#include "moving/encounters.h"
+#include "speed/driven.h"
+
+namespace vandplan {
+namespace {
+
+using moving::Encounters;
+
+/// The drive beside one obstacle.
+struct Approach {
+  const Encounters& encounters;
+  const SpeedProfile& speeds;
+  std::size_t obstacle;
+
+  [[nodiscard]] double place(double t) const { return speed::driven_at(speeds, t); }
+
+  /// No point of either moves further than it grows [m].
+  [[nodiscard]] double moved(double t) const {
+    return encounters.driven(place(t)) + encounters.moved(obstacle, t);
+  }
+
+  /// The first meeting between two times; `moved` there is known.
+  [[nodiscard]] std::optional<double> first(double begin, double moved_begin, double end,
+                                            double moved_end) const {
+    const double middle = begin + (end - begin) / 2;
+    const double moved_middle = moved(middle);
+    const double most = std::max(moved_middle - moved_begin, moved_end - moved_middle);
+    const double gap = encounters.gap(obstacle, encounters.pose_at(place(middle)), middle,
+                                      std::max(most, meeting_tolerance) * (1.0 + 1e-9));
+    if (gap > most) return std::nullopt;
+    const bool is_split = begin < middle && middle < end;
+    if (most <= meeting_tolerance / 2 || !is_split) return begin;
+    const auto earlier = first(begin, moved_begin, middle, moved_middle);
+    return earlier ? earlier : first(middle, moved_middle, end, moved_end);
+  }
+};
+
+}  // namespace
+
+std::optional<Meeting> first_meeting(const TimedPath& drive, const Vehicle& vehicle,
+                                     std::span<const MovingObstacle> moving, double margin) {
+  const Encounters encounters(drive.path, vehicle, moving, margin);
+  double end = std::max(drive.speeds.duration, end_of_motion(moving));
+  std::optional<Meeting> meeting;
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    const Approach approach{encounters, drive.speeds, i};
+    const double last = std::min(end, encounters.leaves(i).value_or(end));
+    if (last < 0.0) continue;
+    const auto t = approach.first(0.0, approach.moved(0.0), last, approach.moved(last));
+    if (!t || (meeting && *t >= meeting->t)) continue;
+    const double s = approach.place(*t);
+    meeting = {*t, s, encounters.pose_at(s), i};
+    end = *t;
+  }
+  return meeting;
+}
+
+}  // namespace vandplan
