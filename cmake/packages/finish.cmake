@@ -1,7 +1,8 @@
 # What a package for Debian has beside what is installed. cpack runs this on each folder to be packed.
+# SOURCE_DATE_EPOCH in the environment is the time of every file, also for cpack.
 set(source ${CMAKE_CURRENT_LIST_DIR}/../..)
 set(version ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
-string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC) # or SOURCE_DATE_EPOCH
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
 # The text of a file as a field of a copyright file has it: a space before each line, "." for none.
 function(as_field file result)
@@ -36,9 +37,5 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   file(GLOB pages ${root}${CPACK_PACKAGING_INSTALL_PREFIX}/share/man/man1/*.1)
   if(pages)
     compress(${pages})
-  endif()
-  # The same tree gives the same bytes: nothing tells when it was packed.
-  if(DEFINED ENV{SOURCE_DATE_EPOCH})
-    execute_process(COMMAND find ${root} -exec touch -h -d "@$ENV{SOURCE_DATE_EPOCH}" {} + COMMAND_ERROR_IS_FATAL ANY)
   endif()
 endforeach()

@@ -30,7 +30,8 @@ void check_characters(std::string_view text, const NodeBuilder& builder) {
   std::size_t values = 0;  // at least, in lists and maps with brackets
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
-    const bool is_control = (c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t') || c == 127;
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_control = (byte < ' ' && c != '\n' && c != '\r' && c != '\t') || c == 127;
     const std::size_t length = is_control ? 0 : base::character_length(text.substr(i));
     if (length == 0) builder.fail(line, "is not a text file, expected YAML in UTF-8");
     if (c == '\n') ++line;
