@@ -52,7 +52,10 @@ set(embedded_tables ${CMAKE_CURRENT_BINARY_DIR}/embedded)
 file(MAKE_DIRECTORY ${embedded_tables})
 
 # The four tables of the thesis (thesis_tables.cpp).
-foreach(number 1 2 3 4)
+if(VANDPLAN_TABLES)
+  set(thesis_tables 1 2 3 4)
+endif()
+foreach(number IN LISTS thesis_tables)
   add_custom_command(
     OUTPUT ${embedded_tables}/hlut_${number}.h
     COMMAND make_thesis_table ${number} ${embedded_tables}/hlut_${number}.h

@@ -92,7 +92,7 @@ Head head_of(std::string_view bytes, const std::string& file) {
 
 Head checked_head(std::string_view bytes, const std::string& file) {
   const Head head = head_of(bytes, file);
-  const std::size_t size = head_size + head.kind->entry_size * head.count;
+  const std::uint64_t size = head_size + head.kind->entry_size * head.count;
   if (bytes.size() != size) {
     throw InputError(file, (bytes.size() < size ? "truncated: " : "longer than it says: ") +
                                std::to_string(bytes.size()) + " bytes, expected " +

@@ -57,7 +57,8 @@ BoundTableInfo bounds_of(const Head& head, const std::string& file) {
   require(reach >= 1e-6 && reach <= 1e6, "reach", base::shortest_text(reach),
           "0.000001 to 1000000");
   require(unit > 0.0 && unit <= 1.0, "unit", base::shortest_text(unit), "more than 0, at most 1");
-  const BoundTableInfo info{part(0), part(16), part(32), head.count * head.kind->entry_size};
+  const BoundTableInfo info{part(0), part(16), part(32),
+                            static_cast<std::size_t>(head.count * head.kind->entry_size)};
   const auto cells = static_cast<std::uint64_t>(info.radial_cells) *
                      static_cast<std::uint64_t>(info.side_cells) *
                      static_cast<std::uint64_t>(info.turn_cells);
@@ -92,7 +93,7 @@ HeuristicTable table_from_bytes(std::string_view bytes, const std::string& file)
     throw InputError(file, "holds bounds of lengths, expected lengths");
   }
   const HeuristicTableOptions options = options_of(head, file);
-  std::vector<float> entries(head.count);
+  std::vector<float> entries(static_cast<std::size_t>(head.count));
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto word = table_bytes::read_at<std::uint32_t>(bytes, table_bytes::head_size + 4 * i);
     entries[i] = std::bit_cast<float>(word);

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// What a page may call. An InputError leaves as {error: {where, problem}}, of which the module's
+// JavaScript makes an exception.
+
+#include <emscripten/bind.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "bindings/web/core/values.h"
+#include "vandplan/bound_table.h"
+#include "vandplan/dubins.h"
+#include "vandplan/heuristic_table.h"
+#include "vandplan/input_error.h"
+#include "vandplan/reeds_shepp.h"
+#include "vandplan/speed.h"
+#include "vandplan/version.h"
+
+namespace vandplan::web {
+namespace {
+
+/// The value of `work()`, or what is wrong with the input.
+template <typename Work>
+val guarded(Work work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    val wrong = val::object();
+    wrong.set("where", error.where());
+    wrong.set("problem", error.problem());
+    val object = val::object();
+    object.set("error", wrong);
+    return object;
+  }
+}
+
+// ---- planning ----
+
+/// Options of the planner from an object of numbers, words and flags; null is passed over.
+PlanOptions options_from(const Planner& planner, const val& given) {
+  PlanOptions options = usual_options(planner);
+  if (given.isUndefined() || given.isNull()) return complete(planner, options);
+  const val keys = val::global("Object").call<val>("keys", given);
+  const auto count = keys["length"].as<std::size_t>();
+  const auto set = [&](const std::string& key) {
+    if (!has(given, key.c_str())) return;
+    set_option(options, planner, key, val::global("String")(given[key]).as<std::string>());
+  };
+  set("style");  // what is given beside it wins
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto key = keys[i].as<std::string>();
+    if (key != "style") set(key);
+  }
+  return complete(planner, options);
+}
+
+/// A scenario whose world is built once: start, goal and vehicle may then be others each time.
+class Yard {
+ public:
+  explicit Yard(const val& given)
+      : scenario_(scenario_from(given)),
+        problem_(make_problem(scenario_)),
+        world_(problem_.world()) {}
+
+  /// Plans with {planner, options}, and {start, goal, vehicle} where they are given.
+  [[nodiscard]] val plan(const val& query) const {
+    allow_only(query, {"planner", "options", "start", "goal", "vehicle"}, "query");
+    const Planner planner = has(query, "planner")
+                                ? planner_named(query["planner"].as<std::string>())
+                                : default_planner();
+    const PlanOptions options = options_from(planner, query["options"]);
+    val object = object_of(vandplan::plan(problem_of(query), planner, options));
+    object.set("steering", std::string(name_of(options.steering.value_or(Steering::reeds_shepp))));
+    return object;
+  }
+
+  /// Lets the judge look at a path: {path, margin, margin_ramp, steering, start, goal, vehicle}.
+  [[nodiscard]] val check(const val& query) const {
+    allow_only(query, {"path", "margin", "margin_ramp", "steering", "start", "goal", "vehicle"},
+               "query");
+    PathClaims claims{.clearance = {number_at(query, "margin", "", 0.0),
+                                    number_at(query, "margin_ramp", "", 0.0)}};
+    if (has(query, "steering"))
+      claims.steering = steering_named(query["steering"].as<std::string>());
+    return object_of(check_path(problem_of(query), path_from(query["path"]), claims));
+  }
+
+  /// Whether the vehicle touches nothing at a pose and keeps its margin: {pose, vehicle, margin}.
+  [[nodiscard]] val is_free(const val& query) const {
+    allow_only(query, {"pose", "vehicle", "margin"}, "query");
+    const Vehicle vehicle =
+        has(query, "vehicle") ? vehicle_from(query["vehicle"]) : problem_.vehicle();
+    const Margin margin{.wanted = number_at(query, "margin", "", 0.0)};
+    const Pose pose = pose_from(query["pose"], "pose");
+    return val(world_->checker(vehicle, margin)->is_free(to_local(*world_, pose)));
+  }
+
+ private:
+  [[nodiscard]] Problem problem_of(const val& query) const {
+    const Vehicle vehicle =
+        has(query, "vehicle") ? vehicle_from(query["vehicle"]) : scenario_.vehicle;
+    Pose start = scenario_.start;
+    Pose goal = scenario_.goal;
+    EndCurvatures curvatures = scenario_.curvatures;
+    if (has(query, "start")) {
+      start = pose_from(query["start"], "start");
+      curvatures.start = number_at(query["start"], "curvature", "start", 0.0);
+    }
+    if (has(query, "goal")) {
+      goal = pose_from(query["goal"], "goal");
+      curvatures.goal = number_at(query["goal"], "curvature", "goal", 0.0);
+    }
+    return make_problem(world_, vehicle, start, goal, curvatures);
+  }
+
+  Scenario scenario_;
+  Problem problem_;
+  std::shared_ptr<const World> world_;
+};
+
+std::vector<std::unique_ptr<Yard>> yards;
+
+/// The number of a new yard.
+val open_yard(const val& scenario) {
+  return guarded([&] {
+    auto yard = std::make_unique<Yard>(scenario);
+    const auto free = std::ranges::find(yards, nullptr);
+    const auto number = free - yards.begin();
+    if (free == yards.end()) yards.emplace_back();
+    yards[static_cast<std::size_t>(number)] = std::move(yard);
+    return val(static_cast<double>(number));
+  });
+}
+
+const Yard& yard_at(std::size_t number) {
+  if (number >= yards.size() || !yards[number]) throw InputError("yard", "is closed");
+  return *yards[number];
+}
+
+void close_yard(std::size_t number) {
+  if (number < yards.size()) yards[number].reset();
+}
+
+val plan_in(std::size_t yard, const val& query) {
+  return guarded([&] { return yard_at(yard).plan(query); });
+}
+
+val check_in(std::size_t yard, const val& query) {
+  return guarded([&] { return yard_at(yard).check(query); });
+}
+
+val is_free_in(std::size_t yard, const val& query) {
+  return guarded([&] { return yard_at(yard).is_free(query); });
+}
+
+// ---- paths ----
+
+/// Rows of s, x, y, heading, curvature, direction, at most `step` metres apart.
+val sampled_path(const val& given, double step) {
+  return guarded([&] {
+    if (!(step >= 1e-3)) throw InputError("step", "expected at least 0.001 m");
+    std::vector<double> rows;
+    for (const PathPoint& point : sampled(path_from(given), step)) {
+      rows.insert(rows.end(), {point.s, point.pose.x, point.pose.y, point.pose.heading,
+                               point.curvature, static_cast<double>(point.direction)});
+    }
+    return array_of(std::span<const double>(rows));
+  });
+}
+
+/// Rows of t, s, x, y, heading, curvature, v of the fastest drive, at most `step` seconds apart.
+val driven_path(const val& given, const val& vehicle, double step) {
+  return guarded([&] {
+    if (!(step >= 1e-3)) throw InputError("step", "expected at least 0.001 s");
+    const Path path = path_from(given);
+    const Vehicle checked = vehicle_from(vehicle);
+    const SpeedProfile profile = speed_profile(path, checked);
+    std::vector<double> rows;
+    for (const Motion& motion : sampled(path, checked, profile, step)) {
+      rows.insert(rows.end(), {motion.t, motion.s, motion.pose.x, motion.pose.y,
+                               motion.pose.heading, motion.curvature, motion.v});
+    }
+    return array_of(std::span<const double>(rows));
+  });
+}
+
+// ---- open ground ----
+
+double radius_from(double radius) {
+  if (!(radius > 0 && radius <= 1e4)) throw InputError("radius", "expected 0 to 10000 m");
+  return radius;
+}
+
+/// Every word that joins two poses, the shortest first.
+val words_between(const val& from, const val& to, double radius, bool reverse) {
+  return guarded([&] {
+    const Pose begin = pose_from(from, "from");
+    const Pose end = pose_from(to, "to");
+    std::vector<Piece> words = reverse ? reeds_shepp_words(begin, end, radius_from(radius))
+                                       : dubins_words(begin, end, radius_from(radius));
+    std::ranges::stable_sort(words, {}, &Piece::length);
+    val list = val::array();
+    for (std::size_t i = 0; i < words.size(); ++i) list.set(i, list_of(words[i].view()));
+    return list;
+  });
+}
+
+/// The shortest path between two poses.
+val steered(const val& from, const val& to, double radius, bool reverse) {
+  return guarded([&] {
+    const Pose begin = pose_from(from, "from");
+    const Pose end = pose_from(to, "to");
+    const Piece piece = reverse ? reeds_shepp(begin, end, radius_from(radius))
+                                : dubins(begin, end, radius_from(radius));
+    return list_of(piece.view());
+  });
+}
+
+/// What each measure says of the way from every node to one sample [m].
+void measure_all(const std::string& measure, const PoseColumns& nodes, const Pose& sample,
+                 double radius, std::span<float> out) {
+  if (measure == "reeds-shepp") {
+    reeds_shepp_lengths(nodes, sample, radius, out);
+  } else if (measure == "euclid") {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const float dx = nodes.x[i] - static_cast<float>(sample.x);
+      const float dy = nodes.y[i] - static_cast<float>(sample.y);
+      out[i] = std::sqrt(dx * dx + dy * dy);
+    }
+  } else if (measure == "bound") {
+    std::vector<float> high(out.size());
+    length_bounds(nodes, sample, radius, out, high);
+  } else if (measure.size() == 6 && measure.starts_with("hlut-") && measure[5] >= '1' &&
+             measure[5] <= '4') {
+    thesis_table(measure[5] - '0').distances(nodes, sample, radius, out);
+  } else {
+    throw InputError("measure", "expected euclid, hlut-1 to hlut-4, bound or reeds-shepp");
+  }
+}
+
+/// Estimated lengths from nodes to a sample: columns x, y and heading of equal sizes.
+val distances(const std::string& measure, const val& columns, const val& sample, double radius) {
+  return guarded([&] {
+    const auto x = emscripten::convertJSArrayToNumberVector<float>(columns["x"]);
+    const auto y = emscripten::convertJSArrayToNumberVector<float>(columns["y"]);
+    const auto heading = emscripten::convertJSArrayToNumberVector<float>(columns["heading"]);
+    if (x.size() != y.size() || x.size() != heading.size()) {
+      throw InputError("nodes", "expected as many x as y and headings");
+    }
+    std::vector<float> out(x.size());
+    measure_all(measure, {x, y, heading}, pose_from(sample, "sample"), radius_from(radius), out);
+    return array_of(std::span<const float>(out));
+  });
+}
+
+// ---- what there is ----
+
+val options_of(const Planner& planner) {
+  val list = val::array();
+  for (std::size_t i = 0; i < planner.options.size(); ++i) {
+    const OptionInfo& option = planner.options[i];
+    val object = val::object();
+    object.set("name", option.name);
+    object.set("summary", option.summary);
+    object.set("standard", json_of(option.standard));
+    object.set("range", option.range());
+    list.set(i, object);
+  }
+  return list;
+}
+
+val all_planners() {
+  val list = val::array();
+  for (const Planner& planner : planners()) {
+    val object = val::object();
+    object.set("name", planner.name);
+    object.set("summary", planner.summary);
+    object.set("family", planner.properties.family);
+    object.set("estimate", planner.properties.estimate);
+    object.set("honours_prices", planner.properties.honours_prices);
+    object.set("honours_steering", planner.properties.honours_steering);
+    object.set("proves", planner.properties.honours_target_gap);
+    object.set("options", options_of(planner));
+    list.call<void>("push", object);
+  }
+  return list;
+}
+
+std::string version() { return std::string(build_info().version); }
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(vandplan) {
+  using emscripten::function;
+  function("version", &version);
+  function("planners", &all_planners);
+  function("openYard", &open_yard);
+  function("closeYard", &close_yard);
+  function("planIn", &plan_in);
+  function("checkIn", &check_in);
+  function("isFreeIn", &is_free_in);
+  function("sampledPath", &sampled_path);
+  function("drivenPath", &driven_path);
+  function("wordsBetween", &words_between);
+  function("steered", &steered);
+  function("distances", &distances);
+}
+
+}  // namespace vandplan::web

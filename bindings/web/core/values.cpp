@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "bindings/web/core/values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "vandplan/input_error.h"
+
+namespace vandplan::web {
+namespace {
+
+std::string key_of(const std::string& where, const std::string& key) {
+  return where.empty() ? key : where + "." + key;
+}
+
+bool is_object(const val& given) {
+  return given.typeOf().as<std::string>() == "object" && !given.isNull();
+}
+
+std::size_t size_of(const val& list, const std::string& where) {
+  if (!list.isArray()) throw InputError(where, "expected a list");
+  return list["length"].as<std::size_t>();
+}
+
+Point point_from(const val& given, const std::string& where) {
+  if (size_of(given, where) != 2) throw InputError(where, "expected [x, y]");
+  return {number_from(given[0], where), number_from(given[1], where)};
+}
+
+std::vector<Polygon> polygons_at(const val& object, const char* key) {
+  std::vector<Polygon> polygons;
+  if (!has(object, key)) return polygons;
+  const val list = object[key];
+  polygons.resize(size_of(list, key));
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const std::string where = std::string(key) + "[" + std::to_string(i) + "]";
+    const val corners = list[i];
+    polygons[i].resize(size_of(corners, where));
+    for (std::size_t j = 0; j < polygons[i].size(); ++j) {
+      polygons[i][j] = point_from(corners[j], where);
+    }
+  }
+  return polygons;
+}
+
+/// A whole number from 1 to `most`.
+std::int32_t count_at(const val& object, const char* key, const std::string& where, double most) {
+  const double count = number_at(object, key, where);
+  if (!(count >= 1 && count <= most && count == std::floor(count))) {
+    throw InputError(where + "." + key, "expected a whole number from 1");
+  }
+  return static_cast<std::int32_t>(count);
+}
+
+OccupancyGrid map_from(const val& given) {
+  allow_only(given, {"origin", "resolution", "columns", "rows", "cells", "unknown"}, "map");
+  OccupancyGrid map{
+      .origin = pose_from(given["origin"], "map.origin"),
+      .resolution = number_at(given, "resolution", "map"),
+      .columns = count_at(given, "columns", "map", 1e6),
+      .rows = count_at(given, "rows", "map", 1e6),
+      .unknown_is_free = has(given, "unknown") && given["unknown"].as<std::string>() == "free"};
+  const std::int64_t size = std::int64_t{map.columns} * map.rows;
+  if (size > most_map_cells) throw InputError("map.cells", "are more than 100 million");
+  const auto numbers = emscripten::convertJSArrayToNumberVector<std::uint8_t>(given["cells"]);
+  if (static_cast<std::int64_t>(numbers.size()) != size) {
+    throw InputError("map.cells", "expected columns * rows of them");
+  }
+  auto cells = std::make_shared<std::vector<Cell>>(numbers.size());
+  std::ranges::transform(numbers, cells->begin(), [](std::uint8_t number) {
+    return number == 0 ? Cell::free : number == 1 ? Cell::occupied : Cell::unknown;
+  });
+  map.cells = std::move(cells);
+  check_map(map);
+  return map;
+}
+
+template <typename Number>
+val copy_of(std::span<const Number> numbers, const char* type) {
+  const val view{emscripten::typed_memory_view(numbers.size(), numbers.data())};
+  return val::global(type).new_(view);
+}
+
+val number_or_null(const std::optional<double>& number) {
+  return number ? val(*number) : val::null();
+}
+
+val tree_of(const TreeSnapshot& tree) {
+  std::vector<double> poses;
+  poses.reserve(3 * tree.poses.size());
+  for (const Pose& pose : tree.poses) poses.insert(poses.end(), {pose.x, pose.y, pose.heading});
+  val object = val::object();
+  object.set("poses", array_of(std::span<const double>(poses)));
+  object.set("parents", array_of(std::span<const std::int32_t>(tree.parents)));
+  return object;
+}
+
+void add_limits(const val& given, DrivingLimits& limits) {
+  limits.max_steering_rate =
+      number_at(given, "max_steering_rate", "vehicle", limits.max_steering_rate);
+  if (has(given, "max_curvature_rate")) {
+    limits.max_curvature_rate = number_at(given, "max_curvature_rate", "vehicle");
+  }
+  if (has(given, "max_speed")) {
+    const val speed = given["max_speed"];
+    allow_only(speed, {"forward", "reverse"}, "vehicle.max_speed");
+    limits.max_speed = {number_at(speed, "forward", "vehicle.max_speed", limits.max_speed.forward),
+                        number_at(speed, "reverse", "vehicle.max_speed", limits.max_speed.reverse)};
+  }
+  limits.max_acceleration =
+      number_at(given, "max_acceleration", "vehicle", limits.max_acceleration);
+  if (has(given, "max_braking")) limits.max_braking = number_at(given, "max_braking", "vehicle");
+  limits.max_lateral_acceleration =
+      number_at(given, "max_lateral_acceleration", "vehicle", limits.max_lateral_acceleration);
+  if (has(given, "max_jerk")) limits.max_jerk = number_at(given, "max_jerk", "vehicle");
+}
+
+}  // namespace
+
+double number_from(const val& given, const std::string& where) {
+  if (!given.isNumber()) throw InputError(where, "expected a number");
+  return given.as<double>();
+}
+
+bool has(const val& object, const char* key) {
+  const val value = object[key];
+  return !value.isUndefined() && !value.isNull();
+}
+
+double number_at(const val& object, const char* key, const std::string& where) {
+  if (!has(object, key)) throw InputError(key_of(where, key), "is missing");
+  return number_from(object[key], key_of(where, key));
+}
+
+double number_at(const val& object, const char* key, const std::string& where, double standard) {
+  return has(object, key) ? number_at(object, key, where) : standard;
+}
+
+void allow_only(const val& object, std::initializer_list<std::string_view> keys,
+                const std::string& where) {
+  const std::string name = where.empty() ? "the scenario" : where;
+  if (!is_object(object)) throw InputError(name, "expected an object");
+  const val given = val::global("Object").call<val>("keys", object);
+  const auto count = given["length"].as<std::size_t>();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto key = given[i].as<std::string>();
+    if (std::ranges::find(keys, key) == keys.end()) {
+      throw InputError(key_of(where, key.substr(0, 40)), "is not known");
+    }
+  }
+}
+
+Pose pose_from(const val& given, const std::string& where) {
+  allow_only(given, {"x", "y", "heading", "curvature"}, where);
+  return {number_at(given, "x", where), number_at(given, "y", where),
+          number_at(given, "heading", where)};
+}
+
+Vehicle vehicle_from(const val& given) {
+  allow_only(given,
+             {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius",
+              "track_width", "max_steering_rate", "max_curvature_rate", "max_speed",
+              "max_acceleration", "max_braking", "max_lateral_acceleration", "max_jerk"},
+             "vehicle");
+  Vehicle vehicle{.wheelbase = number_at(given, "wheelbase", "vehicle"),
+                  .front_overhang = number_at(given, "front_overhang", "vehicle"),
+                  .rear_overhang = number_at(given, "rear_overhang", "vehicle"),
+                  .width = number_at(given, "width", "vehicle"),
+                  .min_turning_radius = number_at(given, "min_turning_radius", "vehicle")};
+  if (has(given, "track_width")) vehicle.track_width = number_at(given, "track_width", "vehicle");
+  add_limits(given, vehicle.limits);
+  check_vehicle(vehicle);
+  return vehicle;
+}
+
+Scenario scenario_from(const val& given) {
+  allow_only(
+      given,
+      {"name", "description", "vehicle", "bounds", "start", "goal", "obstacles", "kerbs", "map"},
+      "");
+  Scenario scenario;
+  if (has(given, "vehicle")) scenario.vehicle = vehicle_from(given["vehicle"]);
+  if (has(given, "map")) scenario.map = map_from(given["map"]);
+  if (has(given, "bounds")) {
+    const val bounds = given["bounds"];
+    allow_only(bounds, {"x", "y"}, "bounds");
+    const Point x = point_from(bounds["x"], "bounds.x");
+    const Point y = point_from(bounds["y"], "bounds.y");
+    scenario.bounds = {x.x, x.y, y.x, y.y};
+  } else if (scenario.map) {
+    scenario.bounds = bounding_box(outline(*scenario.map));
+  } else {
+    throw InputError("bounds", "is missing");
+  }
+  scenario.start = pose_from(given["start"], "start");
+  scenario.goal = pose_from(given["goal"], "goal");
+  scenario.curvatures = {number_at(given["start"], "curvature", "start", 0.0),
+                         number_at(given["goal"], "curvature", "goal", 0.0)};
+  scenario.obstacles = polygons_at(given, "obstacles");
+  scenario.kerbs = polygons_at(given, "kerbs");
+  return scenario;
+}
+
+Path path_from(const val& given) {
+  allow_only(given, {"start", "segments"}, "path");
+  Path path{pose_from(given["start"], "path.start"), {}};
+  const val segments = given["segments"];
+  path.segments.resize(size_of(segments, "path.segments"));
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const val segment = segments[i];
+    const std::string where = "path.segments[" + std::to_string(i) + "]";
+    allow_only(segment, {"curvature", "length", "curvature_rate"}, where);
+    path.segments[i] = {number_at(segment, "curvature", where), number_at(segment, "length", where),
+                        number_at(segment, "curvature_rate", where, 0.0)};
+  }
+  return path;
+}
+
+val array_of(std::span<const double> numbers) { return copy_of(numbers, "Float64Array"); }
+val array_of(std::span<const float> numbers) { return copy_of(numbers, "Float32Array"); }
+val array_of(std::span<const std::int32_t> numbers) { return copy_of(numbers, "Int32Array"); }
+
+val object_of(const Pose& pose) {
+  val object = val::object();
+  object.set("x", pose.x);
+  object.set("y", pose.y);
+  object.set("heading", pose.heading);
+  return object;
+}
+
+val list_of(std::span<const Segment> segments) {
+  val list = val::array();
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    val segment = val::object();
+    segment.set("curvature", segments[i].curvature);
+    segment.set("length", segments[i].length);
+    segment.set("curvature_rate", segments[i].curvature_rate);
+    list.set(i, segment);
+  }
+  return list;
+}
+
+val object_of(const Path& path) {
+  val object = val::object();
+  object.set("start", object_of(path.start));
+  object.set("segments", list_of(path.segments));
+  return object;
+}
+
+val object_of(const PathCheck& check) {
+  val object = val::object();
+  object.set("valid", check.valid);
+  object.set("reason", check.reason);
+  object.set("at", check.at ? object_of(check.at->pose) : val::null());
+  object.set("length", check.length);
+  object.set("reverse_length", check.reverse_length);
+  object.set("gear_changes", check.gear_changes);
+  object.set("curvature_change", check.curvature_change);
+  object.set("clearance", number_or_null(check.clearance));
+  return object;
+}
+
+val object_of(const PlanResult& result) {
+  val object = val::object();
+  object.set("status", std::string(name_of(result.status)));
+  object.set("reason", result.reason);
+  object.set("path", result.path ? object_of(*result.path) : val::null());
+  object.set("cost", result.path ? val(result.cost) : val::null());
+  object.set("lower_bound", result.lower_bound);
+  object.set("iterations", static_cast<double>(result.iterations));
+  object.set("time", result.time_total);
+  val trace = val::array();
+  for (std::size_t i = 0; i < result.anytime.size(); ++i) {
+    val sample = val::object();
+    sample.set("time", result.anytime[i].time);
+    sample.set("iteration", static_cast<double>(result.anytime[i].iteration));
+    sample.set("cost", result.anytime[i].cost);
+    trace.set(i, sample);
+  }
+  object.set("anytime", trace);
+  val counters = val::object();
+  for (const Counter& counter : result.counters) {
+    counters.set(counter.name, static_cast<double>(counter.value));
+  }
+  object.set("counters", counters);
+  object.set("tree", result.tree ? tree_of(*result.tree) : val::null());
+  object.set("check", result.check ? object_of(*result.check) : val::null());
+  return object;
+}
+
+}  // namespace vandplan::web

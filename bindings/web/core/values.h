@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do values of JavaScript become ours, and ours theirs?
+//
+// Whatever comes in is checked as strictly as a file: a key that is missing, unknown or of another
+// type is an InputError that names it ("vehicle.width").
+
+#include <emscripten/val.h>
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vandplan/path.h"
+#include "vandplan/planner.h"
+#include "vandplan/problem.h"
+
+namespace vandplan::web {
+
+using emscripten::val;
+
+/// A number of JavaScript. Throws InputError naming `where` for anything else.
+[[nodiscard]] double number_from(const val& given, const std::string& where);
+
+/// The number below that key of an object; `standard` where the key is not there.
+[[nodiscard]] double number_at(const val& object, const char* key, const std::string& where);
+[[nodiscard]] double number_at(const val& object, const char* key, const std::string& where,
+                               double standard);
+
+/// Throws InputError unless `object` is an object that has none but these keys.
+void allow_only(const val& object, std::initializer_list<std::string_view> keys,
+                const std::string& where);
+
+/// Whether there is a value, neither undefined nor null, below that key.
+[[nodiscard]] bool has(const val& object, const char* key);
+
+/// {x, y, heading}, and `curvature` for those who read it.
+[[nodiscard]] Pose pose_from(const val& given, const std::string& where);
+[[nodiscard]] Vehicle vehicle_from(const val& given);
+/// A scenario with the keys of a scenario file; its map is {origin, resolution, columns, rows,
+/// cells, unknown}.
+[[nodiscard]] Scenario scenario_from(const val& given);
+/// {start, segments: [{curvature, length, curvature_rate}]}.
+[[nodiscard]] Path path_from(const val& given);
+
+[[nodiscard]] val object_of(const Pose& pose);
+[[nodiscard]] val object_of(const Path& path);
+[[nodiscard]] val list_of(std::span<const Segment> segments);
+[[nodiscard]] val object_of(const PathCheck& check);
+[[nodiscard]] val object_of(const PlanResult& result);
+/// A copy of the numbers that belongs to JavaScript.
+[[nodiscard]] val array_of(std::span<const double> numbers);
+[[nodiscard]] val array_of(std::span<const float> numbers);
+[[nodiscard]] val array_of(std::span<const std::int32_t> numbers);
+
+}  // namespace vandplan::web

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Plans paths for trucks in a browser or in Node. Metres, radians, counter-clockwise from the x axis;
+// a pose is the midpoint of the rear axle and the heading.
+//
+//   import {load} from './vandplan.mjs';
+//   const vandplan = await load();
+//   const {path, check} = vandplan.plan(scenario, {time_limit: 0.05});
+
+/** A place in the plane [m]. */
+export type Point = [x: number, y: number];
+
+export interface Pose {
+  x: number;
+  y: number;
+  heading: number;
+}
+
+/** Where a path begins or ends. */
+export interface EndPose extends Pose {
+  /** How far the wheels are turned [1/m]; of account for steering "continuous" alone. */
+  curvature?: number;
+}
+
+/** Keys and units as in vehicle files. */
+export interface Vehicle {
+  wheelbase: number;
+  front_overhang: number;
+  rear_overhang: number;
+  width: number;
+  min_turning_radius: number;
+  track_width?: number;
+  max_steering_rate?: number;
+  max_curvature_rate?: number;
+  max_speed?: {forward?: number; reverse?: number};
+  max_acceleration?: number;
+  max_braking?: number;
+  max_lateral_acceleration?: number;
+  max_jerk?: number;
+}
+
+/** Square cells: 0 free, 1 occupied, 2 unknown, row by row from the corner at `origin`. */
+export interface OccupancyMap {
+  origin: Pose;
+  resolution: number;
+  columns: number;
+  rows: number;
+  cells: Uint8Array;
+  /** "free": unknown cells and all ground outside are free; else they are obstacles. */
+  unknown?: 'free';
+}
+
+/** Keys as in scenario files. */
+export interface Scenario {
+  name?: string;
+  description?: string;
+  vehicle?: Vehicle;
+  /** Where the rear axle may be; without a map they have to be given. */
+  bounds?: {x: Point; y: Point};
+  start: EndPose;
+  goal: EndPose;
+  obstacles?: Point[][];
+  kerbs?: Point[][];
+  map?: OccupancyMap;
+}
+
+/** Curvature at the start of the segment [1/m], driven metres (negative in reverse), change of curvature [1/m^2]. */
+export interface Segment {
+  curvature: number;
+  length: number;
+  curvature_rate?: number;
+}
+
+export interface Path {
+  start: Pose;
+  segments: Segment[];
+}
+
+/** Any key of `vandplan plan --set`, such as margin, gear_change_cost, steering, style, keep_tree. */
+export interface PlanOptions {
+  time_limit?: number | null;
+  max_iterations?: number | null;
+  seed?: number;
+  margin?: number;
+  reverse_weight?: number;
+  gear_change_cost?: number;
+  curvature_change_cost?: number;
+  clearance_weight?: number;
+  steering?: 'reeds-shepp' | 'continuous-between-stops' | 'continuous';
+  style?: 'driver' | 'shortest';
+  [key: string]: number | string | boolean | null | undefined;
+}
+
+/** The independent judge's verdict. */
+export interface Check {
+  valid: boolean;
+  /** The first thing found wrong; empty when valid. */
+  reason: string;
+  /** Where it is wrong, if at a place. */
+  at: Pose | null;
+  length: number;
+  reverse_length: number;
+  gear_changes: number;
+  curvature_change: number;
+  /** Least distance from anything [m]; Infinity on open ground. */
+  clearance: number | null;
+}
+
+export interface Result {
+  status:
+    | 'solved' | 'start_in_collision' | 'goal_in_collision' | 'iteration_limit' | 'node_limit'
+    | 'time_limit' | 'stopped' | 'no_path' | 'rejected';
+  reason: string;
+  path: Path | null;
+  cost: number | null;
+  /** No path costs less; 0 where nothing is proven. */
+  lower_bound: number;
+  iterations: number;
+  /** In the planner [s]. */
+  time: number;
+  /** When the cost of the best path fell. */
+  anytime: {time: number; iteration: number; cost: number}[];
+  counters: Record<string, number>;
+  /** Rows x, y, heading, and the parent of each node (-1: a root), with the option keep_tree. */
+  tree: {poses: Float64Array; parents: Int32Array} | null;
+  check: Check | null;
+  steering: string;
+}
+
+export interface PlannerInfo {
+  name: string;
+  summary: string;
+  family: string;
+  estimate: string;
+  honours_prices: boolean;
+  honours_steering: boolean;
+  /** Whether it proves that no path costs less than its bound. */
+  proves: boolean;
+  options: {name: string; summary: string; standard: string; range: string}[];
+}
+
+export interface Claims {
+  margin?: number;
+  margin_ramp?: number;
+  steering?: string;
+}
+
+/** Another start, goal or vehicle than the scenario's. */
+export interface Ends {
+  start?: EndPose;
+  goal?: EndPose;
+  vehicle?: Vehicle;
+}
+
+/** A scenario whose world is built once, for many plans. */
+export interface Yard {
+  plan(query?: Ends & {planner?: string; options?: PlanOptions}): Result;
+  check(query: Ends & Claims & {path: Path}): Check;
+  isFree(query: {pose: Pose; vehicle?: Vehicle; margin?: number}): boolean;
+  close(): void;
+}
+
+export interface Vandplan {
+  version: string;
+  planners(): PlannerInfo[];
+  plan(scenario: Scenario, options?: PlanOptions & {planner?: string}): Result;
+  check(scenario: Scenario, path: Path, claims?: Claims): Check;
+  yard(scenario: Scenario): Yard;
+  /** Rows s, x, y, heading, curvature, direction, at most `step` metres apart. */
+  sample(path: Path, step?: number): Float64Array;
+  /** Rows t, s, x, y, heading, curvature, speed of the fastest drive, at most `step` seconds apart. */
+  drive(path: Path, vehicle: Vehicle, step?: number): Float64Array;
+  /** The shortest path on open ground, by Reeds and Shepp, or by Dubins without reverse. */
+  steer(from: Pose, to: Pose, radius: number, options?: {reverse?: boolean}): Segment[];
+  /** The path of every word that joins the poses, the shortest first. */
+  words(from: Pose, to: Pose, radius: number, options?: {reverse?: boolean}): Segment[][];
+  /** What a measure says of the way from every node to the sample [m]. */
+  distances(
+    measure: 'euclid' | 'hlut-1' | 'hlut-2' | 'hlut-3' | 'hlut-4' | 'bound' | 'reeds-shepp',
+    nodes: {x: Float32Array; y: Float32Array; heading: Float32Array},
+    sample: Pose,
+    radius: number,
+  ): Float32Array;
+  hash(path: Path): string;
+}
+
+/** What was handed in cannot be used; `where` is the key that is wrong ("vehicle.width"). */
+export class InputError extends Error {
+  where: string;
+  problem: string;
+}
+
+/** The hash of a path: equal if and only if, by all odds, start and segments are the same bit for bit. */
+export function hashOf(path: Path): string;
+
+/** Makes the module. It fetches nothing. */
+export function load(): Promise<Vandplan>;

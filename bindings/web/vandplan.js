@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// The planner for JavaScript: vandplan.d.ts says what each thing is.
+
+import makeCore from 'vandplan-core';
+
+/** What was handed in cannot be used; `where` is the key that is wrong. */
+export class InputError extends Error {
+  constructor({where, problem}) {
+    super(`${where}: ${problem}`);
+    this.name = 'InputError';
+    this.where = where;
+    this.problem = problem;
+  }
+}
+
+function taken(answer) {
+  if (answer !== null && typeof answer === 'object' && answer.error) throw new InputError(answer.error);
+  return answer;
+}
+
+/** A scenario whose world is built once; closed with `close`. */
+class Yard {
+  #core;
+  #number;
+
+  constructor(core, scenario) {
+    this.#core = core;
+    this.#number = taken(core.openYard(scenario));
+  }
+
+  plan(query = {}) {
+    return taken(this.#core.planIn(this.#number, query));
+  }
+
+  check(query) {
+    return taken(this.#core.checkIn(this.#number, query));
+  }
+
+  isFree(query) {
+    return taken(this.#core.isFreeIn(this.#number, query));
+  }
+
+  close() {
+    this.#core.closeYard(this.#number);
+  }
+}
+
+/** The functions of the module around a core that is there. */
+function functionsOf(core) {
+  const inYard = (scenario, work) => {
+    const yard = new Yard(core, scenario);
+    try {
+      return work(yard);
+    } finally {
+      yard.close();
+    }
+  };
+  return {
+    version: core.version(),
+    planners: () => core.planners(),
+    yard: (scenario) => new Yard(core, scenario),
+    plan: (scenario, {planner, ...options} = {}) => inYard(scenario, (yard) => yard.plan({planner, options})),
+    check: (scenario, path, claims = {}) => inYard(scenario, (yard) => yard.check({path, ...claims})),
+    sample: (path, step = 0.1) => taken(core.sampledPath(path, step)),
+    drive: (path, vehicle, step = 0.05) => taken(core.drivenPath(path, vehicle, step)),
+    steer: (from, to, radius, {reverse = true} = {}) => taken(core.steered(from, to, radius, reverse)),
+    words: (from, to, radius, {reverse = true} = {}) => taken(core.wordsBetween(from, to, radius, reverse)),
+    distances: (measure, nodes, sample, radius) => taken(core.distances(measure, nodes, sample, radius)),
+    hash: hashOf,
+  };
+}
+
+/** The hash of a path: of the bytes of its start and segments, as 16 hexadecimal digits. */
+export function hashOf(path) {
+  const numbers = [path.start.x, path.start.y, path.start.heading];
+  for (const {curvature, length, curvature_rate = 0} of path.segments) numbers.push(curvature, length, curvature_rate);
+  const bytes = new DataView(new ArrayBuffer(8 * numbers.length));
+  numbers.forEach((number, i) => bytes.setFloat64(8 * i, number, true));
+  let hash = 0xcbf29ce484222325n;
+  for (let i = 0; i < bytes.byteLength; ++i) {
+    hash = BigInt.asUintN(64, (hash ^ BigInt(bytes.getUint8(i))) * 0x100000001b3n);
+  }
+  return hash.toString(16).padStart(16, '0');
+}
+
+/** Makes the module; it holds no more than its memory, and needs no other file. */
+export async function load() {
+  return functionsOf(await makeCore());
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Brings yard, files, buttons and the page together. The same script is the second thread.
+
+import {scenarios, vehicles} from 'catalogue';
+import {load} from 'vandplan';
+
+import {explain} from './explain.js';
+import {linkOf, mapFrom, parsed, sceneFromLink, sceneOnMap, scenesFrom, yamlOf} from './files.js';
+import {Page} from './page.js';
+import * as panel from './panel.js';
+import {work} from './planning.js';
+import {ReadError} from './reading.js';
+import {scenarioOf} from './scene.js';
+
+const byId = (id) => document.getElementById(id);
+
+// ---- files ----
+
+function download(blob, name) {
+  const link = Object.assign(document.createElement('a'), {href: URL.createObjectURL(blob), download: name});
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+const fileName = (scene) => scene.name.replace(/[^\w-]+/g, '-').slice(0, 60) || 'yard';
+
+/** Opens what somebody dropped or chose: a scenario, a map, or both. */
+async function openFiles(page, list) {
+  const files = [...list];
+  const texts = files.filter(({name}) => /\.ya?ml$/i.test(name));
+  const image = files.find(({name}) => /\.(pgm|png)$/i.test(name));
+  if (!texts.length && !image) throw new ReadError('expected a scenario (.yaml) or a map (.pgm, .png)');
+  let scenario = null;
+  let keys = {};
+  for (const file of texts) {
+    if (file.size > 2e6) throw new ReadError(`${file.name}: is larger than 2 MB`);
+    const text = await file.text();
+    const value = parsed(text, file.name);
+    if (value && typeof value === 'object' && 'image' in value) keys = value;
+    else scenario = {text, name: file.name};
+  }
+  const map = image ? await mapFrom(image, keys, texts.find(({name}) => name !== scenario?.name)?.name ?? image.name) : null;
+  if (scenario) return page.open(scenesFrom(scenario.text, scenario.name, map)[0], {keep: true});
+  if (!map) throw new ReadError('drop the image of the map together with its keys');
+  const free = (scene) => {
+    const yard = page.vandplan.yard(scenarioOf(scene));
+    return (pose) => yard.isFree({pose, vehicle: scene.vehicle});
+  };
+  page.open(sceneOnMap(map, vehicles['tpcap-car'], free), {keep: true});
+}
+
+/** Runs `act`; what it throws is shown. */
+const told = (act) => async (...all) => {
+  try {
+    await act(...all);
+  } catch (error) {
+    panel.note(error.message);
+    if (!(error instanceof ReadError) && error.name !== 'InputError') throw error;
+  }
+};
+
+function listenToFiles(page) {
+  byId('open').addEventListener('click', () => byId('file').click());
+  byId('file').addEventListener('change', told(async ({target}) => {
+    await openFiles(page, target.files);
+    target.value = '';
+  }));
+  byId('save').addEventListener('click', () => download(new Blob([yamlOf(page.scene)], {type: 'text/yaml'}), `${fileName(page.scene)}.yaml`));
+  byId('picture').addEventListener('click', async () => download(await page.picture(), `${fileName(page.scene)}.png`));
+  byId('link').addEventListener('click', told(async () => {
+    if (page.scene.map) throw new ReadError('A scene with a map is too large for a link: save it instead');
+    location.hash = await linkOf(page.scene);
+    let copied = false;
+    try {
+      await navigator.clipboard.writeText(location.href);
+      copied = true;
+    } catch { /* the address bar has it */ }
+    panel.note(copied ? 'The link is copied.' : 'The address of the page is the link now.');
+  }));
+  const drop = (over) => document.body.classList.toggle('dropping', over);
+  addEventListener('dragover', (event) => {
+    event.preventDefault();
+    drop(true);
+  });
+  addEventListener('dragleave', (event) => !event.relatedTarget && drop(false));
+  addEventListener('drop', told(async (event) => {
+    event.preventDefault();
+    drop(false);
+    await openFiles(page, event.dataTransfer.files);
+  }));
+  addEventListener('hashchange', told(async () => {
+    const scene = await sceneFromLink(location.hash);
+    if (scene) page.open(scene, {keep: true});
+  }));
+}
+
+// ---- buttons ----
+
+function show(page, how) {
+  byId('how').hidden = !how;
+  byId('plan').hidden = how;
+  document.querySelector('#top label').style.visibility = how ? 'hidden' : '';
+  byId('show-plan').setAttribute('aria-pressed', String(!how));
+  byId('show-how').setAttribute('aria-pressed', String(how));
+  page.how ??= explain(byId('how'), page.vandplan);
+  page.how.shown(how);
+  if (!how) page.drawn();
+}
+
+function setTheme(page, theme) {
+  document.documentElement.dataset.theme = theme;
+  page.recolour();
+  page.how?.recolour();
+}
+
+function listenToButtons(page) {
+  const clicks = {
+    play: () => page.toggleDrive(), undo: () => page.undo(), redo: () => page.redo(), fit: () => page.fit(), park: () => page.togglePark(),
+    remove: () => page.editor.remove(), 'add-wall': () => page.add('obstacles'), 'add-kerb': () => page.add('kerbs'),
+    'as-driver': () => page.style(panel.driver), 'as-shortest': () => page.style(panel.shortest),
+    help: () => byId('about').showModal(), 'about-close': () => byId('about').close(),
+    'show-plan': () => show(page, false), 'show-how': () => show(page, true),
+    theme: () => setTheme(page, document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'),
+    more: () => {
+      const open = byId('panel').classList.toggle('open');
+      byId('more').setAttribute('aria-expanded', String(open));
+    },
+  };
+  for (const [id, act] of Object.entries(clicks)) byId(id).addEventListener('click', act);
+  panel.listen((key, value) => page.set(key, value));
+  byId('scenario').addEventListener('change', told(({target}) => {
+    const chosen = scenarios[Number(target.value)];
+    page.open(scenesFrom(chosen.text, chosen.name)[chosen.goal ?? 0], {keep: true});
+  }));
+  addEventListener('keydown', (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
+    event.preventDefault();
+    if (event.shiftKey) page.redo();
+    else page.undo();
+  });
+  addEventListener('keyup', (event) => page.parked?.key(event.key, false));
+}
+
+async function start() {
+  const page = new Page(await load());
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  dark.addEventListener('change', () => setTheme(page, dark.matches ? 'dark' : 'light'));
+  panel.fillChoice('scenario', scenarios.map(({label}, value) => ({value, label})));
+  panel.fillChoice('vehicle', [{value: '', label: 'of the scenario'}, ...Object.keys(vehicles).map((name) => ({value: name, label: name.replaceAll('-', ' ')}))]);
+  panel.fillChoice('planner', [...page.planners.keys()].map((name) => ({value: name, label: name})), 'anytime');
+  listenToFiles(page);
+  listenToButtons(page);
+  setTheme(page, dark.matches ? 'dark' : 'light');
+  let scene = null;
+  await told(async () => {
+    scene = await sceneFromLink(location.hash);
+  })();
+  page.open(scene ?? scenesFrom(scenarios[0].text, scenarios[0].name)[0]);
+  globalThis.vandplanPage = page; // for those who look behind the page, and its tests
+}
+
+if (typeof document === 'undefined') work();
+else start();

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// The yard on the page: what is shown, what changes it, and when it is planned and painted.
+
+import {vehicles} from 'catalogue';
+
+import {Editor} from './edit.js';
+import * as paint from './paint.js';
+import * as panel from './panel.js';
+import {Parking} from './parking.js';
+import {Planning} from './planning.js';
+import {addBox, centreAt, History, polygonAt, sceneBox} from './scene.js';
+import {View} from './view.js';
+
+const byId = (id) => document.getElementById(id);
+
+export class Page {
+  scene = null;
+  history = new History();
+  settings = {...panel.driver};
+  result = null;
+  rows = null; // of the path: s, x, y, heading, curvature, direction
+  dirty = false; // a plan is wanted in the next frame
+  drive = null; // {rows, begin}: an animated drive
+  parked = null; // somebody who parks by hand
+  #frame = 0;
+  #colours = null;
+
+  constructor(vandplan) {
+    this.vandplan = vandplan;
+    this.canvas = byId('yard');
+    this.context = this.canvas.getContext('2d');
+    this.view = new View(this.canvas);
+    this.planners = new Map(vandplan.planners().map((info) => [info.name, info]));
+    this.info = this.planners.get('anytime');
+    this.planning = new Planning(vandplan, byId('app').textContent, (result) => this.improved(result));
+    this.editor = new Editor(this.canvas, this);
+    this.snap = () => byId('snap').checked;
+    new ResizeObserver(() => this.resized()).observe(this.canvas);
+  }
+
+  // ---- what is shown ----
+
+  /** Shows a scene, and all of it. */
+  open(scene, {keep = false} = {}) {
+    if (keep && this.scene) this.history.remember(this.scene);
+    this.scene = scene;
+    this.editor.selected = null;
+    this.stopDriving();
+    for (const key of [...panel.sliders, 'steering']) {
+      if (scene.options?.[key] !== undefined) this.settings[key] = scene.options[key];
+    }
+    panel.fillSettings(this.settings);
+    const same = Object.entries(vehicles).find(([, one]) => one.wheelbase === scene.vehicle.wheelbase && one.width === scene.vehicle.width && one.min_turning_radius === scene.vehicle.min_turning_radius);
+    byId('vehicle').value = same ? same[0] : '';
+    this.changed('ground');
+    this.fit();
+  }
+
+  fit() {
+    this.measure();
+    this.view.fit(sceneBox(this.scene));
+    this.drawn();
+  }
+
+  /** What panels cover of the canvas. */
+  measure() {
+    this.view.resize();
+    const wide = this.view.width > 720;
+    const box = byId('panel').getBoundingClientRect();
+    this.view.inset = wide
+      ? {left: 10, right: this.view.width - box.left, top: 66, bottom: 70}
+      : {left: 4, right: 4, top: 58, bottom: this.view.height - box.top};
+  }
+
+  resized() {
+    if (!this.scene) return;
+    const [x, y] = [this.view.x, this.view.y];
+    this.measure();
+    Object.assign(this.view, {x, y});
+    this.drawn(true);
+  }
+
+  recolour() {
+    this.#colours = paint.paletteOf(document.documentElement);
+    this.drawn();
+  }
+
+  // ---- changes ----
+
+  changed(kind) {
+    if (kind === 'ground') ++this.planning.groundVersion;
+    this.stopParking();
+    this.stopDriving();
+    this.dirty = true;
+    this.drawn();
+  }
+
+  /** Something has to be drawn in the next frame; `now` at once. */
+  drawn(now = false) {
+    if (now) {
+      cancelAnimationFrame(this.#frame);
+      this.frame(performance.now());
+    } else if (!this.#frame) {
+      this.#frame = requestAnimationFrame((time) => this.frame(time));
+    }
+  }
+
+  frame(time) {
+    this.#frame = 0;
+    if (!this.scene) return;
+    if (this.dirty) this.plan();
+    if (this.parked) this.parkOn(time);
+    this.paint(time);
+    this.buttons();
+    if (this.drive || this.parked) this.drawn();
+    if (!this.painted) performance.mark('first-path');
+    this.painted = performance.now();
+  }
+
+  plan() {
+    this.dirty = false;
+    try {
+      this.take(this.planning.now(this.scene, this.settings, this.info));
+    } catch (error) {
+      this.result = null;
+      this.rows = null;
+      panel.showError(error.message);
+    }
+  }
+
+  take(result) {
+    this.result = result;
+    this.rows = result.path ? this.vandplan.sample(result.path, 0.2) : null;
+    panel.showResult(result, result.path && !this.editor.dragging ? this.vandplan.hash(result.path) : '');
+    panel.paintTrace(this.#colours, result);
+  }
+
+  /** A longer run found something for the scene that is shown. */
+  improved(result) {
+    const better = result.path && (!this.result?.path || result.cost <= this.result.cost + 1e-9);
+    if (!better && this.result?.path) return;
+    if (this.drive && result.path) return;
+    this.take(result);
+    this.drawn();
+  }
+
+  restore(scene) {
+    if (!scene) return;
+    this.scene = scene;
+    const {selected} = this.editor;
+    if (selected?.index !== undefined && !polygonAt(scene, selected)) this.editor.selected = null;
+    this.changed('ground');
+  }
+
+  undo() {
+    this.restore(this.history.undo(this.scene));
+  }
+
+  redo() {
+    this.restore(this.history.redo(this.scene));
+  }
+
+  add(kind) {
+    this.history.remember(this.scene);
+    const {view} = this;
+    const [width, height] = kind === 'kerbs' ? [6, 3] : [10, 2];
+    const item = addBox(this.scene, kind, view.toYard(view.centre), width, height);
+    this.changed('ground');
+    this.editor.select(item);
+    this.canvas.focus({preventScroll: true});
+  }
+
+  set(key, value) {
+    if (key === 'planner') {
+      this.info = this.planners.get(value);
+      panel.enable(this.info);
+    } else if (key === 'vehicle') {
+      if (!vehicles[value]) return;
+      this.history.remember(this.scene);
+      this.scene.vehicle = {...vehicles[value]};
+    } else {
+      this.settings[key] = value;
+    }
+    this.changed('ends');
+  }
+
+  style(settings) {
+    Object.assign(this.settings, settings);
+    panel.fillSettings(this.settings);
+    this.changed('ends');
+  }
+
+  buttons() {
+    byId('undo').disabled = !this.history.canUndo;
+    byId('redo').disabled = !this.history.canRedo;
+    byId('remove').disabled = this.editor.selected?.index === undefined;
+    byId('play').disabled = !this.result?.path;
+  }
+
+  key(key, shift) {
+    const keys = {
+      n: () => this.editor.next(shift), N: () => this.editor.next(shift), f: () => this.fit(), F: () => this.fit(), ' ': () => this.toggleDrive(),
+      '+': () => this.zoom(1.25), '=': () => this.zoom(1.25), '-': () => this.zoom(0.8),
+      Delete: () => this.editor.remove(), Backspace: () => this.editor.remove(), Escape: () => this.escape(),
+    };
+    if (!keys[key]) return false;
+    keys[key]();
+    return true;
+  }
+
+  escape() {
+    this.stopParking();
+    this.stopDriving();
+    this.editor.select(null);
+  }
+
+  zoom(factor) {
+    this.view.zoom(factor);
+    this.drawn();
+  }
+
+  // ---- driving ----
+
+  toggleDrive() {
+    if (this.drive) this.stopDriving();
+    else if (this.result?.path) {
+      this.stopParking();
+      const rows = this.vandplan.drive(this.result.path, this.scene.vehicle, 0.05);
+      this.drive = {rows, begin: performance.now(), at: 0};
+      byId('play').textContent = '\u25A0\uFE0E Stop';
+    }
+    this.drawn();
+  }
+
+  stopDriving() {
+    this.drive = null;
+    byId('play').textContent = '\u25B6\uFE0E Drive';
+  }
+
+  /** Where the driven truck is; a yard's drive is shown four times as fast as it is. */
+  driven(time) {
+    const {rows, begin} = this.drive;
+    const t = (4 * Math.max(0, time - begin)) / 1000;
+    while (this.drive.at + 7 < rows.length && rows[this.drive.at + 7] <= t) this.drive.at += 7;
+    const at = this.drive.at;
+    if (t > rows[rows.length - 7] + 3) this.stopDriving();
+    return {pose: {x: rows[at + 2], y: rows[at + 3], heading: rows[at + 4]}, curvature: rows[at + 5]};
+  }
+
+  togglePark() {
+    if (this.parked) {
+      this.stopParking();
+      this.drawn();
+      return;
+    }
+    this.stopDriving();
+    const yard = this.planning.yard(this.scene);
+    this.parked = new Parking(this.scene, (pose) => yard.isFree({pose, vehicle: this.scene.vehicle}));
+    this.parkedAt = performance.now();
+    byId('park').setAttribute('aria-pressed', 'true');
+    this.canvas.focus({preventScroll: true});
+    panel.note('Your turn: arrow keys drive the truck to the dashed one. Esc gives up.');
+    this.drawn();
+  }
+
+  stopParking() {
+    if (!this.parked) return;
+    this.parked = null;
+    byId('park').setAttribute('aria-pressed', 'false');
+  }
+
+  parking(event) {
+    return Boolean(this.parked?.key(event.key, true));
+  }
+
+  parkOn(time) {
+    const seconds = Math.min(0.05, Math.max(0, (time - this.parkedAt) / 1000));
+    this.parkedAt = time;
+    this.parked.step(seconds);
+    if (!this.parked.done) return;
+    const {length, gearChanges} = this.parked;
+    const own = this.result?.path ? this.result.check : null;
+    const planned = own ? ` The planner: ${own.length.toFixed(0)} m, gear changes: ${own.gear_changes}.` : '';
+    panel.note(`Parked! You: ${length.toFixed(0)} m, gear changes: ${gearChanges}.${planned}`);
+    this.stopParking();
+  }
+
+  // ---- painting ----
+
+  paint(time) {
+    const {context, view, scene} = this;
+    const colours = this.#colours;
+    view.resize();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = colours.paper;
+    context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    view.enter(context);
+    paint.paintGrid(context, view, colours);
+    paint.paintBounds(context, view, scene.bounds, colours);
+    if (scene.map) paint.paintMap(context, scene.map, colours);
+    if (this.rows) paint.paintSwept(context, view, scene.vehicle, this.rows, colours);
+    paint.paintPolygons(context, view, scene, colours);
+    if (this.rows) {
+      paint.paintFootprints(context, view, scene.vehicle, this.rows, colours, 2.5);
+      paint.paintPath(context, view, this.rows, colours);
+    }
+    this.paintTrucks(time);
+    if (!this.clean) this.paintSelection();
+  }
+
+  paintTrucks(time) {
+    const {context, view, scene, result} = this;
+    const colours = this.#colours;
+    const bad = result?.status;
+    paint.paintTruck(context, view, scene.vehicle, scene.goal, colours, {ghost: true, bad: bad === 'goal_in_collision'});
+    if (this.parked) {
+      context.beginPath();
+      this.parked.trail.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
+      context.strokeStyle = colours.ink;
+      context.lineWidth = 2 / view.scale;
+      context.stroke();
+      paint.paintTruck(context, view, scene.vehicle, this.parked.pose, colours, {curvature: this.parked.curvature, bad: this.parked.touched});
+      return;
+    }
+    const driven = this.drive ? this.driven(time) : null;
+    const curvature = driven?.curvature ?? this.rows?.[4] ?? 0;
+    paint.paintTruck(context, view, scene.vehicle, driven?.pose ?? scene.start, colours, {curvature, bad: bad === 'start_in_collision'});
+  }
+
+  paintSelection() {
+    const {context, view, scene} = this;
+    const colours = this.#colours;
+    const {selected} = this.editor;
+    for (const item of [{kind: 'start'}, {kind: 'goal'}, ...(selected?.index !== undefined ? [selected] : [])]) {
+      paint.paintHandle(context, view, paint.turnHandle(view, scene, item, centreAt(scene, item)), colours);
+    }
+    const polygon = selected && polygonAt(scene, selected);
+    if (selected && !polygon) {
+      const [x, y] = centreAt(scene, selected);
+      context.beginPath();
+      context.arc(x, y, 0.75 * (scene.vehicle.wheelbase + 3), 0, 2 * Math.PI);
+      context.strokeStyle = colours.accent;
+      context.globalAlpha = 0.35;
+      context.lineWidth = 1.5 / view.scale;
+      context.stroke();
+      context.globalAlpha = 1;
+    }
+    if (!polygon) return;
+    context.beginPath();
+    paint.trace(context, polygon);
+    context.strokeStyle = colours.accent;
+    context.lineWidth = 2.5 / view.scale;
+    context.stroke();
+    if (polygon.length <= 40) for (const corner of polygon) paint.paintHandle(context, view, corner, colours, {square: true});
+  }
+
+  /** What is on the canvas, without handles, as an image. */
+  picture() {
+    this.clean = true;
+    this.drawn(true);
+    return new Promise((resolve) => {
+      this.canvas.toBlob((blob) => {
+        this.clean = false;
+        this.drawn();
+        resolve(blob);
+      });
+    });
+  }
+}

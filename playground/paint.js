@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Draws the yard. Colours come from the style sheet, so that dark and light are decided there.
+
+import {mapCorners, outline, placed} from './geometry.js';
+
+const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'body', 'glass', 'bad'];
+
+/** The colours of the page as they are now. */
+export function paletteOf(element) {
+  const style = getComputedStyle(element);
+  return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+}
+
+export function trace(context, polygon) {
+  polygon.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
+  context.closePath();
+}
+
+/** Lines every 1, 5 or 25 m, whatever can be told apart. */
+export function paintGrid(context, view, colours) {
+  const step = [1, 2, 5, 10, 25, 50, 100, 250].find((metres) => metres * view.scale >= 26) ?? 500;
+  const [left, top] = view.toYard([0, 0]);
+  const [right, bottom] = view.toYard([view.width, view.height]);
+  context.beginPath();
+  for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
+    context.moveTo(x, bottom);
+    context.lineTo(x, top);
+  }
+  for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) {
+    context.moveTo(left, y);
+    context.lineTo(right, y);
+  }
+  context.strokeStyle = colours.grid;
+  context.lineWidth = 1 / view.scale;
+  context.stroke();
+}
+
+/** Where the rear axle may be: what is outside is shaded. */
+export function paintBounds(context, view, bounds, colours) {
+  const [left, top] = view.toYard([-10, -10]);
+  const [right, bottom] = view.toYard([view.width + 10, view.height + 10]);
+  context.beginPath();
+  trace(context, [[left, bottom], [right, bottom], [right, top], [left, top]]);
+  const {x, y} = bounds;
+  trace(context, [[x[0], y[0]], [x[0], y[1]], [x[1], y[1]], [x[1], y[0]]]);
+  context.fillStyle = colours.grid;
+  context.globalAlpha = 0.6;
+  context.fill('evenodd');
+  context.globalAlpha = 1;
+}
+
+const images = new WeakMap();
+
+/** The cells of a map as an image: obstacles dark, unknown ones half as much. */
+function imageOf(grid, colours) {
+  const kept = images.get(grid);
+  if (kept?.wall === colours.wall) return kept.canvas;
+  const canvas = document.createElement('canvas');
+  Object.assign(canvas, {width: grid.columns, height: grid.rows});
+  const context = canvas.getContext('2d');
+  context.fillStyle = colours.wall;
+  context.fillRect(0, 0, 1, 1);
+  const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
+  const image = context.createImageData(grid.columns, grid.rows);
+  for (let i = 0; i < grid.cells.length; ++i) {
+    image.data.set([r, g, b, [0, 255, 110][grid.cells[i]]], 4 * i);
+  }
+  context.putImageData(image, 0, 0);
+  images.set(grid, {wall: colours.wall, canvas});
+  return canvas;
+}
+
+export function paintMap(context, {grid}, colours) {
+  context.save();
+  context.translate(grid.origin.x, grid.origin.y);
+  context.rotate(grid.origin.heading);
+  context.scale(grid.resolution, grid.resolution);
+  context.imageSmoothingEnabled = false;
+  context.drawImage(imageOf(grid, colours), 0, 0);
+  context.restore();
+}
+
+export function paintPolygons(context, view, scene, colours) {
+  const groups = [[scene.kerbs, colours.kerb, colours['kerb-line']], [scene.obstacles, colours.wall, colours['wall-line']]];
+  for (const [polygons, fill, line] of groups) {
+    context.beginPath();
+    for (const polygon of polygons) trace(context, polygon);
+    context.fillStyle = fill;
+    context.strokeStyle = line;
+    context.lineWidth = 1.25 / view.scale;
+    context.lineJoin = 'round';
+    context.fill('nonzero');
+    context.stroke();
+  }
+}
+
+function wheel(context, x, y, angle, size) {
+  context.save();
+  context.translate(x, y);
+  context.rotate(angle);
+  context.beginPath();
+  context.roundRect(-size / 2, -size / 6, size, size / 3, size / 10);
+  context.fill();
+  context.restore();
+}
+
+/** A vehicle seen from above, its front wheels turned to a curvature. */
+export function paintTruck(context, view, vehicle, pose, colours, {curvature = 0, ghost = false, bad = false} = {}) {
+  const front = vehicle.wheelbase + vehicle.front_overhang;
+  const length = front + vehicle.rear_overhang;
+  const {width} = vehicle;
+  const cab = Math.min(0.28 * length, 2.1);
+  context.save();
+  context.translate(pose.x, pose.y);
+  context.rotate(pose.heading);
+  context.lineJoin = 'round';
+  const line = bad ? colours.bad : ghost ? colours['accent-ink'] : colours.ink;
+  if (!ghost) {
+    context.fillStyle = colours.ink;
+    const size = Math.min(1.0, 0.22 * vehicle.wheelbase);
+    const turn = Math.atan(vehicle.wheelbase * curvature);
+    for (const side of [-1, 1]) {
+      wheel(context, 0, side * (width / 2 - size / 8), 0, size);
+      wheel(context, vehicle.wheelbase, side * (width / 2 - size / 8), turn, size);
+    }
+  }
+  context.beginPath();
+  context.roundRect(-vehicle.rear_overhang, -width / 2, length, width, 0.22);
+  context.fillStyle = bad ? colours.bad : ghost ? colours.accent : colours.body;
+  context.globalAlpha = ghost || bad ? 0.2 : 1;
+  context.fill();
+  context.globalAlpha = 1;
+  context.strokeStyle = line;
+  context.lineWidth = (ghost ? 1.75 : 1.5) / view.scale;
+  if (ghost) context.setLineDash([5 / view.scale, 4 / view.scale]);
+  context.stroke();
+  context.setLineDash([]);
+  context.beginPath(); // where the cab ends, and its windscreen
+  context.moveTo(front - cab, -width / 2);
+  context.lineTo(front - cab, width / 2);
+  context.lineWidth = 1 / view.scale;
+  context.stroke();
+  context.beginPath();
+  context.roundRect(front - 0.36 * cab, -0.4 * width, 0.2 * cab, 0.8 * width, 0.1);
+  context.fillStyle = ghost ? colours['accent-ink'] : colours.glass;
+  context.globalAlpha = ghost ? 0.45 : 1;
+  context.fill();
+  context.restore();
+}
+
+/** What the body sweeps along rows s, x, y, heading, curvature, direction. */
+export function paintSwept(context, view, vehicle, rows, colours) {
+  context.beginPath();
+  for (let i = 0; i < rows.length; i += 6) {
+    trace(context, outline(vehicle, {x: rows[i + 1], y: rows[i + 2], heading: rows[i + 3]}));
+  }
+  context.fillStyle = colours.accent;
+  context.globalAlpha = 0.13;
+  context.fill('nonzero');
+  context.globalAlpha = 1;
+}
+
+/** Outlines of the body every few metres. */
+export function paintFootprints(context, view, vehicle, rows, colours, spacing) {
+  context.beginPath();
+  let next = spacing;
+  for (let i = 0; i < rows.length; i += 6) {
+    if (rows[i] < next) continue;
+    next = rows[i] + spacing;
+    trace(context, outline(vehicle, {x: rows[i + 1], y: rows[i + 2], heading: rows[i + 3]}));
+  }
+  context.strokeStyle = colours.accent;
+  context.globalAlpha = 0.3;
+  context.lineWidth = 1 / view.scale;
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
+/** The way of the rear axle: forward solid, in reverse dashed, a ring at each gear change. */
+export function paintPath(context, view, rows, colours, width = 3) {
+  const px = 1 / view.scale;
+  const changes = [];
+  for (let begin = 0; begin < rows.length; ) {
+    const direction = rows[begin + 5];
+    let end = begin;
+    while (end < rows.length && rows[end + 5] === direction) end += 6;
+    context.beginPath();
+    for (let i = begin; i <= Math.min(end, rows.length - 6); i += 6) {
+      if (i === begin) context.moveTo(rows[i + 1], rows[i + 2]);
+      else context.lineTo(rows[i + 1], rows[i + 2]);
+    }
+    context.strokeStyle = direction > 0 ? colours.accent : colours['accent-ink'];
+    context.lineWidth = width * px;
+    context.lineCap = 'round';
+    context.lineJoin = 'round';
+    if (direction < 0) context.setLineDash([2 * px, 7 * px]);
+    context.stroke();
+    context.setLineDash([]);
+    if (end < rows.length) changes.push([rows[end + 1], rows[end + 2]]);
+    begin = end;
+  }
+  for (const [x, y] of changes) {
+    context.beginPath();
+    context.arc(x, y, 5 * px, 0, 2 * Math.PI);
+    context.fillStyle = colours.paper;
+    context.fill();
+    context.strokeStyle = colours['accent-ink'];
+    context.lineWidth = 2 * px;
+    context.stroke();
+  }
+}
+
+/** Places where an item can be taken hold of, and how far they are from what they turn [px]. */
+export const handleGap = 26;
+
+/** Where the handle is that turns an item, in the yard. */
+export function turnHandle(view, scene, item, centre) {
+  if (item.index === undefined) {
+    const {vehicle} = scene;
+    return placed(scene[item.kind], vehicle.wheelbase + vehicle.front_overhang + handleGap / view.scale, 0);
+  }
+  const box = scene[item.kind][item.index];
+  const top = Math.max(...box.map(([, y]) => y));
+  return [centre[0], top + handleGap / view.scale];
+}
+
+export function paintHandle(context, view, [x, y], colours, {square = false} = {}) {
+  const px = 1 / view.scale;
+  context.beginPath();
+  if (square) context.rect(x - 4.5 * px, y - 4.5 * px, 9 * px, 9 * px);
+  else context.arc(x, y, 6.5 * px, 0, 2 * Math.PI);
+  context.fillStyle = colours.paper;
+  context.fill();
+  context.strokeStyle = colours['accent-ink'];
+  context.lineWidth = 2 * px;
+  context.stroke();
+}
+
+export {mapCorners};

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Numbers, sliders and choices beside the yard.
+
+const byId = (id) => document.getElementById(id);
+
+export const sliders = ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost', 'margin'];
+export const driver = {gear_change_cost: 5, reverse_weight: 2, clearance_weight: 2, curvature_change_cost: 5, margin: 0, steering: 'continuous-between-stops'};
+export const shortest = {gear_change_cost: 0, reverse_weight: 1, clearance_weight: 0, curvature_change_cost: 0, margin: 0, steering: 'reeds-shepp'};
+
+const words = {
+  start_in_collision: 'The truck stands in something',
+  goal_in_collision: 'The goal is in something',
+  no_path: 'Proven: there is no way',
+  iteration_limit: 'No way found yet',
+  node_limit: 'No way found yet',
+  time_limit: 'No way found yet',
+  stopped: 'Stopped',
+  rejected: 'The judge rejects the path',
+};
+
+export const duration = (seconds) =>
+  seconds < 0.01 ? `${(1000 * seconds).toFixed(2)} ms` : seconds < 1 ? `${(1000 * seconds).toFixed(0)} ms` : `${seconds.toFixed(1)} s`;
+
+const metres = (value) => (value === Infinity ? 'none near' : value === null ? '' : `${value.toFixed(value < 10 ? 2 : 1)} m`);
+
+export function showResult(result, hash) {
+  const status = byId('status');
+  const {path, check} = result;
+  status.className = path ? 'good' : 'bad';
+  status.textContent = path ? `Judged: nothing touches` : words[result.status] + (result.reason ? `: ${result.reason}` : '');
+  const first = result.anytime[0];
+  const gap = result.lower_bound > 0 && path ? result.cost / result.lower_bound - 1 : null;
+  const texts = {
+    first: first && path ? duration(first.time) : '',
+    length: path ? metres(check.length) : '',
+    gears: path ? String(check.gear_changes) : '',
+    reverse: path ? metres(check.reverse_length) : '',
+    clearance: path ? metres(check.clearance) : '',
+    cost: path ? metres(result.cost) : '',
+    gap: gap === null ? '' : gap < 0.0005 ? 'optimal' : `${(100 * gap).toFixed(gap < 0.1 ? 1 : 0)} %`,
+  };
+  for (const [name, text] of Object.entries(texts)) byId(`n-${name}`).textContent = text || '\u2013';
+  byId('hash').textContent = hash ? `path ${hash}` : '';
+}
+
+export function showError(message) {
+  const status = byId('status');
+  status.className = 'bad';
+  status.textContent = message;
+  for (const dd of document.querySelectorAll('#numbers dd')) dd.textContent = '\u2013';
+  byId('hash').textContent = '';
+}
+
+/** The cost of the best path over time, which is drawn logarithmically. */
+export function paintTrace(colours, {anytime, time, path}) {
+  const canvas = byId('trace');
+  const ratio = devicePixelRatio || 1;
+  const width = canvas.clientWidth;
+  const height = canvas.clientHeight;
+  if (!width) return;
+  Object.assign(canvas, {width: width * ratio, height: height * ratio});
+  const context = canvas.getContext('2d');
+  context.scale(ratio, ratio);
+  if (!path || !anytime.length) return;
+  const least = Math.max(1e-5, anytime[0].time);
+  const span = Math.log(Math.max(time, 2 * least) / least);
+  const low = anytime.at(-1).cost;
+  const high = Math.max(anytime[0].cost, 1.02 * low);
+  const x = (t) => 4 + ((width - 8) * Math.log(Math.max(t, least) / least)) / span;
+  const y = (cost) => 6 + (height - 14) * (1 - (cost - low) / (high - low));
+  context.beginPath();
+  context.moveTo(x(least), y(anytime[0].cost));
+  anytime.forEach((sample, i) => {
+    if (i) context.lineTo(x(sample.time), y(anytime[i - 1].cost));
+    context.lineTo(x(sample.time), y(sample.cost));
+  });
+  context.lineTo(width - 4, y(low));
+  context.strokeStyle = colours.accent;
+  context.lineWidth = 2;
+  context.lineJoin = 'round';
+  context.stroke();
+  context.lineTo(width - 4, height);
+  context.lineTo(x(least), height);
+  context.globalAlpha = 0.12;
+  context.fillStyle = colours.accent;
+  context.fill();
+}
+
+function shown(slider) {
+  const unit = slider.dataset.unit;
+  const number = Number(slider.value);
+  slider.parentElement.querySelector('output').textContent = `${number}${unit ? ' ' + unit : ''}`;
+}
+
+export function fillSettings(settings) {
+  for (const key of sliders) {
+    byId(key).value = settings[key];
+    shown(byId(key));
+  }
+  byId('steering').value = settings.steering;
+}
+
+/** Calls `changed(key, value)` for each slider and choice. */
+export function listen(changed) {
+  for (const key of sliders) {
+    byId(key).addEventListener('input', ({target}) => {
+      shown(target);
+      changed(key, Number(target.value));
+    });
+  }
+  for (const key of ['steering', 'planner', 'vehicle']) {
+    byId(key).addEventListener('change', ({target}) => changed(key, target.value));
+  }
+}
+
+/** Which settings the planner honours: others cannot be set. */
+export function enable(info) {
+  for (const key of sliders) if (key !== 'margin') byId(key).disabled = !info.honours_prices;
+  byId('steering').disabled = !info.honours_steering;
+}
+
+export function fillChoice(id, choices, value) {
+  const select = byId(id);
+  select.replaceChildren(
+    ...choices.map(({value: own, label}) => Object.assign(document.createElement('option'), {value: own, textContent: label})),
+  );
+  if (value !== undefined) select.value = value;
+}
+
+let hiding = 0;
+
+/** A line at the bottom of the page for a few seconds. */
+export function note(message) {
+  const element = byId('note');
+  element.textContent = String(message).slice(0, 300);
+  element.hidden = false;
+  clearTimeout(hiding);
+  hiding = setTimeout(() => {
+    element.hidden = true;
+  }, 4500);
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Parking by hand: arrow keys drive, and what was driven is compared with what the planner found.
+
+import {clamp, wrap} from './geometry.js';
+
+const keys = {ArrowUp: 1, ArrowDown: -1, ArrowLeft: 1, ArrowRight: -1};
+
+/** Where a pose is after a metre-long or shorter arc. */
+function advanced(pose, curvature, way) {
+  const half = (curvature * way) / 2;
+  const chord = half === 0 ? way : (way * Math.sin(half)) / half;
+  return {
+    x: pose.x + chord * Math.cos(pose.heading + half),
+    y: pose.y + chord * Math.sin(pose.heading + half),
+    heading: wrap(pose.heading + 2 * half),
+  };
+}
+
+export class Parking {
+  pose;
+  curvature = 0;
+  length = 0;
+  gearChanges = 0;
+  touched = false;
+  trail = [];
+  done = false;
+  #gear = 0;
+  #held = new Set();
+
+  /** `isFree(pose)` says whether the vehicle touches nothing. */
+  constructor(scene, isFree) {
+    this.pose = {...scene.start};
+    this.vehicle = scene.vehicle;
+    this.goal = scene.goal;
+    this.isFree = isFree;
+    this.trail = [[this.pose.x, this.pose.y]];
+  }
+
+  key(name, down) {
+    if (!keys[name]) return false;
+    if (down) this.#held.add(name);
+    else this.#held.delete(name);
+    return true;
+  }
+
+  /** Drives on for some seconds; true if anything moved. */
+  step(seconds) {
+    const drive = (this.#held.has('ArrowUp') ? 1 : 0) - (this.#held.has('ArrowDown') ? 1 : 0);
+    const turn = (this.#held.has('ArrowLeft') ? 1 : 0) - (this.#held.has('ArrowRight') ? 1 : 0);
+    const sharpest = 1 / this.vehicle.min_turning_radius;
+    const before = this.curvature;
+    if (turn) this.curvature = clamp(this.curvature + turn * sharpest * seconds * 1.6, -sharpest, sharpest);
+    else if (drive) this.curvature -= clamp(this.curvature, -sharpest * seconds, sharpest * seconds);
+    if (!drive) return this.curvature !== before;
+    const way = drive * (drive > 0 ? 4.5 : 3) * seconds;
+    const next = advanced(this.pose, this.curvature, way);
+    this.touched = !this.isFree(next);
+    if (this.touched) return true;
+    this.pose = next;
+    this.length += Math.abs(way);
+    if (this.#gear && this.#gear !== drive) ++this.gearChanges;
+    this.#gear = drive;
+    this.trail.push([next.x, next.y]);
+    const off = Math.hypot(next.x - this.goal.x, next.y - this.goal.y);
+    this.done = off < 0.6 && Math.abs(wrap(next.heading - this.goal.heading)) < 0.12;
+    return true;
+  }
+}

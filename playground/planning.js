@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Plans: at once and briefly while something is dragged, in a second thread for longer once it rests.
+
+import {load} from 'vandplan';
+
+import {scenarioOf} from './scene.js';
+
+/** How long a plan may take while something is dragged, and once it rests [s]. */
+export const frameBudget = 0.006;
+const restBudgets = [0.2, 1.5];
+
+/** Keeps the world of the last ground, so that dragging the truck does not build it again. */
+export class Ground {
+  #vandplan;
+  #yard = null;
+  #version = -1;
+
+  constructor(vandplan) {
+    this.#vandplan = vandplan;
+  }
+
+  /** The yard of a scenario; `version` changes with its bounds, walls and map. */
+  at(scenario, version) {
+    if (this.#version !== version) {
+      this.#yard?.close();
+      this.#yard = null;
+      this.#version = -1;
+      this.#yard = this.#vandplan.yard(scenario);
+      this.#version = version;
+    }
+    return this.#yard;
+  }
+}
+
+/** What the planner is asked for a scene. */
+export function queryOf(scene, settings, info, time) {
+  const options = {...scene.options, time_limit: time, seed: 1, margin: settings.margin, margin_ramp: settings.margin > 0 ? 5 : 0};
+  if (info.honours_prices) {
+    for (const key of ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost']) options[key] = settings[key];
+  } else {
+    for (const key of ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost', 'clearance_distance', 'style']) delete options[key];
+  }
+  if (info.honours_steering) options.steering = settings.steering;
+  else delete options.steering;
+  return {planner: info.name, options, start: scene.start, goal: scene.goal, vehicle: scene.vehicle};
+}
+
+/** Runs in the second thread: {id, version, scenario, query} in, {id, result} or {id, error} out. */
+export async function work() {
+  let ground = null;
+  const loading = load().then((vandplan) => {
+    ground = new Ground(vandplan);
+  });
+  onmessage = async ({data: {id, version, scenario, query}}) => {
+    await loading;
+    try {
+      postMessage({id, result: ground.at(scenario, version).plan(query)});
+    } catch (error) {
+      postMessage({id, error: String(error.message)});
+    }
+  };
+}
+
+/** A second thread that runs this very script, or none where the browser has none for a page from disk. */
+function second(script) {
+  try {
+    return new Worker(URL.createObjectURL(new Blob([script], {type: 'text/javascript'})));
+  } catch {
+    return null;
+  }
+}
+
+export class Planning {
+  #ground;
+  #worker;
+  #id = 0;
+  #timer = 0;
+  #busy = false;
+  #next = null;
+  groundVersion = 0;
+  runs = 0;
+
+  /** `better(result)` is called with a better path of the scene that was asked for last. */
+  constructor(vandplan, script, better) {
+    this.#ground = new Ground(vandplan);
+    this.#worker = second(script);
+    this.better = better;
+    if (!this.#worker) return;
+    this.#worker.onmessage = ({data}) => this.#took(data);
+    this.#worker.onerror = () => {
+      this.#worker = null;
+    };
+  }
+
+  yard(scene) {
+    return this.#ground.at(scenarioOf(scene), this.groundVersion);
+  }
+
+  /** A plan within the budget of a frame; longer ones follow once nothing is asked for a while. */
+  now(scene, settings, info, time = frameBudget) {
+    const id = ++this.#id;
+    this.#next = null;
+    clearTimeout(this.#timer);
+    const result = this.yard(scene).plan(queryOf(scene, settings, info, time));
+    ++this.runs;
+    const ended = ['start_in_collision', 'goal_in_collision', 'no_path'].includes(result.status);
+    if (!ended) this.#timer = setTimeout(() => this.#improve(id, scene, settings, info, 0), 140);
+    return result;
+  }
+
+  #improve(id, scene, settings, info, step) {
+    if (id !== this.#id || step >= restBudgets.length) return;
+    const ask = {id, step, scene, settings, info};
+    if (this.#busy) this.#next = ask;
+    else this.#send(ask);
+  }
+
+  #send({id, step, scene, settings, info}) {
+    const query = queryOf(scene, settings, info, restBudgets[step]);
+    this.asked = {id, step, scene, settings, info};
+    if (!this.#worker) return;
+    this.#busy = true;
+    this.#worker.postMessage({id, version: this.groundVersion, scenario: scenarioOf(scene), query});
+  }
+
+  #took({id, result}) {
+    this.#busy = false;
+    if (id === this.#id && result) {
+      this.better(result);
+      const {scene, settings, info, step} = this.asked;
+      this.#improve(id, scene, settings, info, step + 1);
+    }
+    if (this.#next && !this.#busy) {
+      const next = this.#next;
+      this.#next = null;
+      if (next.id === this.#id) this.#send(next);
+    }
+  }
+}

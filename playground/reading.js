@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// What a scenario file says becomes a scene, or an error that names the key.
+//
+// Everything that comes from a file or a link passes through here: only known keys, only numbers
+// that are finite, no more of anything than the page can show.
+
+import {vehicles} from 'catalogue';
+
+export class ReadError extends Error {}
+
+const fail = (where, problem) => {
+  throw new ReadError(`${where}: ${problem}`);
+};
+
+export const most = {polygons: 2000, corners: 20000, text: 2e6};
+
+function object(value, where, keys) {
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) fail(where, 'expected a map of keys');
+  for (const key of Object.keys(value)) {
+    if (!keys.includes(key)) fail(where, `the key "${key.slice(0, 40)}" is not known`);
+  }
+  return value;
+}
+
+function number(value, where, least = -1e10, largest = 1e10) {
+  if (typeof value !== 'number' || !(value >= least && value <= largest)) fail(where, 'expected a number');
+  return value;
+}
+
+function text(value, where) {
+  if (value === undefined) return '';
+  if (typeof value !== 'string') fail(where, 'expected text');
+  return value.slice(0, 2000);
+}
+
+function pair(value, where) {
+  if (!Array.isArray(value) || value.length !== 2) fail(where, 'expected two numbers');
+  return value.map((one) => number(one, where));
+}
+
+function pose(value, where) {
+  object(value, where, ['x', 'y', 'heading', 'curvature']);
+  const read = {x: number(value.x, `${where}.x`), y: number(value.y, `${where}.y`), heading: number(value.heading, `${where}.heading`)};
+  if (value.curvature !== undefined) read.curvature = number(value.curvature, `${where}.curvature`);
+  return read;
+}
+
+function polygons(value, where) {
+  if (value === undefined) return [];
+  if (!Array.isArray(value)) fail(where, 'expected a list of polygons');
+  if (value.length > most.polygons) fail(where, `more than ${most.polygons} polygons`);
+  let corners = 0;
+  return value.map((polygon, i) => {
+    if (!Array.isArray(polygon) || polygon.length < 3) fail(`${where}[${i}]`, 'expected three corners or more');
+    corners += polygon.length;
+    if (corners > most.corners) fail(where, `more than ${most.corners} corners`);
+    return polygon.map((corner) => pair(corner, `${where}[${i}]`));
+  });
+}
+
+const lengths = ['wheelbase', 'front_overhang', 'rear_overhang', 'width'];
+const limits = ['max_steering_rate', 'max_curvature_rate', 'max_acceleration', 'max_braking', 'max_lateral_acceleration', 'max_jerk'];
+
+/** The limits of the vehicle of the catalogue that has these lengths. */
+function usualLimits(vehicle) {
+  const keys = [...lengths, 'min_turning_radius', 'track_width'];
+  const known = Object.values(vehicles).find((one) => keys.every((key) => one[key] === vehicle[key]));
+  return Object.fromEntries(Object.entries(known ?? {}).filter(([key]) => limits.includes(key) || key === 'max_speed'));
+}
+
+function vehicle(value) {
+  if (typeof value === 'string') {
+    return Object.hasOwn(vehicles, value) ? {...vehicles[value]} : fail('vehicle', `there is no "${value.slice(0, 40)}" in the catalogue`);
+  }
+  object(value, 'vehicle', [...lengths, ...limits, 'min_turning_radius', 'max_steering_angle', 'track_width', 'max_speed']);
+  const read = Object.fromEntries(lengths.map((key) => [key, number(value[key], `vehicle.${key}`, 0, 1000)]));
+  if (value.max_steering_angle !== undefined) {
+    const angle = number(value.max_steering_angle, 'vehicle.max_steering_angle', 1e-3, 1.57);
+    read.min_turning_radius = (read.wheelbase * Math.cos(angle)) / Math.sin(angle);
+  } else {
+    read.min_turning_radius = number(value.min_turning_radius, 'vehicle.min_turning_radius', 0.01, 1e4);
+  }
+  if (value.track_width !== undefined) read.track_width = number(value.track_width, 'vehicle.track_width', 0, 1000);
+  Object.assign(read, usualLimits(read));
+  for (const key of limits) {
+    if (value[key] === 'none') delete read[key];
+    else if (value[key] !== undefined) read[key] = number(value[key], `vehicle.${key}`, 0, 1e6);
+  }
+  if (value.max_speed !== undefined) {
+    object(value.max_speed, 'vehicle.max_speed', ['forward', 'reverse']);
+    read.max_speed = {...read.max_speed};
+    for (const [key, speed] of Object.entries(value.max_speed)) read.max_speed[key] = number(speed, `vehicle.max_speed.${key}`, 0, 1000);
+  }
+  return read;
+}
+
+function options(value) {
+  if (value === undefined) return {};
+  object(value, 'options', Object.keys(value ?? {}));
+  return Object.fromEntries(
+    Object.entries(value).slice(0, 40).map(([key, one]) => {
+      if (!['number', 'string', 'boolean'].includes(typeof one)) fail(`options.${key.slice(0, 40)}`, 'expected a number or a word');
+      return [key, one];
+    }),
+  );
+}
+
+const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'obstacles', 'kerbs', 'map', 'unknown', 'options'];
+
+/** The problems that a parsed scenario file states, as scenes; a row of goals has one for each. */
+export function scenesOf(document, map = null) {
+  object(document, 'the file', keys);
+  if (document.map !== undefined && !map) fail('map', `drop ${JSON.stringify(String(document.map).slice(0, 60))} and its image together with the scenario`);
+  const scene = {
+    name: text(document.name, 'name') || 'yard',
+    description: text(document.description, 'description'),
+    vehicle: vehicle(document.vehicle ?? fail('vehicle', 'is missing')),
+    start: pose(document.start, 'start'),
+    obstacles: polygons(document.obstacles, 'obstacles'),
+    kerbs: polygons(document.kerbs, 'kerbs'),
+    map: map && document.unknown === 'free' ? {...map, grid: {...map.grid, unknown: 'free'}} : map,
+    options: options(document.options),
+  };
+  if (document.bounds !== undefined) {
+    object(document.bounds, 'bounds', ['x', 'y']);
+    scene.bounds = {x: pair(document.bounds.x, 'bounds.x'), y: pair(document.bounds.y, 'bounds.y')};
+  } else if (map) {
+    scene.bounds = map.bounds;
+  } else {
+    fail('bounds', 'are missing');
+  }
+  if (document.goals === undefined) return [{...scene, goal: pose(document.goal, 'goal')}];
+  if (!Array.isArray(document.goals) || document.goals.length < 1 || document.goals.length > 200) fail('goals', 'expected a list');
+  return document.goals.map((one, i) => {
+    object(one, `goals[${i}]`, ['distance', 'goal', 'obstacles']);
+    const own = polygons(one.obstacles, `goals[${i}].obstacles`);
+    return {...scene, goal: pose(one.goal, `goals[${i}].goal`), obstacles: [...scene.obstacles, ...own]};
+  });
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// The tables of the thesis in a build that is to be small: each is computed when it is first asked
+// for, with the same entries.
+#include "vandplan/heuristic_table.h"
+
+namespace vandplan {
+
+HeuristicTable thesis_table(int number) {
+  switch (number) {
+    case 1: {
+      static const HeuristicTable table(thesis_table_options(1));
+      return table;
+    }
+    case 2: {
+      static const HeuristicTable table(thesis_table_options(2));
+      return table;
+    }
+    case 3: {
+      static const HeuristicTable table(thesis_table_options(3));
+      return table;
+    }
+    default: {
+      static const HeuristicTable table(thesis_table_options(4));
+      return table;
+    }
+  }
+}
+
+}  // namespace vandplan

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Does WebAssembly plan the same paths as the command line, bit for bit? Nine scenarios, three planners.
+// usage: node same_answers.mjs PLAYGROUND VANDPLAN [--timing]
+
+import {execFileSync} from 'node:child_process';
+import {mkdtempSync, readdirSync, readFileSync, rmSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {join, resolve} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+const [playground, program] = process.argv.slice(2, 4).map((path) => resolve(path));
+const timing = process.argv.includes('--timing');
+const require = createRequire(import.meta.url);
+const {load, InputError} = require(join(playground, 'vandplan.cjs'));
+const yaml = require('/usr/share/nodejs/js-yaml/dist/js-yaml.js');
+const thesis = fileURLToPath(new URL('../../scenarios/thesis', import.meta.url));
+const runs = [['anytime', 300], ['rrt-opt-hlut-4', 500], ['rrt-connect', 500]];
+const work = mkdtempSync(join(tmpdir(), 'vandplan-'));
+const vandplan = await load();
+let faults = 0;
+
+function expect(holds, what) {
+  if (holds) return;
+  console.log(`WRONG: ${what}`);
+  ++faults;
+}
+
+/** What the command line finds: one result for each goal. */
+function native(file, planner, iterations) {
+  const output = join(work, 'result.json');
+  try {
+    execFileSync(program, ['plan', file, '--planner', planner, '--max-iterations', String(iterations), '--output', output], {stdio: 'ignore'});
+  } catch (error) {
+    if (error.status !== 1) throw error; // 1: no path
+  }
+  const result = JSON.parse(readFileSync(output, 'utf8'));
+  return result.goals ?? [result];
+}
+
+/** The scenario of each goal of a file, as the module takes it. */
+function scenariosOf(file) {
+  const {goals, options: _, ...scenario} = yaml.load(readFileSync(file, 'utf8'));
+  if (!goals) return [scenario];
+  return goals.map(({goal, obstacles = []}) => ({...scenario, goal, obstacles: [...scenario.obstacles, ...obstacles]}));
+}
+
+/** A path of a result file: its segments say "left" where the module says a curvature. */
+function pathOf({path}, {min_turning_radius: radius}) {
+  const curvatures = {left: 1 / radius, straight: 0, right: -1 / radius};
+  return {
+    start: path.start,
+    segments: path.segments.map(({turn, curvature, length, curvature_rate = 0}) => ({curvature: turn ? curvatures[turn] : curvature, length, curvature_rate})),
+  };
+}
+
+let compared = 0;
+for (const name of readdirSync(thesis).filter((one) => one.endsWith('.yaml')).sort()) {
+  const file = join(thesis, name);
+  for (const [planner, max_iterations] of runs) {
+    const theirs = native(file, planner, max_iterations);
+    let ratio = '';
+    scenariosOf(file).slice(0, 3).forEach((scenario, i) => {
+      const own = vandplan.plan(scenario, {planner, max_iterations, time_limit: null});
+      const hash = own.path ? vandplan.hash(own.path) : own.status;
+      const other = theirs[i].path ? vandplan.hash(pathOf(theirs[i], scenario.vehicle)) : theirs[i].status;
+      expect(hash === other, `${name}, goal ${i + 1}, ${planner}: ${hash}, the command line has ${other}`);
+      if (timing) ratio += ` ${(own.time / theirs[i].time.total).toFixed(1)}`;
+      ++compared;
+    });
+    if (timing) console.log(`${name} ${planner}: time of WebAssembly by native:${ratio}`);
+  }
+}
+rmSync(work, {recursive: true});
+
+// ---- what the module promises besides ----
+
+const truck = {wheelbase: 4.5, front_overhang: 1.4, rear_overhang: 1.6, width: 2.55, min_turning_radius: 7};
+const yard = {vehicle: truck, bounds: {x: [-50, 50], y: [-50, 50]}, start: {x: 0, y: 0, heading: 0}, goal: {x: 0, y: 12, heading: 0},
+  obstacles: [[[-20, 5], [15, 5], [15, 7], [-20, 7]]]};
+
+function refuses(where, act) {
+  try {
+    act();
+    expect(false, `${where} is not refused`);
+  } catch (error) {
+    expect(error instanceof InputError && error.where === where, `${where}: ${error.where ?? error.stack}`);
+  }
+}
+refuses('wals', () => vandplan.plan({...yard, wals: []}));
+refuses('vehicle.width', () => vandplan.plan({...yard, vehicle: {...truck, width: '2'}}));
+refuses('goal.heading', () => vandplan.plan({...yard, goal: {x: 1, y: 1}}));
+refuses('obstacles[0]', () => vandplan.plan({...yard, obstacles: [[[0, 9], [1, 10], [0, 10], [1, 9]]]}));
+refuses('margin', () => vandplan.plan(yard, {margin: -1}));
+refuses('map.cells', () => vandplan.plan({...yard, map: {origin: {x: 0, y: 0, heading: 0}, resolution: 1, columns: 2, rows: 2, cells: new Uint8Array(3)}}));
+
+const planned = vandplan.plan(yard, {max_iterations: 500, time_limit: null, margin: 0.3});
+expect(planned.check.valid && planned.check.clearance >= 0.3, 'the margin is kept');
+expect(vandplan.check(yard, planned.path, {margin: 0.2, steering: planned.steering}).valid, 'the judge accepts the path');
+expect(!vandplan.check({...yard, obstacles: [[[-1, -1], [1, -1], [1, 1]]]}, planned.path).valid, 'the judge sees another obstacle');
+const from = {x: 1, y: 4, heading: 0.4};
+const nodes = {x: new Float32Array([1]), y: new Float32Array([4]), heading: new Float32Array([0.4])};
+const exact = vandplan.steer(from, {x: 0, y: 0, heading: 0}, 7).reduce((sum, {length}) => sum + Math.abs(length), 0);
+const [length] = vandplan.distances('reeds-shepp', nodes, {x: 0, y: 0, heading: 0}, 7);
+expect(Math.abs(length - exact) < 1e-3, `length ${length} of a path of ${exact}`);
+const [words] = vandplan.words(from, {x: 0, y: 0, heading: 0}, 7);
+expect(Math.abs(words.reduce((sum, {length: l}) => sum + Math.abs(l), 0) - exact) < 1e-9, 'the shortest word is the shortest path');
+expect(Math.abs(vandplan.distances('euclid', nodes, {x: 0, y: 0, heading: 0}, 7)[0] - Math.hypot(1, 4)) < 1e-6, 'Euclid');
+const [table] = vandplan.distances('hlut-4', nodes, {x: 0, y: 0, heading: 0}, 7);
+expect(table > 0 && Math.abs(table - exact) < 3, `the table says ${table}, the exact length is ${exact}`);
+const drive = vandplan.drive(planned.path, truck);
+expect(drive.length % 7 === 0 && Math.abs(drive.at(-6) - planned.check.length) < 1e-6, 'the drive ends at the end of the path');
+
+console.log(`${compared} paths compared, ${faults} faults`);
+process.exit(faults ? 1 : 0);

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Does the page work, on a desk and on a phone?
+// usage: node works_in_a_browser.mjs PLAYGROUND CHROMIUM [SCREENSHOTS]
+
+import {existsSync, mkdirSync} from 'node:fs';
+import {join, resolve} from 'node:path';
+import {pathToFileURL} from 'node:url';
+
+import {Browser, pause} from './browser.mjs';
+
+const [playground, chromium, pictures] = process.argv.slice(2);
+const url = pathToFileURL(resolve(playground, 'index.html')).href;
+let faults = 0;
+
+function expect(holds, what) {
+  if (holds) return;
+  console.log(`WRONG: ${what}`);
+  ++faults;
+}
+
+async function picture(page, name) {
+  if (!pictures) return;
+  if (!existsSync(pictures)) mkdirSync(pictures, {recursive: true});
+  await page.screenshot(join(pictures, `${name}.png`));
+}
+
+const status = (page) => page.value('vandplanPage.result?.status');
+const pose = (page, which) => page.value(`({...vandplanPage.scene.${which}})`);
+const settled = async (page) => {
+  await page.until('!vandplanPage.dirty');
+  await pause(60);
+};
+const choose = (page, id, label) =>
+  page.value(`(() => { const s = document.getElementById('${id}'); s.value = [...s.options].find((o) => o.text === '${label}').value; s.dispatchEvent(new Event('change')); })()`);
+const click = (page, id) => page.value(`document.getElementById('${id}').click()`);
+/** Where the middle of a body is on the page. */
+const bodyAt = (page, which) => page.value(`(() => { const p = vandplanPage, v = p.scene.vehicle, s = p.scene.${which}, m = (v.wheelbase + v.front_overhang - v.rear_overhang) / 2;
+  return p.view.toPage([s.x + m * Math.cos(s.heading), s.y + m * Math.sin(s.heading)]); })()`);
+const cornerOf = (page, index) => page.value(`vandplanPage.view.toPage(vandplanPage.scene.obstacles[${index}][0])`);
+const centreOf = (page, index) => page.value(`(() => { const o = vandplanPage.scene.obstacles[${index}]; return vandplanPage.view.toPage([0, 1].map((k) => o.reduce((sum, c) => sum + c[k], 0) / o.length)); })()`);
+
+async function drags(page) {
+  expect((await status(page)) === 'solved', 'the first yard has a path');
+  expect(await page.value('vandplanPage.result.check.valid'), 'the judge has seen it');
+  const before = await pose(page, 'goal');
+  const at = await bodyAt(page, 'goal');
+  await page.drag(at, [at[0] - 60, at[1] + 90]);
+  await settled(page);
+  const after = await pose(page, 'goal');
+  expect(Math.hypot(after.x - before.x, after.y - before.y) > 2, 'the goal follows the mouse');
+  expect((await status(page)) === 'solved', 'there is a path to it');
+  const scale = await page.value('vandplanPage.view.scale');
+  expect(Math.abs((after.x - before.x) * scale + 60) < 2 && Math.abs((after.y - before.y) * scale + 90) < 2, 'it goes as far as the mouse');
+  await page.key('z', 2);
+  await settled(page);
+  expect((await pose(page, 'goal')).x === before.x, 'undo brings it back');
+  await page.key('z', 2 | 8);
+  await settled(page);
+  expect((await pose(page, 'goal')).x === after.x, 'redo takes it there again');
+}
+
+async function edits(page) {
+  const count = await page.value('vandplanPage.scene.obstacles.length');
+  await click(page, 'add-wall');
+  await settled(page);
+  expect((await page.value('vandplanPage.scene.obstacles.length')) === count + 1, 'a wall is added');
+  const corner = await cornerOf(page, count);
+  await page.drag(corner, [corner[0] - 30, corner[1] + 20]);
+  const moved = await cornerOf(page, count);
+  expect(Math.hypot(moved[0] - corner[0] + 30, moved[1] - corner[1] - 20) < 3, 'its corner follows the mouse');
+  const centre = await centreOf(page, count);
+  await page.drag(centre, [centre[0] + 40, centre[1] + 10]);
+  const then = await centreOf(page, count);
+  expect(Math.abs(then[0] - centre[0] - 40) < 3, 'the wall follows the mouse');
+  await page.key('Delete');
+  await settled(page);
+  expect((await page.value('vandplanPage.scene.obstacles.length')) === count, 'Delete removes it');
+  await page.value('document.getElementById("yard").focus()');
+  await page.key('n');
+  const before = await pose(page, 'goal');
+  await page.key('ArrowRight');
+  await page.key(',');
+  await settled(page);
+  const after = await pose(page, 'goal');
+  expect(after.heading !== before.heading && after.x !== before.x, 'keys move and turn the goal');
+}
+
+async function slides(page) {
+  await choose(page, 'scenario', 'Thesis 5 leave cage');
+  await settled(page);
+  const set = (id, value) => page.value(`(() => { const s = document.getElementById('${id}'); s.value = ${value}; s.dispatchEvent(new Event('input')); })()`);
+  await set('margin', 0.5);
+  await settled(page);
+  expect((await page.value('vandplanPage.result.check.clearance')) >= 0.499, 'the margin is kept');
+  await click(page, 'as-shortest');
+  await settled(page);
+  const length = await page.value('vandplanPage.result.cost - vandplanPage.result.check.length');
+  expect(Math.abs(length) < 1e-6, 'the cost of the shortest style is the length');
+  await choose(page, 'planner', 'rrt-connect');
+  await settled(page);
+  expect((await status(page)) === 'solved', 'another planner finds a path');
+  await choose(page, 'planner', 'anytime');
+  await click(page, 'as-driver');
+  await choose(page, 'vehicle', 'van');
+  await settled(page);
+  expect((await page.value('vandplanPage.scene.vehicle.wheelbase')) < 4.5, 'the vehicle is another one');
+  await page.until('vandplanPage.result.time > 0.15', 60);
+}
+
+async function opensFiles(page) {
+  const text = await page.value(`(async () => { const p = vandplanPage; return p.vandplan.version; })()`);
+  expect(/^\d+\.\d+/.test(text), 'it knows its version');
+  const drop = (name, content) => page.value(`(async () => { const data = new DataTransfer(); data.items.add(new File([${content}], ${JSON.stringify(name)}));
+    dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); await new Promise((r) => setTimeout(r, 150)); return document.getElementById('note').textContent; })()`);
+  const broken = [
+    ['bad.yaml', '"name: [1, 2"', 'bad.yaml:'], ['bad.yaml', '"wals: []"', 'wals'], ['bad.txt', '"x"', 'expected'], ['bad.pgm', '"P5 9 9 255 "', 'ends'],
+    ['huge.yaml', '"a".repeat(3e6)', 'larger'], ['bad.png', '"no image"', 'image'], ['huge.pgm', '"P5 99999 99999 255 "', 'cells'],
+  ];
+  for (const [name, content, part] of broken) {
+    const note = await drop(name, content);
+    expect(note.includes(part), `${name} gives "${note}"`);
+  }
+  const evil = '<img src=x onerror="globalThis.evil=1"><script>globalThis.evil=1</' + 'script>';
+  const yaml = `name: '${evil}'\nvehicle: van\nbounds: {x: [-30, 30], y: [-30, 30]}\nstart: {x: 0, y: 0, heading: 0}\ngoal: {x: 9, y: 4, heading: 0}\nobstacles: []\n`;
+  await drop('mine.yaml', JSON.stringify(yaml));
+  await settled(page);
+  expect((await page.value('vandplanPage.scene.goal.x')) === 9, 'a scenario that is dropped is shown');
+  expect((await page.value('globalThis.evil')) === undefined, 'nothing in a file runs');
+  const map = 'P2\n40 40\n255\n' + Array.from({length: 1600}, (_, i) => (Math.floor(i / 40) === 20 && i % 40 < 28 ? 0 : 254)).join(' ');
+  await drop('yard.pgm', JSON.stringify(map));
+  await settled(page);
+  expect((await page.value('vandplanPage.scene.map.grid.columns')) === 40, 'a map that is dropped is shown');
+}
+
+async function links(browser, page, size) {
+  await choose(page, 'scenario', 'Street');
+  await settled(page);
+  await click(page, 'link');
+  await page.until('location.hash.length > 20');
+  const hash = await page.value('location.hash');
+  const other = await browser.page(url + hash, size);
+  expect((await other.value('vandplanPage.scene.name')) === 'street', 'a link carries the yard');
+  expect(other.faults.length === 0, `the linked page complains: ${other.faults}`);
+  const bad = await browser.page(`${url}#yard=xxxx`, size);
+  expect((await bad.value('document.getElementById("note").textContent')).includes('link'), 'a broken link is said to be one');
+}
+
+async function explains(page, name) {
+  await click(page, 'show-how');
+  await page.until('document.querySelectorAll("#how .maps b")[2].textContent.endsWith("m")');
+  await pause(2500);
+  await picture(page, `${name}-how-1`);
+  const numbers = await page.value('[...document.querySelectorAll("#how .maps b")].map((b) => parseFloat(b.textContent))');
+  expect(numbers[2] > 1.5 * numbers[0], `beside is far for a truck: ${numbers}`);
+  await page.until('/\\d/.test(document.querySelector("#how .two .bench span").textContent)');
+  await page.value('document.querySelectorAll("#how article")[1].scrollIntoView()');
+  await pause(1500);
+  await picture(page, `${name}-how-2`);
+  await page.value('document.querySelectorAll("#how article")[2].scrollIntoView()');
+  await pause(300);
+  await picture(page, `${name}-how-3`);
+  expect((await page.value('document.querySelectorAll("#how article p")[document.querySelectorAll("#how article p").length - 1].textContent')).includes('words fit'), 'words are counted');
+  await click(page, 'show-plan');
+}
+
+/** Every control has a name, and texts can be told from what is behind them. */
+async function isAccessible(page) {
+  const nameless = await page.value(`[...document.querySelectorAll('button, select, input:not([hidden]), canvas')].filter((e) =>
+    !(e.textContent.trim() || e.ariaLabel || e.getAttribute('aria-label') || e.labels?.length)).map((e) => e.id || e.tagName)`);
+  expect(nameless.length === 0, `without a name: ${nameless}`);
+  const weak = await page.value(`(() => {
+    const level = (c) => { const [r, g, b] = c.match(/[\\d.]+/g).map((v) => { v /= 255; return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; }); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+    const probe = document.createElement('i'); document.body.append(probe);
+    const colour = (name) => { probe.style.color = 'var(--' + name + ')'; return level(getComputedStyle(probe).color); };
+    const paper = colour('paper');
+    const weak = ['ink', 'soft', 'accent-ink', 'good', 'bad'].filter((name) => { const one = colour(name); return (Math.max(one, paper) + 0.05) / (Math.min(one, paper) + 0.05) < 4.5; });
+    probe.remove(); return weak; })()`);
+  expect(weak.length === 0, `too little contrast: ${weak}`);
+}
+
+async function onADesk(browser) {
+  const size = {width: 1440, height: 900};
+  const page = await browser.page(url, size);
+  await settled(page);
+  await picture(page, 'desk-docks');
+  await isAccessible(page);
+  await drags(page);
+  await edits(page);
+  await slides(page);
+  await picture(page, 'desk-cage');
+  await opensFiles(page);
+  await links(browser, page, size);
+  await click(page, 'play');
+  await pause(700);
+  expect(await page.value('vandplanPage.drive !== null'), 'the truck drives');
+  await picture(page, 'desk-street');
+  await explains(page, 'desk');
+  expect(page.faults.length === 0, `the page complains: ${page.faults.join('\n')}`);
+  const dark = await browser.page(url, {...size, dark: true});
+  await settled(dark);
+  await isAccessible(dark);
+  await picture(dark, 'desk-dark');
+}
+
+async function onAPhone(browser) {
+  const page = await browser.page(url, {width: 390, height: 844, touch: true});
+  await settled(page);
+  await picture(page, 'phone-docks');
+  const before = await pose(page, 'goal');
+  const at = await bodyAt(page, 'goal');
+  await page.touch([at], 'touchStart');
+  for (let i = 1; i <= 6; ++i) await page.touch([[at[0] - 4 * i, at[1] + 12 * i]], 'touchMove');
+  await page.touch([], 'touchEnd');
+  await settled(page);
+  expect((await pose(page, 'goal')).y < before.y - 2, 'the goal follows a finger');
+  const scale = await page.value('vandplanPage.view.scale');
+  await page.touch([[150, 120], [240, 120]], 'touchStart');
+  for (let i = 1; i <= 5; ++i) await page.touch([[150 - 8 * i, 120], [240 + 8 * i, 120]], 'touchMove');
+  await page.touch([], 'touchEnd');
+  expect((await page.value('vandplanPage.view.scale')) > 1.2 * scale, 'two fingers zoom');
+  expect(await page.value('document.documentElement.scrollWidth <= innerWidth'), 'nothing is wider than the phone');
+  await click(page, 'more');
+  await pause(200);
+  await picture(page, 'phone-panel');
+  await click(page, 'more');
+  await explains(page, 'phone');
+  expect(page.faults.length === 0, `the page complains on a phone: ${page.faults.join('\n')}`);
+}
+
+const browser = await Browser.open(chromium);
+try {
+  await onADesk(browser);
+  await onAPhone(browser);
+} catch (error) {
+  expect(false, error.stack);
+}
+await browser.close();
+console.log(faults ? `${faults} faults` : 'the page works');
+process.exit(faults ? 1 : 0);
