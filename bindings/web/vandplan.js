@@ -77,7 +77,7 @@ export function hashOf(path) {
   const numbers = [path.start.x, path.start.y, path.start.heading];
   for (const {curvature, length, curvature_rate = 0} of path.segments) numbers.push(curvature, length, curvature_rate);
   const bytes = new DataView(new ArrayBuffer(8 * numbers.length));
-  numbers.forEach((number, i) => bytes.setFloat64(8 * i, number, true));
+  numbers.forEach((number, i) => bytes.setFloat64(8 * i, number + 0, true)); // -0 is 0, as in files
   let hash = 0xcbf29ce484222325n;
   for (let i = 0; i < bytes.byteLength; ++i) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(bytes.getUint8(i))) * 0x100000001b3n);

@@ -104,11 +104,11 @@ class Page {
     return result.value;
   }
 
-  async until(expression, seconds = 90) {
+  async until(expression, seconds = 60) {
     for (const end = Date.now() + 1000 * seconds; Date.now() < end; await pause(30)) {
       if (await this.value(expression).catch(() => false)) return;
     }
-    throw new Error(`never: ${expression}`);
+    throw new Error(`never: ${expression}; ${this.faults.join('; ')}`);
   }
 
   async mouse(type, [x, y], more = {}) {
