@@ -66,6 +66,8 @@ export class Editor {
     const {scene} = this.page;
     const near = (polygon) =>
       contains(polygon, place) || polygon.some((corner, i) => fromSide(place, corner, polygon[(i + 1) % polygon.length]) < reach / 2);
+    const polygon = this.selected && polygonAt(scene, this.selected);
+    if (polygon && near(polygon)) return {kind: 'move', item: this.selected};
     for (const kind of ['goal', 'start']) {
       if (near(outline(scene.vehicle, scene[kind]))) return {kind: 'move', item: {kind}};
     }

@@ -9,7 +9,7 @@ import {Editor} from './edit.js';
 import * as paint from './paint.js';
 import * as panel from './panel.js';
 import {Parking} from './parking.js';
-import {Planning} from './planning.js';
+import {frameBudget, Planning} from './planning.js';
 import {addBox, centreAt, History, polygonAt, sceneBox} from './scene.js';
 import {View} from './view.js';
 
@@ -61,7 +61,7 @@ export class Page {
   fit() {
     this.measure();
     this.view.fit(sceneBox(this.scene));
-    this.drawn();
+    this.drawn(true);
   }
 
   /** What panels cover of the canvas. */
@@ -101,6 +101,7 @@ export class Page {
   drawn(now = false) {
     if (now) {
       cancelAnimationFrame(this.#frame);
+      this.#frame = 0;
       this.frame(performance.now());
     } else if (!this.#frame) {
       this.#frame = requestAnimationFrame((time) => this.frame(time));
@@ -122,7 +123,7 @@ export class Page {
   plan() {
     this.dirty = false;
     try {
-      this.take(this.planning.now(this.scene, this.settings, this.info));
+      this.take(this.planning.now(this.scene, this.settings, this.info, this.editor.dragging ? frameBudget : 5 * frameBudget));
     } catch (error) {
       this.result = null;
       this.rows = null;

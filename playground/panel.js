@@ -91,7 +91,7 @@ export function paintTrace(colours, {anytime, time, path}) {
 function shown(slider) {
   const unit = slider.dataset.unit;
   const number = Number(slider.value);
-  slider.parentElement.querySelector('output').textContent = `${number}${unit ? ' ' + unit : ''}`;
+  slider.parentElement.querySelector('.value').textContent = `${number}${unit ? ' ' + unit : ''}`;
 }
 
 export function fillSettings(settings) {

@@ -103,7 +103,10 @@ export class Planning {
     const id = ++this.#id;
     this.#next = null;
     clearTimeout(this.#timer);
-    const result = this.yard(scene).plan(queryOf(scene, settings, info, time));
+    const yard = this.yard(scene);
+    let result = yard.plan(queryOf(scene, settings, info, time));
+    // Another program may have had the processor: better a late path than none.
+    if (result.status === 'time_limit') result = yard.plan(queryOf(scene, settings, info, 3 * time));
     ++this.runs;
     const ended = ['start_in_collision', 'goal_in_collision', 'no_path'].includes(result.status);
     if (!ended) this.#timer = setTimeout(() => this.#improve(id, scene, settings, info, 0), 140);

@@ -9,7 +9,7 @@ import {boxOf, centreOf, mapCorners, middle, outline, placed, turned, wrap} from
 export function sceneBox(scene) {
   const points = [...outline(scene.vehicle, scene.start), ...outline(scene.vehicle, scene.goal)];
   for (const polygon of [...scene.obstacles, ...scene.kerbs]) points.push(...polygon);
-  if (scene.map) points.push(...mapCorners(scene.map));
+  if (scene.map) points.push(...mapCorners(scene.map.grid));
   return boxOf(points);
 }
 

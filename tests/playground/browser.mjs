@@ -20,7 +20,8 @@ export class Browser {
     browser.folder = mkdtempSync(join(tmpdir(), 'vandplan-browser-'));
     browser.process = spawn(program, [
       '--headless', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--no-first-run', '--disable-background-networking',
-      '--disable-component-update', '--disable-sync', '--disable-quic', `--user-data-dir=${browser.folder}`, '--remote-debugging-pipe', 'about:blank',
+      '--disable-component-update', '--disable-sync', '--disable-quic',
+      '--disable-renderer-backgrounding', '--disable-backgrounding-occluded-windows', '--disable-background-timer-throttling', `--user-data-dir=${browser.folder}`, '--remote-debugging-pipe', 'about:blank',
     ], {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'], env: {...process.env, HOME: browser.folder}});
     browser.#read();
     return browser;
@@ -65,6 +66,7 @@ export class Browser {
     await page.send('Emulation.setDeviceMetricsOverride', {width, height, deviceScaleFactor: touch ? 2 : 1, mobile: touch});
     await page.send('Emulation.setEmulatedMedia', {features: [{name: 'prefers-color-scheme', value: dark ? 'dark' : 'light'}]});
     if (touch) await page.send('Emulation.setTouchEmulationEnabled', {enabled: true});
+    await page.send('Page.bringToFront');
     await page.send('Page.navigate', {url});
     await page.until('globalThis.vandplanPage?.painted');
     return page;
