@@ -265,7 +265,7 @@ std::string quoted(const std::string& text) {
     if (c == '"' || c == '\\') {
       result += '\\';
       result += c;
-    } else if ((c >= 0 && c < ' ') || c == 127) {
+    } else if (static_cast<unsigned char>(c) < ' ' || c == 127) {
       result += fmt::format("\\x{:02x}", static_cast<int>(c));
     } else {
       result += c;
