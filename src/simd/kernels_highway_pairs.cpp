@@ -159,19 +159,16 @@ Circles circles(const Pairs& pairs) {
   turn = hn::IfThenZeroElse(hn::AndNot(hn::Eq(turns, hn::Zero(D())), hn::Le(hn::Abs(turn), noise)),
                             turn);
   const SinCos mean = sin_cos(hn::Mul(set(0.5), hn::Add(pairs.to, pairs.from)));
-  Circles f;
-  f.x = hn::Abs(sum_of_products(pairs.dx, mean.cos, pairs.dy, mean.sin));
-  f.y = hn::Abs(difference_of_products(pairs.dy, mean.cos, pairs.dx, mean.sin));
-  f.a = hn::Abs(hn::Mul(set(0.5), turn));
-  const SinCos half = sin_cos(f.a);
-  f.s = half.sin;
-  f.c = half.cos;
-  const Doubles two_s = hn::Mul(set(2.0), f.s);
-  const Doubles four_c = hn::Mul(set(4.0), f.c);
-  const Doubles shared = hn::Mul(hn::Sub(f.x, two_s), hn::Add(f.x, two_s));
-  f.lr = hn::Add(shared, hn::Mul(f.y, hn::Sub(f.y, four_c)));
-  f.rl = hn::Add(shared, hn::Mul(f.y, hn::Add(f.y, four_c)));
-  return f;
+  const Doubles x = hn::Abs(sum_of_products(pairs.dx, mean.cos, pairs.dy, mean.sin));
+  const Doubles y = hn::Abs(difference_of_products(pairs.dy, mean.cos, pairs.dx, mean.sin));
+  const Doubles a = hn::Abs(hn::Mul(set(0.5), turn));
+  const auto [s, c] = sin_cos(a);
+  const Doubles two_s = hn::Mul(set(2.0), s);
+  const Doubles four_c = hn::Mul(set(4.0), c);
+  const Doubles shared = hn::Mul(hn::Sub(x, two_s), hn::Add(x, two_s));
+  const Doubles lr = hn::Add(shared, hn::Mul(y, hn::Sub(y, four_c)));
+  const Doubles rl = hn::Add(shared, hn::Mul(y, hn::Add(y, four_c)));
+  return {x, y, a, s, c, lr, rl};
 }
 
 // ---- poses ----
@@ -183,7 +180,7 @@ struct Poses {
 Poses one_pose(const double* pose) { return {set(pose[0]), set(pose[1]), set(pose[2])}; }
 
 Poses next_poses(const double* poses) {
-  Doubles x, y, heading;  // on ARM a struct that is not filled yet cannot hold them
+  Doubles x, y, heading;
   hn::LoadInterleaved3(D(), poses, x, y, heading);
   return {x, y, heading};
 }
