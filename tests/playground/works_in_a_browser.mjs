@@ -145,6 +145,7 @@ async function links(browser, page, size) {
   expect(other.faults.length === 0, `the linked page complains: ${other.faults}`);
   const bad = await browser.page(`${url}#yard=xxxx`, size);
   expect((await bad.value('document.getElementById("note").textContent')).includes('link'), 'a broken link is said to be one');
+  await page.send('Page.bringToFront'); // frames are painted in front only
 }
 
 async function explains(page, name) {
