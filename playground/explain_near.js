@@ -57,7 +57,7 @@ function imageOf(lengths) {
 export function near(root, vandplan) {
   const vehicle = vehicles['two-axle-truck'];
   const radius = 7;
-  const state = {heading: 0, from: {x: 0, y: 5.5}, colours: null, on: false, frame: 0};
+  const state = {heading: 0, from: {x: 0, y: 3.4}, colours: null, on: false, frame: 0};
   const article = element('article', {},
     element('h2', {textContent: 'Three metres to the side is a long way'}),
     element('p', {textContent: 'A planner asks one question all the time: how near is this truck to that one? Move over a picture. The dashed truck is the goal; the colour says how far it is from each place, dark is near. As the crow flies, beside is near. A truck cannot drive sideways: from beside, it has to go back and forth.'}),

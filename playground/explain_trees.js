@@ -36,6 +36,7 @@ function edgesOf(vandplan, tree, radius) {
 }
 
 function side(vandplan, index, standard, again) {
+  const known = new Map(vandplan.planners().map(({name, options}) => [name, options.map((option) => option.name)]));
   const canvas = element('canvas', {className: 'exhibit', ariaLabel: 'A growing search tree'});
   canvas.setAttribute('role', 'img');
   const select = element('select', {ariaLabel: `Planner ${index + 1}`, id: `tree-${index}`},
@@ -48,6 +49,7 @@ function side(vandplan, index, standard, again) {
   own.plan = (yard, scene) => {
     const planner = select.value;
     const options = {max_iterations: planner.includes('a-star') ? 20000 : iterations, time_limit: 0.4, seed: 1, keep_tree: true};
+    if (known.get(planner)?.includes('region')) options.region = 'scene'; // most of the ground is out of sight
     own.result = yard.plan({planner, options});
     own.edge = own.result.tree ? edgesOf(vandplan, own.result.tree, scene.vehicle.min_turning_radius) : null;
     own.size = own.result.tree ? Math.min(most, own.result.tree.parents.length) : 0;

@@ -99,6 +99,7 @@ function listenToFiles(page) {
 // ---- buttons ----
 
 function show(page, how) {
+  document.body.classList.toggle('how', how);
   byId('how').hidden = !how;
   byId('plan').hidden = how;
   document.querySelector('#top label').style.visibility = how ? 'hidden' : '';
@@ -153,6 +154,7 @@ async function start() {
   listenToFiles(page);
   listenToButtons(page);
   setTheme(page, dark.matches ? 'dark' : 'light');
+  page.vandplan.plan(scenarioOf(scenesFrom(scenarios[0].text, scenarios[0].name)[0]), {time_limit: 0.02}); // what has run once runs faster
   let scene = null;
   await told(async () => {
     scene = await sceneFromLink(location.hash);

@@ -143,7 +143,9 @@ export class Page {
     const better = result.path && (!this.result?.path || result.cost <= this.result.cost + 1e-9);
     if (!better && this.result?.path) return;
     if (this.drive && result.path) return;
-    this.take(result);
+    // How soon there was a path is what the first plan says: the second thread had more time, and later.
+    const first = this.result?.path ? this.result.anytime[0] : null;
+    this.take(first ? {...result, first: this.result.first ?? first} : result);
     this.drawn();
   }
 

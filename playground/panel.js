@@ -30,7 +30,7 @@ export function showResult(result, hash) {
   const {path, check} = result;
   status.className = path ? 'good' : 'bad';
   status.textContent = path ? `Judged: nothing touches` : words[result.status] + (result.reason ? `: ${result.reason}` : '');
-  const first = result.anytime[0];
+  const first = result.first ?? result.anytime[0];
   const gap = result.lower_bound > 0 && path ? result.cost / result.lower_bound - 1 : null;
   const texts = {
     first: first && path ? duration(first.time) : '',
