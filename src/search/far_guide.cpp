@@ -45,17 +45,17 @@ bool FarGuide::is_wanted(const Task& task, const Bounds& box) {
   return GridDistance::side_of_cells(task, box, 1.0) > task.vehicle.width;
 }
 
-FarGuide::FarGuide(const Task& task, const Bounds& box, double greediness, const Pose& target,
+FarGuide::FarGuide(const Task& task, const Bounds& box, const Options& options, const Pose& target,
                    const Pose& root)
     : site_(squares_of(*task.world)),
       map_(task.world->local().map ? task.checker.get() : nullptr),
       box_(box),
       target_{target.x, target.y},
-      side_(task.vehicle.width),
+      side_(options.side * task.vehicle.width),
       near_(std::max(
           inner_radius(footprint(task.vehicle)) + task.least_margin - side_ * std::sqrt(0.5),
           side_ / 2)),
-      greediness_(std::llround(greediness * whole)),
+      greediness_(std::llround(options.greediness * whole)),
       root_(cell_of({root.x, root.y})) {
   // The vehicle stands there.
   cost_at(root_) = unknown_cell;

@@ -30,9 +30,16 @@ class FarGuide final : public Guide {
   /// Whether a grid over the whole box would need cells wider than the vehicle.
   [[nodiscard]] static bool is_wanted(const Task& task, const Bounds& box);
 
-  /// Covers `box` with cells as wide as the vehicle. `greediness` >= 1: the way found is at most
-  /// so many times as long as the shortest one on the grid, and is found the sooner the more.
-  FarGuide(const Task& task, const Bounds& box, double greediness, const Pose& target,
+  /// How fine and how greedy it is.
+  struct Options {
+    double side = 1.0;  ///< of a cell [vehicle widths]
+    /// The way found is at most so many times as long as the shortest one on the grid, and is found
+    /// the sooner the more; >= 1.
+    double greediness = 1.0;
+    bool operator==(const Options&) const = default;
+  };
+
+  FarGuide(const Task& task, const Bounds& box, const Options& options, const Pose& target,
            const Pose& root);
 
   bool step() override;

@@ -13,6 +13,7 @@
 #include "planners/anytime/rotation.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/trees.h"
+#include "search/grid_distance.h"
 #include "vandplan/path_check.h"
 #include "vandplan/random.h"
 

@@ -12,6 +12,7 @@
 #include "../support/cases.h"
 #include "../support/grids.h"
 #include "../support/problems.h"
+#include "planners/anytime/detours.h"
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/shorten.h"
 #include "search/far_guide.h"
@@ -94,8 +95,8 @@ TEST(FarGuide, WithoutGreedIsAsFarAsTheGridOverAllOfIt) {
     const Pose& start = problem.start();
     const Pose& goal = problem.goal();
     GridDistance grid(problem.task(), all_of(problem), 1.0, goal, start);
-    FarGuide exact(problem.task(), all_of(problem), 1.0, goal, start);
-    FarGuide greedy(problem.task(), all_of(problem), 1.25, goal, start);
+    FarGuide exact(problem.task(), all_of(problem), {1.0, 1.0}, goal, start);
+    FarGuide greedy(problem.task(), all_of(problem), {1.0, 1.25}, goal, start);
     while (grid.step()) {
     }
     while (exact.step()) {
@@ -123,7 +124,7 @@ TEST(FarGuide, GoesAroundTheCellsOfAMapAndAroundKerbs) {
                                   {.bounds = bounds, .obstacles = {wall}}};
   for (const Surroundings& ground : grounds) {
     const Problem problem = problem_in(ground, {0, 0, 0}, {40, 0, 0});
-    FarGuide guide(problem.task(), bounds, 1.0, problem.goal(), problem.start());
+    FarGuide guide(problem.task(), bounds, {1.0, 1.0}, problem.goal(), problem.start());
     while (guide.step()) {
     }
     EXPECT_TRUE(guide.is_connected());
@@ -133,7 +134,7 @@ TEST(FarGuide, GoesAroundTheCellsOfAMapAndAroundKerbs) {
 
 TEST(FarGuide, SaysWhereNoWayIs) {
   const Problem problem = problem_of({0, 0, 0}, {40, 0, 0}, {box(20, -300, 21, 300)});
-  FarGuide guide(problem.task(), {-30, 70, -40, 40}, 1.25, problem.goal(), problem.start());
+  FarGuide guide(problem.task(), {-30, 70, -40, 40}, {1.0, 1.25}, problem.goal(), problem.start());
   while (guide.step()) {
   }
   EXPECT_FALSE(guide.is_connected());
@@ -148,7 +149,7 @@ TEST(FarGuide, IsWantedWhereOneGridWouldBeTooCoarse) {
 
 // A raw route of more legs than windows have, as a lattice finds it.
 std::optional<Route> long_route(const Problem& problem, Connector& connector) {
-  FarGuide guide(problem.task(), all_of(problem), 1.25, problem.goal(), problem.start());
+  FarGuide guide(problem.task(), all_of(problem), {1.0, 1.25}, problem.goal(), problem.start());
   while (guide.step()) {
   }
   Lattice lattice(problem.start(), problem.goal(), {}, {12, 0.5, 2.0}, guide, connector);
@@ -186,6 +187,32 @@ TEST(Shortener, WindowsShortenALongRouteAndKeepItWhole) {
                     (rule.reverse_weight - 1) * check.reverse_length,
                 cost, 1e-5);
   });
+}
+
+// A route that turns long after the end of the wall: what is put in its place is shorter from then
+// on, and the detours lead off that.
+TEST(Detours, OfALongRoutePutShorterStretchesInTheirPlace) {
+  const Problem problem = problem_of({0, 0, 0}, {0, 20, 3}, {box(-60, 9, 30, 11)});
+  for (const CostRule& rule : {CostRule{}, CostRule{1.0, 2.0, 3.0, 0}}) {
+    Connector connector(problem.task(), rule);
+    Route route{problem.start(), {}, 0.0};
+    for (const Pose& via : {Pose{80, 0, 0}, Pose{80, 20, 3}, problem.goal()}) {
+      const Pose from = route.legs.empty() ? route.start : route.legs.back().end;
+      route.legs.push_back({*connector.steer(from, via), via});
+    }
+    route.cost = cost_of(rule, route);
+    anytime::Detours detours(problem.task(), rule, 1, Scope::windows);
+    detours.set_route(route);
+    double best = route.cost;
+    for (int i = 0; i < 20000; ++i) {
+      if (!detours.step()) continue;
+      EXPECT_LT(detours.route().cost, best);
+      EXPECT_NEAR(cost_of(rule, detours.route()), detours.route().cost, 1e-9);
+      EXPECT_TRUE(check_path(problem, path_of(detours.route()), {}).valid);
+      best = detours.route().cost;
+    }
+    EXPECT_LT(best, 0.6 * route.cost);
+  }
 }
 
 // 1.4 km from corner to corner; a grid over all of it had cells of 5 m, and found nothing for long.

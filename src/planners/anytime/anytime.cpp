@@ -24,9 +24,11 @@ constexpr std::size_t island_count = 6;
 constexpr int tidy_trials = 1000;
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
 constexpr std::int64_t first_look_far = 100;      // over a whole site, where a look takes longer
-constexpr int early_looks = 64;                   // for walls: most are found by then
-constexpr int looks_of_round = 32;                // as long as there were no more than these,
-constexpr int late_looks_of_round = 3;            // and from then on
+constexpr std::int64_t rounds_of_far_cycle = 4;
+constexpr std::int64_t far_detours = 4096;  // iterations of one round
+constexpr int early_looks = 64;             // for walls: most are found by then
+constexpr int looks_of_round = 32;          // as long as there were no more than these,
+constexpr int late_looks_of_round = 3;      // and from then on
 
 // An island, and its iterations in one round: none before its first one, so that what is cheap is
 // tried first; then until there is a route, and from then on.
@@ -44,6 +46,14 @@ constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 6
                                                    {Work::refine, 0, 0, 256, 96},
                                                    {Work::bound, 0, 0, 2, 2},
                                                    {Work::detours, 0, 0, 0, 96}}};
+
+// Over a whole site: the same islands. A second way, which is nearly the shortest, comes first.
+constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 1, 64, 256, 256},
+                                                       {Work::search_from_start, 1, 64, 16, 16},
+                                                       {Work::random_trees, 0, 16, 0, 0},
+                                                       {Work::refine, 0, 0, 256, 256},
+                                                       {Work::bound, 0, 0, 4, 1},
+                                                       {Work::detours, 0, 0, 0, 0}}};
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
@@ -73,6 +83,7 @@ class Run {
 
  private:
   void merge(Slice& slice);
+  [[nodiscard]] std::int64_t far_share(Work work, std::int64_t share) const;
   [[nodiscard]] double lower_bound() const;
   void quicken();
   void offer_to_fastest();
@@ -165,6 +176,14 @@ bool Run::is_good_enough() const {
   return (fastest_ ? fastest_->time() : best_->cost) <= (1 + *target_gap_) * lower_bound();
 }
 
+// Over a whole site a detour changes a small part of a route, and refining another one: each has
+// rounds of its own, or one would lose what the other gained.
+std::int64_t Run::far_share(Work work, std::int64_t share) const {
+  const bool is_round_of_detours = rounds_ % rounds_of_far_cycle == 0;
+  if (is_round_of_detours) return work == Work::detours ? far_detours : 0;
+  return work == Work::detours ? 0 : share;
+}
+
 void Run::merge(Slice& slice) {
   for (const CostSample& sample : slice.improvements) {
     if (fastest_) break;  // it keeps the trace
@@ -183,9 +202,11 @@ void Run::round() {
   std::int64_t granted = 0;
   for (std::size_t i = 0; i < island_count; ++i) {
     if (!islands_[i].has_work() && !(best_ && plans[i].work == Work::refine)) continue;
-    const bool waits = !best_ && rounds_ < plans[i].first_round;
-    const std::int64_t after = rule_.is_length() ? plans[i].after : plans[i].after_with_prices;
-    const std::int64_t share = best_ ? after * growth(rounds_) : plans[i].before;
+    const Plan& plan = is_far_ ? far_plans[i] : plans[i];
+    const bool waits = !best_ && rounds_ < plan.first_round;
+    const std::int64_t after = rule_.is_length() ? plan.after : plan.after_with_prices;
+    std::int64_t share = best_ ? after * growth(rounds_) : plan.before;
+    if (best_ && is_far_) share = far_share(plan.work, share);
     wanted[i] = budget_.left(waits ? 0 : share, granted);
     granted += wanted[i];
   }

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "planners/shared_options.h"
+#include "search/far_guide.h"
+#include "search/grid_distance.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -19,6 +21,12 @@ constexpr std::array<LatticeOptions, 4> detour_searches = {
     LatticeOptions{48, 0.125, 1.5}};
 constexpr std::int64_t least_expansions = 256;
 constexpr std::uint64_t doublings = 4;  // of `least_expansions`, at random
+// Of a long route:
+constexpr double most_stretch = 60.0;    // [turning radii]
+constexpr double grid_slack = 1.1;       // what a way on the grid is longer than a path
+constexpr int most_trials = 600;         // to shorten a way,
+constexpr double hopeless_excess = 8.0;  // over the old one, times the trials it took
+constexpr double least_gain = 1e-3;      // [turning radii]
 
 // No path from focus to focus that is no longer than `length` leaves it.
 Bounds ellipse_box(const Pose& a, const Pose& b, double length, const Bounds& scene) {
@@ -39,8 +47,17 @@ Bounds ellipse_box(const Pose& a, const Pose& b, double length, const Bounds& sc
 
 }  // namespace
 
-Detours::Detours(const Task& task, const CostRule& rule, std::uint64_t seed)
-    : task_(task), rule_(rule), scene_(sampling_region(task, Region::scene)), rng_(seed) {}
+Detours::Detours(const Task& task, const CostRule& rule, std::uint64_t seed, Scope scope)
+    : task_(task),
+      rule_(rule),
+      scene_(sampling_region(task, Region::scene)),
+      rng_(seed),
+      scope_(scope) {}
+
+void Detours::set_route(const Route& route) {
+  base_ = route;
+  if (scope_ == Scope::windows && guide_) end();
+}
 
 std::int64_t Detours::solves() const { return solves_ + (connector_ ? connector_->solves() : 0); }
 std::int64_t Detours::checks() const { return checks_ + (connector_ ? connector_->checks() : 0); }
@@ -49,7 +66,10 @@ std::int64_t Detours::checks() const { return checks_ + (connector_ ? connector_
 void Detours::choose() {
   const double whole = base_.length();
   const double least = std::min(whole, least_stretch * task_.vehicle.min_turning_radius);
-  const double length = least * std::pow(whole / least, uniform01(rng_));
+  const double most = scope_ == Scope::all
+                          ? whole
+                          : std::min(whole, most_stretch * task_.vehicle.min_turning_radius);
+  const double length = least * std::pow(most / least, uniform01(rng_));
   const double middle = uniform(0.0, whole, rng_);
   double begin = std::max(middle - length / 2, 0.0);
   double end = middle + length / 2 < whole ? middle + length / 2 : whole;
@@ -85,35 +105,80 @@ void Detours::begin() {
   // Arcs and lines may begin with any curvature, and be followed by anything.
   if (task_.steering == Steering::reeds_shepp) gears_ = {rule.initial_gear, 0};
   connector_.emplace(task_, rule);
-  const Bounds box = ellipse_box(first, last, detour_slack * old_.cost, scene_);
-  guide_.emplace(task_, box, guide_side, backwards_ ? first : last, backwards_ ? last : first);
+  make_guide(backwards_ ? last : first, backwards_ ? first : last);
+}
+
+void Detours::make_guide(const Pose& root, const Pose& target) {
+  const Bounds box = ellipse_box(root, target, detour_slack * old_.cost, scene_);
+  if (scope_ == Scope::all) {
+    guide_ = std::make_unique<GridDistance>(task_, box, guide_side, target, root);
+  } else {
+    guide_ =
+        std::make_unique<FarGuide>(task_, box, FarGuide::Options{guide_side, 1.0}, target, root);
+  }
   guided_ = false;
 }
 
 void Detours::end() {
   solves_ += connector_->solves();
   checks_ += connector_->checks();
+  patch_.reset();
   lattice_.reset();
   guide_.reset();
   connector_.reset();
 }
 
-// The whole route with the new stretch.
-bool Detours::offer() {
-  const Route stretch = backwards_ ? reversed(lattice_->route()) : lattice_->route();
+// The whole route with the new stretch, which was found in the direction of the search.
+Route Detours::put_in_place(const Route& way) {
+  Route stretch = backwards_ ? reversed(way) : way;
   found_ = before_;
   found_.legs.insert(found_.legs.end(), stretch.legs.begin(), stretch.legs.end());
   found_.legs.insert(found_.legs.end(), after_.legs.begin(), after_.legs.end());
   price(Connector(task_, rule_), found_);
+  return stretch;
+}
+
+bool Detours::offer() {
+  const Route stretch = put_in_place(lattice_->route());
   return found_.cost < base_.cost || !are_alike(stretch, old_, task_.vehicle.min_turning_radius);
+}
+
+// A way on the grid that is much longer than the stretch is no shorter path.
+bool Detours::is_hopeless() const {
+  if (scope_ == Scope::all) return false;
+  const Pose& root = backwards_ ? old_.legs.back().end : old_.start;
+  return !guide_->is_connected() || guide_->at(root.x, root.y) > grid_slack * old_.cost;
+}
+
+// One trial with the way that was found. True when it is cheaper than the stretch: it is put in
+// its place then.
+bool Detours::patch() {
+  patch_->step();
+  ++trials_;
+  const double least = least_gain * task_.vehicle.min_turning_radius;
+  if (patch_->cost() > old_.cost - least) {
+    const double excess = patch_->cost() / old_.cost - 1.0;
+    if (patch_->is_stalled() || trials_ == most_trials || excess * trials_ > hopeless_excess) end();
+    return false;
+  }
+  put_in_place(patch_->route());
+  end();
+  if (found_.cost >= base_.cost) return false;
+  base_ = found_;
+  return true;
 }
 
 bool Detours::step() {
   if (!guide_) begin();
   if (!guided_) {
     guided_ = !guide_->step();
+    if (guided_ && is_hopeless()) end();
     return false;
   }
+  return patch_ ? patch() : search();
+}
+
+bool Detours::search() {
   if (!lattice_) {
     const Pose& first = old_.start;
     const Pose& last = old_.legs.back().end;
@@ -125,7 +190,11 @@ bool Detours::step() {
     end();
     return false;
   }
-  return lattice_->step() && offer();
+  if (!lattice_->step()) return false;
+  if (scope_ == Scope::all) return offer();
+  patch_.emplace(*connector_, lattice_->route(), rng_());
+  trials_ = 0;
+  return false;
 }
 
 }  // namespace vandplan::anytime

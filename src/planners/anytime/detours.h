@@ -6,10 +6,12 @@
 // small.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "planners/anytime/lattice.h"
-#include "search/grid_distance.h"
+#include "planners/anytime/shorten.h"
+#include "search/guide.h"
 #include "search/route.h"
 #include "vandplan/random.h"
 
@@ -18,10 +20,13 @@ namespace vandplan::anytime {
 /// Replaces random stretches of a route by what a lattice search finds between their ends.
 class Detours {
  public:
-  Detours(const Task& task, const CostRule& rule, std::uint64_t seed);
+  /// `Scope::windows`: of a long route, whose stretches are then short; what is found is shortened
+  /// before it is offered, and is the route from then on.
+  Detours(const Task& task, const CostRule& rule, std::uint64_t seed, Scope scope = Scope::all);
 
-  /// What it looks for ways off from its next search on. The route is longer than nothing.
-  void set_route(const Route& route) { base_ = route; }
+  /// What it looks for ways off: from its next search on, or, of a long route, from now on. The
+  /// route is longer than nothing.
+  void set_route(const Route& route);
 
   /// Expands one pose, or settles some cells of a grid; needs a route. True when a route was found
   /// that is cheaper, or of another kind and not much dearer: `route`.
@@ -36,23 +41,31 @@ class Detours {
   void choose();
   void begin();
   void end();
+  void make_guide(const Pose& root, const Pose& target);
+  [[nodiscard]] bool is_hopeless() const;
+  bool search();
+  Route put_in_place(const Route& way);
   bool offer();
+  bool patch();
 
   const Task& task_;
   CostRule rule_;
   Bounds scene_;
   Rng rng_;
+  Scope scope_;
   Route base_;              // the route
   Route before_, after_;    // what stays of it
   Route old_;               // what is to be replaced
   bool backwards_ = false;  // the search begins at the end of the stretch
   Gears gears_;             // driven before and after it, in its direction
   std::optional<Connector> connector_;
-  std::optional<GridDistance> guide_;
+  std::unique_ptr<Guide> guide_;
   bool guided_ = false;
   LatticeOptions options_;
   std::optional<Lattice> lattice_;
-  std::int64_t left_ = 0;  // expansions of this search
+  std::int64_t left_ = 0;           // expansions of this search
+  std::optional<Shortener> patch_;  // a way that was found
+  int trials_ = 0;                  // to shorten it
   Route found_;
   std::int64_t solves_ = 0;  // of the searches before
   std::int64_t checks_ = 0;

@@ -48,7 +48,7 @@ void Island::prepare() {
       attempts_.emplace(task_, rule, region_, stream_seed(seed_, 0));
       break;
     case Work::detours:  // [6b]
-      detours_.emplace(task_, rule, stream_seed(seed_, 0));
+      detours_.emplace(task_, rule, stream_seed(seed_, 0), scope_);
       break;
     case Work::bound:  // [7]
       geodesic_.emplace(task_, best_cost_);

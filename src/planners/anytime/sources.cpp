@@ -25,15 +25,19 @@ constexpr double first_guide_side = 1.0;             // [vehicle widths]
 constexpr double fine_guide_side = 0.5;              // of all searches but the first
 constexpr double last_guide_side = 0.25;
 constexpr std::size_t last_coarse_level = 4;
-// Over a whole site: a search that gets there at once and one that follows a way which is nearly
-// the shortest, each with a guide of its own.
+// Over a whole site: a search that gets there at once, then others along a way that is the shortest
+// on the grid.
 constexpr double far_shot = 40.0;  // [turning radii]
-constexpr std::array<LatticeOptions, 2> far_searches = {
-    LatticeOptions{12, 0.5, 2.0, false, far_shot}, LatticeOptions{24, 0.25, 1.5, false, far_shot}};
-constexpr std::array far_greediness = {1.25, 1.03};  // of their guides
-constexpr double slack = 1.05;                       // what shortening may yet take off a route
-constexpr std::array far_shares = {1.0, 0.4};        // of the attempts with trees, in turns
-constexpr std::int64_t first_patience = 256;         // samples
+struct FarSearch {
+  LatticeOptions lattice;
+  FarGuide::Options guide;
+};
+constexpr std::array far_searches = {FarSearch{{12, 0.5, 2.0, false, far_shot}, {1.0, 1.25}},
+                                     FarSearch{{12, 0.5, 2.0, false, far_shot}, {1.0, 1.0}},
+                                     FarSearch{{24, 0.25, 1.5, false, far_shot}, {1.0, 1.0}}};
+constexpr double slack = 1.05;                 // what shortening may yet take off a route
+constexpr std::array far_shares = {1.0, 0.4};  // of the attempts with trees, in turns
+constexpr std::int64_t first_patience = 256;   // samples
 
 CostRule rule_from(const CostRule& rule, Root root) {
   return root == Root::start ? rule : reversed(rule, 0);
@@ -58,10 +62,9 @@ Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
 
 void Ladder::next_guide() {
   lattice_.reset();
-  if (is_far_) {
-    const std::size_t last = far_greediness.size() - 1;
-    guide_ = std::make_unique<FarGuide>(task_, scene_, far_greediness[std::min(level_, last)], to_,
-                                        from_);
+  guide_level_ = level_;
+  if (goes_far()) {
+    guide_ = std::make_unique<FarGuide>(task_, scene_, far_searches[level_].guide, to_, from_);
   } else {
     guide_ = std::make_unique<GridDistance>(task_, scene_, guide_side_, to_, from_);
   }
@@ -78,15 +81,15 @@ Gears Ladder::gears_from(const CostRule& rule) const {
 
 void Ladder::next_search() {
   lattice_.reset();
-  if (level_ == searches.size()) {
+  if (level_ == searches.size() || (is_far_ && is_known() && !goes_far())) {
     finished_ = true;
     return;
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
-  const bool goes_far = is_far_ && level_ < far_searches.size();
-  const LatticeOptions& options = goes_far ? far_searches[level_] : searches[level_];
+  const LatticeOptions& options = goes_far() ? far_searches[level_].lattice : searches[level_];
   lattice_.emplace(from_, to_, gears_from(connector.rule()), options, *guide_, connector);
   ++level_;
+  is_done_ = false;
 }
 
 bool Ladder::step() {
@@ -95,15 +98,17 @@ bool Ladder::step() {
     // Coarse cells may close a narrow opening.
     guided_ = guide_->is_connected() || is_far_ || guide_side_ < last_guide_side;
     if (!guided_) next_guide();
+    // What a greedier guide led to is better than to go without one.
+    if (guided_ && is_far_ && is_known() && !guide_->is_connected()) finished_ = true;
     return false;
   }
   if (takes_turns()) return step_rotation();
-  if (!rule_.is_length() && is_known() && !minds_prices_) {
+  if (!is_far_ && !rule_.is_length() && is_known() && !minds_prices_) {
     minds_prices_ = true;
     lattice_.reset();
     level_ -= std::min<std::size_t>(level_, 1);
   }
-  if (!lattice_ || lattice_->is_exhausted() || lattice_->size() > most_lattice_nodes) {
+  if (!lattice_ || is_done_ || lattice_->is_exhausted() || lattice_->size() > most_lattice_nodes) {
     if (needs_next_guide()) {
       next_guide();
       return false;
@@ -112,11 +117,18 @@ bool Ladder::step() {
   }
   if (finished_) return false;
   lattice_->set_cutoff(slack * cutoff_);
-  return !lattice_->is_exhausted() && lattice_->step();
+  const bool found = !lattice_->is_exhausted() && lattice_->step();
+  is_done_ = found && is_far_;  // shortening finds what is beside it
+  return found;
 }
 
-// All searches but the first have a better one.
-bool Ladder::needs_next_guide() const { return level_ == 1 && guide_side_ > fine_guide_side / 2; }
+bool Ladder::goes_far() const { return is_far_ && level_ < far_searches.size(); }
+
+// All searches but the first have a better one; over a whole site each has another.
+bool Ladder::needs_next_guide() const {
+  if (goes_far()) return far_searches[level_].guide != far_searches[guide_level_].guide;
+  return level_ == 1 && guide_side_ > fine_guide_side / 2;
+}
 
 // Where coarse searches found nothing there are no other kinds to look for.
 bool Ladder::takes_turns() const {

@@ -46,6 +46,7 @@ class Ladder {
   void next_search();
   void next_guide();
   [[nodiscard]] bool needs_next_guide() const;
+  [[nodiscard]] bool goes_far() const;
 
   const Task& task_;
   Bounds scene_;
@@ -61,6 +62,8 @@ class Ladder {
   bool guided_ = false;  // the guide is complete
   bool finished_ = false;
   std::size_t level_ = 0;
+  std::size_t guide_level_ = 0;  // that the guide was made for
+  bool is_done_ = false;         // the search has found what it can
   double cutoff_;
   std::optional<Lattice> lattice_;
   bool minds_prices_ = false;  // the searches that are under way
