@@ -123,6 +123,7 @@ class Problem {
   friend Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
                               const Pose& start, const Pose& goal, const EndCurvatures& curvatures);
   friend Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
+  friend Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
 
   Pose start_;
   Pose goal_;
@@ -159,6 +160,10 @@ void check_map(const OccupancyGrid& map);
 /// The problem among what moves, in the scenario's frame, instead of what moved in it before.
 /// Throws InputError naming "moving[2].outline" or another key.
 [[nodiscard]] Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
+
+/// The problem from and to somewhere else, with straight wheels: same world, same vehicle, and the
+/// same things move. Throws InputError naming "start" or "goal" when they are out of range.
+[[nodiscard]] Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
 
 /// The problem as planners see it when the vehicle keeps its distance and steers like this.
 [[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options,

@@ -142,13 +142,13 @@ std::optional<PlannerAnswer> settled(const Task& task) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
   }
+  if (!task.moving.empty()) return std::nullopt;  // somebody may come by
   const auto [first, last] = task.curvatures;
   if (task.steering == Steering::continuous && first != last) return std::nullopt;
   const double radius = task.vehicle.min_turning_radius;
   if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
   answer.status = PlanStatus::solved;
   answer.segments.emplace();
-  if (!task.moving.empty()) answer.speeds = speed_profile({task.start, {}}, task.vehicle);
   answer.anytime.push_back({});
   return answer;
 }

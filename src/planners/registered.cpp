@@ -10,6 +10,7 @@
 #include "planners/field_d_star.h"
 #include "planners/hrrt.h"
 #include "planners/hybrid_a_star.h"
+#include "planners/in_time.h"
 #include "planners/lattice_planners.h"
 #include "planners/prm.h"
 #include "planners/rrt.h"
@@ -34,9 +35,13 @@ Planner anytime_planner() {
                          .honours_threads = true,
                          .honours_target_gap = true,
                          .honours_steering = true,
+                         .honours_moving = true,
                          .anytime = true},
           .options = {region_option(), min_stroke},
-          .function = anytime::plan_anytime};
+          .function = [](const Task& task, const PlanOptions& options) {
+            return task.moving.empty() ? anytime::plan_anytime(task, options)
+                                       : in_time::plan(task, options);
+          }};
 }
 
 /// Which node becomes a parent.

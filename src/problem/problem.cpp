@@ -115,6 +115,12 @@ Problem with_moving(Problem problem, std::span<const MovingObstacle> moving) {
   return problem;
 }
 
+Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal) {
+  Problem other = make_problem(problem.world(), problem.vehicle(), start, goal);
+  other.task_.moving = problem.task_.moving;
+  return other;
+}
+
 Task task_of(const Problem& problem, const ClearanceOptions& options, Steering steering) {
   Task task = problem.task();
   task.steering = steering;

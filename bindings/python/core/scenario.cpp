@@ -337,7 +337,8 @@ CheckedScenario CheckedScenario::with_poses(const Pose& start, const Pose& goal,
                                             const EndCurvatures& curvatures) const {
   CheckedScenario other = *this;
   other.problem_ = std::make_shared<const Problem>(
-      make_problem(problem().world(), scenario_->vehicle, start, goal, curvatures));
+      with_moving(make_problem(problem().world(), scenario_->vehicle, start, goal, curvatures),
+                  scenario_->moving));
   Scenario changed = *scenario_;
   changed.start = start;
   changed.goal = goal;

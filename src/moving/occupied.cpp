@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "moving/occupied.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vandplan::moving {
+namespace {
+
+constexpr double finest = 0.05;  // motion within half a box that is not cut any further [m]
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+/// Places and times of the vehicle beside one obstacle: places from `begin` to `end` within rows
+/// `first` to `last` - 1.
+struct Occupied::Box {
+  std::size_t obstacle;
+  std::size_t first, last;
+  double begin, end;
+  TimeSpan span;
+  bool is_for_ever = false;  // the obstacle stays as it is at the end of the span
+};
+
+Occupied::Occupied(const Encounters& encounters, std::vector<double> stations)
+    : encounters_(encounters), stations_(std::move(stations)), rows_(stations_.size() - 1) {
+  for (std::size_t i = 0; i < encounters_.size(); ++i) {
+    const double rest = encounters_.rests(i);
+    Box box{i, 0, rows_.size(), stations_.front(), stations_.back(), {0.0, rest}};
+    if (rest >= 0.0) add(box);
+    if (encounters_.leaves(i)) continue;
+    box.span = {std::max(rest, 0.0), std::max(rest, 0.0)};
+    box.is_for_ever = true;
+    add(box);
+  }
+  sort_rows();
+}
+
+void Occupied::add(const Box& box) {
+  if (is_known(box)) return;
+  const auto& [obstacle, first, last, begin, end, span, is_for_ever] = box;
+  // 1. How much either of them moves from the middle of the box to its sides.
+  const double place = begin + (end - begin) / 2;
+  const double time = span.begin + (span.end - span.begin) / 2;
+  const double there = encounters_.driven(place);
+  const double driven =
+      std::max(there - encounters_.driven(begin), encounters_.driven(end) - there);
+  const double then = encounters_.moved(obstacle, time);
+  const double moved = std::max(then - encounters_.moved(obstacle, span.begin),
+                                encounters_.moved(obstacle, span.end) - then);
+  // 2. Far enough, or surely too near, whatever they do within the box.
+  const Pose pose = encounters_.pose_at(place);
+  const double most = driven + moved;
+  if (encounters_.gap(obstacle, pose, time, most * (1.0 + 1e-9) + 1e-9) > most) return;
+  const bool is_fine = most <= 2 * finest && last - first == 1;
+  if (is_fine || encounters_.depth(obstacle, pose, time) >= most) {
+    mark(first, last, {span.begin, is_for_ever ? forever : span.end});
+    return;
+  }
+  // 3. Else what is larger is halved.
+  Box low = box;
+  Box high = box;
+  if (moved > driven && moved > finest) {
+    low.span.end = high.span.begin = time;
+  } else if (last - first > 1) {
+    low.last = high.first = first + (last - first) / 2;
+    low.end = high.begin = stations_[low.last];
+  } else if (driven > finest) {
+    low.end = high.begin = place;
+  } else {
+    low.span.end = high.span.begin = time;
+  }
+  add(low);
+  add(high);
+}
+
+void Occupied::mark(std::size_t first, std::size_t last, const TimeSpan& span) {
+  for (std::size_t i = first; i < last; ++i) {
+    std::vector<TimeSpan>& row = rows_[i];
+    if (!row.empty() && row.back().end == span.begin && row.back().begin <= span.begin) {
+      row.back().end = span.end;
+    } else {
+      row.push_back(span);
+    }
+  }
+}
+
+/// Within one row: whether another place of it was found occupied for as long a while ago.
+bool Occupied::is_known(const Box& box) const noexcept {
+  constexpr std::ptrdiff_t looks = 16;
+  if (box.last - box.first > 1) return false;
+  const std::vector<TimeSpan>& row = rows_[box.first];
+  const auto begin = row.end() - std::min<std::ptrdiff_t>(looks, std::ssize(row));
+  const double end = box.is_for_ever ? forever : box.span.end;
+  return std::any_of(begin, row.end(), [&](const TimeSpan& span) {
+    return span.begin <= box.span.begin && end <= span.end;
+  });
+}
+
+void Occupied::sort_rows() {
+  for (std::vector<TimeSpan>& row : rows_) {
+    std::ranges::sort(row, {}, &TimeSpan::begin);
+    std::vector<TimeSpan> joined;
+    for (const TimeSpan& span : row) {
+      if (!joined.empty() && span.begin <= joined.back().end) {
+        joined.back().end = std::max(joined.back().end, span.end);
+      } else {
+        joined.push_back(span);
+      }
+    }
+    row = std::move(joined);
+  }
+}
+
+bool Occupied::is_free(std::size_t i, double begin, double end) const noexcept {
+  const std::vector<TimeSpan>& row = rows_[i];
+  const auto next = std::ranges::lower_bound(row, begin, {}, &TimeSpan::end);
+  return next == row.end() || next->begin > end;
+}
+
+double Occupied::last_change() const noexcept {
+  double last = 0.0;
+  for (const std::vector<TimeSpan>& row : rows_) {
+    for (const auto& [begin, end] : row) last = std::max(last, end == forever ? begin : end);
+  }
+  return last;
+}
+
+}  // namespace vandplan::moving

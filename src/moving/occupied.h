@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which stretch of the way is free when?
+//
+// Method and proof: docs/algorithms/moving.md.
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "moving/encounters.h"
+
+namespace vandplan::moving {
+
+/// From a time to another one, both included [s].
+struct TimeSpan {
+  double begin = 0.0;
+  double end = 0.0;
+};
+
+/// The way cut into rows, and for each row when something that moves may be in the way of a vehicle
+/// that is anywhere in it. What is free here is proven free; what is occupied is nearer than the
+/// margin at some place of the row within that time, give or take two tenths of a metre.
+class Occupied {
+ public:
+  /// `stations` increase from 0 to the length of the way; row i lies between stations i and i + 1.
+  Occupied(const Encounters& encounters, std::vector<double> stations);
+
+  /// Whether row `i` is free all the time.
+  [[nodiscard]] bool is_free(std::size_t i, double begin, double end) const noexcept;
+  /// Whether row `i` is free for ever from then on.
+  [[nodiscard]] bool is_free_from(std::size_t i, double begin) const noexcept {
+    return is_free(i, begin, std::numeric_limits<double>::infinity());
+  }
+  /// When nothing begins or ceases to be occupied any more [s].
+  [[nodiscard]] double last_change() const noexcept;
+
+ private:
+  struct Box;
+
+  void add(const Box& box);
+  void mark(std::size_t first, std::size_t last, const TimeSpan& span);
+  [[nodiscard]] bool is_known(const Box& box) const noexcept;
+  void sort_rows();
+
+  const Encounters& encounters_;
+  std::vector<double> stations_;
+  std::vector<std::vector<TimeSpan>> rows_;
+};
+
+}  // namespace vandplan::moving

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "moving/yielding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "moving/occupied.h"
+#include "speed/way.h"
+
+namespace vandplan::moving {
+namespace {
+
+constexpr double shortest_row = 0.5;  // unless the fastest drive has knots nearer to each other [m]
+constexpr double most_rows = 400;     // of equal length
+constexpr double time_step = 0.25;    // of waiting, and between states that count as one [s]
+constexpr double speed_step = 0.25;   // between speeds that count as one [m/s]
+constexpr double change_price = 0.05;    // of changing the speed [s per m/s]
+constexpr double least_distance = 1e-6;  // between stations [m]
+
+/// A place of the way, and the fastest drive there.
+struct Station {
+  double s = 0.0;              // [m]
+  double fastest = 0.0;        // largest squared speed [m^2/s^2]
+  double left = 0.0;           // time from there to the end, at least [s]
+  double pause = 0.0;          // how long it stands there at least [s]
+  const Stop* stop = nullptr;  // of the fastest drive, or none
+};
+
+/// A state that the search has come to.
+struct State {
+  std::size_t station = 0;
+  double square = 0.0;  // of the speed [m^2/s^2]
+  double t = 0.0;       // [s]
+  double cost = 0.0;    // time and what changing the speed costs so far [s]
+  std::int32_t parent = -1;
+};
+
+/// A place in the queue: cheap first, then far along the way, then old.
+struct Candidate {
+  double bound;
+  std::size_t station;
+  std::int32_t state;
+
+  bool operator<(const Candidate& other) const {
+    if (bound != other.bound) return bound > other.bound;
+    if (station != other.station) return station < other.station;
+    return state > other.state;
+  }
+};
+
+/// The squared speed of a drive without jerk at a place, on the part after knot `i`.
+double square_at(const SpeedProfile& fastest, std::size_t i, double s) {
+  const SpeedKnot& knot = fastest.knots[i];
+  return std::max(knot.v * knot.v + 2 * knot.a * (s - knot.s), 0.0);
+}
+
+/// The time at which a drive without jerk is at a place on the part after knot `i`.
+double time_at(const SpeedProfile& fastest, std::size_t i, double s) {
+  const SpeedKnot& knot = fastest.knots[i];
+  const double v = knot.v + std::sqrt(square_at(fastest, i, s));
+  return v > 0.0 ? knot.t + 2 * (s - knot.s) / v : knot.t;
+}
+
+/// The stations of a drive: its knots, and places between them.
+std::vector<Station> stations_of(const SpeedProfile& fastest) {
+  const std::vector<SpeedKnot>& knots = fastest.knots;
+  const double row = std::max(shortest_row, knots.back().s / most_rows);
+  std::vector<Station> stations;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double way = knots[i + 1].s - knots[i].s;
+    if (way <= 0.0) continue;
+    const double count = std::ceil(way / row);
+    for (double k = 0; k < count; ++k) {
+      const double s = knots[i].s + k / count * way;
+      if (!stations.empty() && s - stations.back().s < least_distance) continue;
+      stations.push_back({s, square_at(fastest, i, s), fastest.duration - time_at(fastest, i, s)});
+    }
+  }
+  stations.push_back({.s = knots.back().s});
+  for (const Stop& stop : fastest.stops) {
+    const auto near = std::ranges::min_element(
+        stations, {}, [&](const Station& station) { return std::abs(station.s - stop.s); });
+    near->fastest = 0.0;
+    near->pause = stop.pause;
+    near->stop = &stop;
+  }
+  return stations;
+}
+
+std::vector<double> places_of(const std::vector<Station>& stations) {
+  std::vector<double> places;
+  for (const Station& station : stations) places.push_back(station.s);
+  return places;
+}
+
+class Search {
+ public:
+  Search(const Encounters& encounters, const SpeedProfile& fastest, const DrivingLimits& limits)
+      : stations_(stations_of(fastest)),
+        occupied_(encounters, places_of(stations_)),
+        rise_(2 * limits.max_acceleration),
+        fall_(2 * limits.max_braking.value_or(limits.max_acceleration)),
+        latest_(occupied_.last_change() + fastest.duration + time_step) {}
+
+  /// The index of the last state of the cheapest drive; none if there is none among so many states.
+  [[nodiscard]] std::optional<std::int32_t> run(std::int64_t most_states) {
+    const double begin = stations_.front().pause;
+    if (is_standing_free(0, 0.0, begin)) push({.t = begin}, begin);
+    while (!queue_.empty() && looked_ < most_states) {
+      const std::int32_t i = queue_.top().state;
+      queue_.pop();
+      const State state = states_[static_cast<std::size_t>(i)];
+      if (!seen_.insert(key_of(state)).second) continue;
+      ++looked_;
+      if (state.station + 1 == stations_.size()) return i;
+      expand(state, i);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::int64_t looked() const noexcept { return looked_; }
+  [[nodiscard]] const std::vector<Station>& stations() const noexcept { return stations_; }
+
+  /// The states of a drive from its start on.
+  [[nodiscard]] std::vector<State> chain(std::int32_t last) const {
+    std::vector<State> states;
+    for (std::int32_t i = last; i >= 0; i = states_[static_cast<std::size_t>(i)].parent) {
+      states.push_back(states_[static_cast<std::size_t>(i)]);
+    }
+    std::ranges::reverse(states);
+    return states;
+  }
+
+ private:
+  void expand(const State& from, std::int32_t index) {
+    const Station& here = stations_[from.station];
+    if (from.square == 0.0) wait(from, index);
+    const Station& next = stations_[from.station + 1];
+    const double way = next.s - here.s;
+    const double most = std::min(from.square + rise_ * way, next.fastest);
+    const double least = std::max(from.square - fall_ * way, 0.0);
+    const double even = std::clamp(from.square, least, most);
+    go(from, index, most);
+    if (even != most) go(from, index, even);
+    if (least != even) go(from, index, least);
+  }
+
+  void wait(const State& from, std::int32_t index) {
+    if (from.t > latest_) return;
+    State to = from;
+    to.t += time_step;
+    to.parent = index;
+    if (is_standing_free(from.station, from.t, to.t)) push(to, to.t - from.t);
+  }
+
+  void go(const State& from, std::int32_t index, double square) {
+    const Station& next = stations_[from.station + 1];
+    const double speeds = std::sqrt(from.square) + std::sqrt(square);
+    if (speeds == 0.0) return;
+    const double way = next.s - stations_[from.station].s;
+    State to{from.station + 1, square, from.t + 2 * way / speeds, from.cost, index};
+    if (!occupied_.is_free(from.station, from.t, to.t)) return;
+    const bool is_end = to.station + 1 == stations_.size();
+    if (is_end && !occupied_.is_free_from(from.station, to.t)) return;
+    if (!is_end && next.stop != nullptr) {
+      const double goes_on = to.t + next.pause;
+      if (!is_standing_free(to.station, to.t, goes_on)) return;
+      to.t = goes_on;
+    }
+    const double change = std::abs(std::sqrt(from.square) - std::sqrt(square));
+    push(to, to.t - from.t + change_price * change);
+  }
+
+  /// A place between two rows is free where either of them is.
+  [[nodiscard]] bool is_standing_free(std::size_t station, double begin, double end) const {
+    const bool before = station > 0 && occupied_.is_free(station - 1, begin, end);
+    return before || occupied_.is_free(station, begin, end);
+  }
+
+  void push(State state, double cost) {
+    state.cost += cost;
+    if (seen_.contains(key_of(state))) return;
+    const double bound = state.cost + stations_[state.station].left;
+    queue_.push({bound, state.station, static_cast<std::int32_t>(states_.size())});
+    states_.push_back(state);
+  }
+
+  /// States that count as one have one key. Those that stand are told from the slowest ones.
+  [[nodiscard]] static std::uint64_t key_of(const State& state) {
+    const double speed = state.square > 0.0 ? 1.0 + std::sqrt(state.square) / speed_step : 0.0;
+    const double time = state.t / time_step;
+    return static_cast<std::uint64_t>(state.station) << 44 |
+           static_cast<std::uint64_t>(speed) << 32 | static_cast<std::uint64_t>(time);
+  }
+
+  std::vector<Station> stations_;
+  Occupied occupied_;
+  double rise_, fall_;  // of the squared speed per metre [m/s^2]
+  double latest_;       // nobody waits any longer [s]
+  std::vector<State> states_;
+  std::priority_queue<Candidate> queue_;
+  std::unordered_set<std::uint64_t> seen_;
+  std::int64_t looked_ = 0;
+};
+
+/// Puts the drive together, with the places where it stands.
+class Writer {
+ public:
+  Writer(const std::vector<Station>& stations, const Path& path)
+      : stations_(stations), way_(path) {}
+
+  [[nodiscard]] SpeedProfile written(const std::vector<State>& states) {
+    stand(states.front(), stations_.front().pause);
+    for (std::size_t i = 1; i < states.size(); ++i) {
+      const State& from = states[i - 1];
+      const State& to = states[i];
+      if (from.station == to.station) {
+        stand(to, to.t - from.t);
+      } else {
+        drive(from, to);
+      }
+    }
+    profile_.knots.push_back({.t = t_, .s = stations_.back().s});
+    profile_.duration = t_;
+    return std::move(profile_);
+  }
+
+ private:
+  void drive(const State& from, const State& to) {
+    const Station& here = stations_[from.station];
+    const Station& next = stations_[to.station];
+    const double way = next.s - here.s;
+    const double v = std::sqrt(from.square);
+    const double a = (to.square - from.square) / (2 * way);
+    const SpeedBound bound = a > 0.0   ? SpeedBound::acceleration
+                             : a < 0.0 ? SpeedBound::braking
+                                       : SpeedBound::max_speed;
+    profile_.knots.push_back({.t = t_, .s = here.s, .v = v, .a = a, .bound = bound});
+    t_ += 2 * way / (v + std::sqrt(to.square));
+    const bool is_end = to.station + 1 == stations_.size();
+    if (!is_end && next.stop != nullptr) stand(to, next.pause);
+  }
+
+  void stand(const State& state, double pause) {
+    const Station& here = stations_[state.station];
+    std::vector<Stop>& stops = profile_.stops;
+    const bool has_stopped = !stops.empty() && stops.back().s == here.s;
+    if (pause > 0.0 && !(has_stopped && stops.back().pause > 0.0)) {
+      profile_.knots.push_back({.t = t_, .s = here.s});
+    }
+    if (has_stopped) {
+      stops.back().pause += pause;
+    } else if (here.stop != nullptr) {
+      stops.push_back({t_, here.s, pause, here.stop->curvature_before, here.stop->curvature_after});
+    } else if (pause > 0.0) {
+      const double curvature = way_.at(here.s, true).curvature;
+      stops.push_back({t_, here.s, pause, curvature, curvature});
+    }
+    profile_.standing += pause;
+    t_ += pause;
+  }
+
+  const std::vector<Station>& stations_;
+  speed::Way way_;
+  SpeedProfile profile_;
+  double t_ = 0.0;
+};
+
+/// The drive that begins as much later as it must to meet nothing.
+std::optional<SpeedProfile> begun_later(const TimedPath& fastest, const Vehicle& vehicle,
+                                        const Traffic& traffic) {
+  constexpr double longest = 500;  // [s]
+  const double latest = std::min(end_of_motion(traffic.moving) + time_step, longest);
+  const double curvature = traffic.start_curvature;
+  for (double wait = time_step; wait <= latest; wait += time_step) {
+    TimedPath later = fastest;
+    SpeedProfile& speeds = later.speeds;
+    for (SpeedKnot& knot : speeds.knots) knot.t += wait;
+    for (Stop& stop : speeds.stops) stop.t += wait;
+    speeds.knots.insert(speeds.knots.begin(), SpeedKnot{});
+    speeds.stops.insert(speeds.stops.begin(), {0.0, 0.0, wait, curvature, curvature});
+    speeds.duration += wait;
+    speeds.standing += wait;
+    if (!first_meeting(later, vehicle, traffic.moving, traffic.margin)) return speeds;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic& traffic) {
+  TimedPath fastest{path, speed_profile(path, vehicle, {traffic.start_curvature})};
+  if (!first_meeting(fastest, vehicle, traffic.moving, traffic.margin)) {
+    return {std::move(fastest.speeds)};
+  }
+  if (fastest.speeds.knots.back().s <= 0.0) return {};
+  if (vehicle.limits.max_jerk) return {begun_later(fastest, vehicle, traffic)};
+  const Encounters encounters(path, vehicle, traffic.moving, traffic.margin);
+  Search search(encounters, fastest.speeds, vehicle.limits);
+  const std::optional<std::int32_t> last = search.run(traffic.most_states);
+  Yielding yielding{{}, search.looked()};
+  if (last) yielding.speeds = Writer(search.stations(), path).written(search.chain(*last));
+  return yielding;
+}
+
+}  // namespace vandplan::moving

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// When may the vehicle be where on a path, if others move?
+//
+// Method, and what it does not find: docs/algorithms/moving.md.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "vandplan/moving.h"
+
+namespace vandplan::moving {
+
+/// Who yields to whom.
+struct Traffic {
+  std::span<const MovingObstacle> moving;  ///< in the frame of the path
+  double margin = 0.0;                     ///< that the vehicle keeps from them [m]
+  double start_curvature = 0.0;            ///< that the wheels are turned to before the drive [1/m]
+  std::int64_t most_states = 200'000;      ///< that the search looks at before it gives up
+};
+
+/// What came of it.
+struct Yielding {
+  std::optional<SpeedProfile> speeds = {};  ///< none: none was found, which proves nothing
+  std::int64_t states = 0;             ///< that the search looked at
+};
+
+/// A drive along the path that keeps the limits of the vehicle and meets nothing, then or later: as
+/// fast as the search finds one, the fastest one of all where nothing is in its way.
+[[nodiscard]] Yielding yielding_speeds(const Path& path, const Vehicle& vehicle,
+                                       const Traffic& traffic);
+
+}  // namespace vandplan::moving

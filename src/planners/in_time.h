@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// The default planner among what moves: paths, and when to be where on them.
+// How it works: docs/algorithms/moving.md.
+
+#include "vandplan/outcome.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
+
+namespace vandplan::in_time {
+
+/// Plans paths with the default planner, gives them times, and looks for ways around what is met.
+/// Expects start and goal to be free of what stands.
+[[nodiscard]] PlannerAnswer plan(const Task& task, const PlanOptions& options);
+
+}  // namespace vandplan::in_time

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Times along paths, and ways around, among what moves.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "moving/yielding.h"
+#include "support/cases.h"
+#include "support/problems.h"
+#include "vandplan/input_error.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A car of 4 m by 2 m.
+const Polygon car = box(-2, -1, 2, 1);
+
+/// Crosses x = 15 from the right at 2.5 m/s: in the way of a truck along the x axis from 3.49 s to
+/// 6.11 s.
+MovingObstacle crossing() {
+  return {.outline = car, .trajectory = {{0, {15, -12, pi / 2}}, {16, {15, 28, pi / 2}}}};
+}
+
+moving::Yielding yielding(const Path& path, const std::vector<MovingObstacle>& moving,
+                          const Vehicle& vehicle = {}, double margin = 0) {
+  return moving::yielding_speeds(path, vehicle, {.moving = moving, .margin = margin});
+}
+
+DriveCheck judged(const Path& path, const SpeedProfile& speeds,
+                  const std::vector<MovingObstacle>& moving, const Vehicle& vehicle = {},
+                  double margin = 0) {
+  const Problem problem = problem_of_path({.bounds = wide_bounds}, path, vehicle);
+  return check_drive(with_moving(problem, moving), {path, speeds}, {.margin = margin});
+}
+
+const Path ahead{{0, 0, 0}, {{0, 20}}};
+
+TEST(Yielding, IsTheFastestDriveWhereNobodyIsMet) {
+  MovingObstacle fast = crossing();
+  fast.trajectory.back().t = 8;
+  const moving::Yielding found = yielding(ahead, {fast});
+  ASSERT_TRUE(found.speeds);
+  EXPECT_EQ(found.states, 0);
+  EXPECT_EQ(found.speeds->duration, speed_profile(ahead, {}).duration);
+}
+
+TEST(Yielding, LetsACarPassAndIsNearTheFastestDriveThatDoes) {
+  const moving::Yielding found = yielding(ahead, {crossing()});
+  ASSERT_TRUE(found.speeds);
+  const DriveCheck check = judged(ahead, *found.speeds, {crossing()});
+  EXPECT_TRUE(check.valid) << check.reason;
+  // At full speed at 8.1 m when the car is past, at 6.11 s: 8.775 m at 2.5 m/s, and 2.5 s of
+  // braking.
+  const double best = 6.11 + 8.775 / 2.5 + 2.5;
+  EXPECT_GE(found.speeds->duration, best - 0.01);
+  EXPECT_LE(found.speeds->duration, 1.05 * best);
+}
+
+TEST(Yielding, TheMarginIsKept) {
+  const moving::Yielding found = yielding(ahead, {crossing()}, {}, 1.0);
+  ASSERT_TRUE(found.speeds);
+  EXPECT_TRUE(judged(ahead, *found.speeds, {crossing()}, {}, 1.0).valid);
+  EXPECT_GT(found.speeds->duration, yielding(ahead, {crossing()}).speeds->duration + 0.3);
+}
+
+TEST(Yielding, StandsOnTheWayWhereItMayNotWaitAtTheStart) {
+  // One car comes through the start after 6 s, the other one blocks the way for 20 s.
+  const MovingObstacle behind{.outline = car,
+                              .trajectory = {{0, {0, -17, pi / 2}}, {15, {0, 20, pi / 2}}}};
+  const MovingObstacle lorry{.outline = car,
+                             .trajectory = {{0, {25, 0, pi / 2}}, {20, {25, 0, pi / 2}}},
+                             .after = Afterwards::leaves};
+  const Path path{{0, 0, 0}, {{0, 40}}};
+  const moving::Yielding found = yielding(path, {behind, lorry});
+  ASSERT_TRUE(found.speeds);
+  const DriveCheck check = judged(path, *found.speeds, {behind, lorry});
+  EXPECT_TRUE(check.valid) << check.reason;
+  EXPECT_GT(found.speeds->duration, 20);
+}
+
+TEST(Yielding, FindsNothingWhereSomebodyStaysInTheWay) {
+  const MovingObstacle parks{.outline = car,
+                             .trajectory = {{0, {15, -12, pi / 2}}, {4, {15, 0, pi / 2}}}};
+  const moving::Yielding found = yielding(ahead, {parks});
+  EXPECT_FALSE(found.speeds);
+  EXPECT_LT(found.states, 200'000);  // it ends by itself
+}
+
+TEST(Yielding, AVehicleWithALimitOfJerkBeginsLater) {
+  Vehicle vehicle;
+  vehicle.limits.max_jerk = 1.0;
+  const moving::Yielding found = yielding(ahead, {crossing()}, vehicle);
+  ASSERT_TRUE(found.speeds);
+  const DriveCheck check = judged(ahead, *found.speeds, {crossing()}, vehicle);
+  EXPECT_TRUE(check.valid) << check.reason;
+  EXPECT_GT(found.speeds->standing, 0);
+}
+
+TEST(YieldingLaw, WhatIsFoundIsGoodInTheEyesOfTheJudge) {
+  int found = 0;
+  for_each_case(1, 150, [&](Rng& rng) {
+    std::vector<Segment> segments;
+    for (int i = 0; i < 3; ++i) {
+      const double sign = uniform01(rng) < 0.3 ? -1 : 1;
+      segments.push_back({uniform(-0.14, 0.14, rng), sign * uniform(2, 15, rng)});
+    }
+    const Path path{{0, 0, uniform(-pi, pi, rng)}, segments};
+    std::vector<MovingObstacle> moving;
+    for (int k = 0; k < 4; ++k) {
+      MovingObstacle& mover = moving.emplace_back(MovingObstacle{.outline = car});
+      double t = 0;
+      for (int i = 0; i < 3; ++i) {
+        mover.trajectory.push_back(
+            {t, {uniform(-25, 25, rng), uniform(-25, 25, rng), uniform(-pi, pi, rng)}});
+        t += uniform(2, 10, rng);
+      }
+      if (uniform01(rng) < 0.7) mover.after = Afterwards::leaves;
+    }
+    const double margin = uniform01(rng) < 0.5 ? 0.0 : 0.3;
+    const moving::Yielding yields = yielding(path, moving, {}, margin);
+    if (!yields.speeds) return;
+    found += yields.states > 0;
+    const DriveCheck check = judged(path, *yields.speeds, moving, {}, margin);
+    EXPECT_TRUE(check.valid) << check.reason << " at " << check.t.value_or(-1) << " s";
+  });
+  EXPECT_GT(found, cases(150) / 10);
+}
+
+// ---- the planner ----
+
+PlanOptions few_iterations() {
+  PlanOptions options;
+  options.budget.max_iterations = 1500;
+  return options;
+}
+
+Problem street_among(const std::vector<MovingObstacle>& moving) {
+  const Problem problem = problem_in({.bounds = {-20, 60, -9, 9}}, {0, 0, 0}, {40, 0, 0});
+  return with_moving(problem, moving);
+}
+
+TEST(PlanInTime, WaitsOrGoesRoundAndRepeatsBitForBit) {
+  const Problem problem = street_among({crossing()});
+  const PlanResult result = plan(problem, few_iterations());
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  ASSERT_TRUE(result.speeds);
+  EXPECT_TRUE(result.drive_check->valid);
+  EXPECT_LT(result.speeds->duration, 23);  // 18.5 s without the car
+  const PlanResult again = plan(problem, few_iterations());
+  EXPECT_EQ(again.path, result.path);
+  EXPECT_EQ(again.speeds->duration, result.speeds->duration);
+  EXPECT_EQ(again.iterations, result.iterations);
+  EXPECT_LE(result.iterations, 1500);
+}
+
+TEST(PlanInTime, GoesRoundWhoStays) {
+  const MovingObstacle parks{.outline = car,
+                             .trajectory = {{0, {20, -12, pi / 2}}, {4, {20, -1, pi / 2}}}};
+  const PlanResult result = plan(street_among({parks}), few_iterations());
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_TRUE(result.drive_check->valid);
+  EXPECT_GT(length(*result.path), 40.1);
+}
+
+TEST(PlanInTime, PlansTheFastestDriveIfTimeIsTheCost) {
+  PlanOptions options = few_iterations();
+  options.cost.measure = CostMeasure::time;
+  const PlanResult result = plan(street_among({crossing()}), options);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_TRUE(result.drive_check->valid);
+  EXPECT_LE(result.cost, result.speeds->duration + 1e-6);
+}
+
+TEST(PlanInTime, KnowsThatWhoStaysInTheGoalLeavesNoPath) {
+  const MovingObstacle parks{.outline = car,
+                             .trajectory = {{0, {42, -12, pi / 2}}, {4, {42, 0, pi / 2}}}};
+  const PlanResult result = plan(street_among({parks}), few_iterations());
+  EXPECT_EQ(result.status, PlanStatus::no_path);
+  EXPECT_EQ(result.reason, "moving[0] stays where the goal is, or nearer to it than the margin");
+}
+
+TEST(PlanInTime, ClaimsNoProofWhereItFindsNothing) {
+  // A wall comes across the street for good, and the goal is behind it.
+  const MovingObstacle wall{.outline = box(-0.5, -12, 0.5, 12),
+                            .trajectory = {{0, {20, 40, 0}}, {4, {20, 0, 0}}}};
+  const PlanResult result = plan(street_among({wall}), few_iterations());
+  EXPECT_EQ(result.status, PlanStatus::iteration_limit);
+  EXPECT_EQ(result.reason,
+            "there are paths, but none on which a drive was found that meets nothing");
+}
+
+TEST(PlanInTime, StaysWhereItIsIfThatIsTheGoal) {
+  const Problem problem = problem_in({.bounds = wide_bounds}, {0, 0, 0}, {0, 0, 0});
+  const PlanResult stays = plan(with_moving(problem, std::vector{crossing()}), few_iterations());
+  EXPECT_EQ(stays.status, PlanStatus::solved) << stays.reason;
+  EXPECT_EQ(stays.speeds->duration, 0);
+  MovingObstacle over = crossing();
+  for (TimedPose& row : over.trajectory) row.pose.x = 2;
+  const PlanResult hit = plan(with_moving(problem, std::vector{over}), few_iterations());
+  EXPECT_NE(hit.status, PlanStatus::solved);
+  EXPECT_NE(hit.status, PlanStatus::rejected);
+}
+
+TEST(PlanInTime, OtherPlannersRefuse) {
+  try {
+    (void)plan(street_among({crossing()}), planner_named("rrt-opt-bound"), {});
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "moving: is not honoured by rrt-opt-bound, expected one of the planners that honour "
+              "it: anytime");
+  }
+}
+
+}  // namespace
+}  // namespace vandplan
