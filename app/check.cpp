@@ -27,12 +27,33 @@ struct CheckArguments {
   DrivingStyle style;
 };
 
+/// What the judge says of a path, and of its times where something moves.
+struct Judged : PathCheck {
+  std::optional<DriveCheck> drive = {};
+};
+
 /// The verdict on one goal; none without a path.
-using Verdict = std::optional<PathCheck>;
+using Verdict = std::optional<Judged>;
+
+/// A path without times is driven as fast as the vehicle may.
+SpeedProfile speeds_of(const Problem& problem, const PlanResult& result) {
+  if (result.speeds) return *result.speeds;
+  return speed_profile(*result.path, problem.vehicle(),
+                       {.start_curvature = problem.curvatures().start});
+}
 
 Verdict judge(const Problem& problem, const ResultRecord& record) {
-  if (!record.result.path) return std::nullopt;
-  return check_path(problem, *record.result.path, record.claims);
+  const PlanResult& result = record.result;
+  if (!result.path) return std::nullopt;
+  Judged judged{check_path(problem, *result.path, record.claims)};
+  const bool has_times = result.speeds || !problem.task().moving.empty();
+  if (!judged.valid || !has_times) return judged;
+  judged.drive = check_drive(problem, {*result.path, speeds_of(problem, result)},
+                             {.margin = record.claims.clearance.margin});
+  judged.valid = judged.drive->valid;
+  judged.reason = judged.drive->reason;
+  judged.at = judged.drive->at;
+  return judged;
 }
 
 nlohmann::ordered_json verdict_json(const ResultRecord& record, const Verdict& verdict) {
@@ -50,6 +71,12 @@ nlohmann::ordered_json verdict_json(const ResultRecord& record, const Verdict& v
     json["clearance"] = *verdict->clearance;
   }
   if (!verdict->valid) json["reason"] = verdict->reason;
+  if (verdict->drive) {
+    json["duration"] = verdict->drive->duration;
+    const std::optional<double>& near = verdict->drive->clearance;
+    if (near && std::isfinite(*near)) json["moving_clearance"] = *near;
+    if (verdict->drive->t) json["t"] = *verdict->drive->t;
+  }
   if (verdict->at) {
     const auto& [s, pose, curvature, direction] = *verdict->at;
     json["at"] = {{"s", s}, {"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}};
@@ -59,11 +86,13 @@ nlohmann::ordered_json verdict_json(const ResultRecord& record, const Verdict& v
 
 std::string verdict_text(const ResultRecord& record, const Verdict& verdict) {
   if (!verdict) return no_path_text(record.result);
-  if (verdict->valid) return "valid: " + path_text(*verdict);
+  const std::optional<DriveCheck>& drive = verdict->drive;
+  if (verdict->valid) return "valid: " + path_text(*verdict) + drive_text(drive);
   if (!verdict->at) return fmt::format("invalid: {}", verdict->reason);
   const auto& [s, pose, curvature, direction] = *verdict->at;
-  return fmt::format("invalid: {} at s = {:.4f} m, where x = {} m, y = {} m, heading = {} rad",
-                     verdict->reason, s, pose.x, pose.y, pose.heading);
+  const std::string when = drive && drive->t ? fmt::format(" at t = {:.3f} s,", *drive->t) : "";
+  return fmt::format("invalid: {}{} at s = {:.4f} m, where x = {} m, y = {} m, heading = {} rad",
+                     verdict->reason, when, s, pose.x, pose.y, pose.heading);
 }
 
 nlohmann::ordered_json metrics_json(const PathMetrics& metrics, const DrivingStyle& style) {
@@ -133,8 +162,7 @@ int check_pairs(const ScenarioProblems& read, ResultReader& reader,
   const Problem& pattern = read.problems.front();
   Tally tally;
   while (const std::optional<PairRecord> pair = reader.next()) {
-    const Problem problem =
-        make_problem(pattern.world(), pattern.vehicle(), pair->poses.start, pair->poses.goal);
+    const Problem problem = with_poses(pattern, pair->poses.start, pair->poses.goal);
     const Verdict verdict = judge(problem, pair->record);
     tally.add(verdict);
     const Statement statement = statement_on(pair->record, verdict, arguments);

@@ -40,8 +40,7 @@ Choice chosen_pair(const ScenarioProblems& read, ResultReader& reader, std::size
     Scenario scenario = scenario_at(read.file, 0);
     scenario.start = pair->poses.start;
     scenario.goal = pair->poses.goal;
-    return {std::move(scenario),
-            make_problem(pattern.world(), pattern.vehicle(), pair->poses.start, pair->poses.goal),
+    return {std::move(scenario), with_poses(pattern, pair->poses.start, pair->poses.goal),
             pair->record, fmt::format("{} pair {}", read.file.scenario.name, number)};
   }
   throw InputError("--pair", fmt::format("there is no pair {}", number));

@@ -19,12 +19,13 @@ struct DrawArguments {
   std::optional<std::size_t> pair;
   std::string output;
   bool curvature_strip = false;
+  bool plays = false;
   bool json = false;
 };
 
 /// Draws, and says how much of a file with many pairs was drawn: "48 pairs, there are more".
 std::string drawn(const DrawArguments& arguments, const ScenarioFile& scenario) {
-  const PictureWish wish{arguments.output, arguments.curvature_strip};
+  const PictureWish wish{arguments.output, arguments.curvature_strip, arguments.plays};
   if (!arguments.result) {
     write_picture(wish, scenario, std::vector<ResultRecord>{});
     return "";
@@ -77,6 +78,11 @@ void add_draw(CLI::App& vandplan, int&) {
   command
       ->add_flag("--curvature-strip", arguments->curvature_strip,
                  "Below the picture: how far the wheels are turned along the path")
+      ->needs("RESULT");
+  command
+      ->add_flag("--play", arguments->plays,
+                 "A browser plays the picture (.svg): the vehicle drives along the path, and what\n"
+                 "moves moves; in a result without times as fast as the vehicle may")
       ->needs("RESULT");
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->callback([arguments] { run(*arguments); });

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int picture_width = 1200;  // pixels or points
 constexpr const char* strip_flag = "--curvature-strip";
+constexpr const char* play_flag = "--play";
 constexpr std::size_t room = 48;  // pictures on a sheet of pairs
 
 std::string captioned_outcome(const PlanResult& result) {
@@ -43,6 +44,13 @@ Drawing drawing_of(const Scenario& scenario, const ResultRecord* record) {
   drawing.margin = record->options.clearance.margin;
   drawing.caption = caption_of(scenario, *record);
   return drawing;
+}
+
+/// The times of a record's path: those that it has, or those of the fastest drive.
+SpeedProfile speeds_of(const Scenario& scenario, const PlanResult& result) {
+  if (result.speeds) return *result.speeds;
+  return speed_profile(*result.path, scenario.vehicle,
+                       {.start_curvature = scenario.curvatures.start});
 }
 
 /// A pair and the scenario that it makes.
@@ -79,6 +87,12 @@ void expect_picture(const std::string& file) {
 }
 
 void expect_one_path(const PictureWish& wish, const ScenarioFile& scenario) {
+  if (wish.plays && scenario.is_row()) {
+    throw InputError(play_flag, "is for one path, the scenario has a row of goals");
+  }
+  if (wish.plays && picture_format(wish.file) != PictureFormat::svg) {
+    throw InputError(play_flag, "is for pictures that end in .svg");
+  }
   if (wish.curvature_strip && scenario.is_row()) {
     throw InputError(strip_flag, "is for one path, the scenario has a row of goals");
   }
@@ -87,8 +101,9 @@ void expect_one_path(const PictureWish& wish, const ScenarioFile& scenario) {
 void write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                    const std::vector<ResultRecord>& records) {
   expect_one_path(wish, scenario);
-  const auto& [file, has_strip] = wish;
+  const auto& [file, has_strip, plays] = wish;
   const PictureFormat format = picture_format(file);
+  std::optional<SpeedProfile> speeds;
   std::deque<Scenario> scenarios;
   ContactSheet sheet;
   for (std::size_t i = 0; i < scenario.size(); ++i) {
@@ -97,6 +112,10 @@ void write_picture(const PictureWish& wish, const ScenarioFile& scenario,
     sheet.drawings.back().curvature_strip = has_strip;
   }
   const bool one = sheet.drawings.size() == 1;
+  if (plays && !records.empty() && records.front().result.path) {
+    speeds = speeds_of(scenario.scenario, records.front().result);
+    sheet.drawings.front().speeds = &*speeds;
+  }
   write_file(file, one ? draw(sheet.drawings.front(), format, picture_width)
                        : draw(sheet, format, picture_width));
 }
@@ -111,7 +130,8 @@ void write_picture(const std::string& file, const Scenario& scenario, const Resu
 
 DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                          ResultReader& results, std::optional<std::size_t> pair) {
-  const auto& [file, has_strip] = wish;
+  const auto& [file, has_strip, plays] = wish;
+  if (plays) throw InputError(play_flag, "is for one path, the result has many");
   if (has_strip && !pair) throw InputError(strip_flag, "is for one path: --pair N");
   const PictureFormat format = picture_format(file);
   std::deque<PairPicture> pictures;

@@ -17,6 +17,7 @@ namespace vandplan::app {
 struct PictureWish {
   std::string file;  ///< empty: none
   bool curvature_strip = false;
+  bool plays = false;  ///< an SVG with one path: the vehicle drives along it
 };
 
 /// Adds --draw and --curvature-strip to a command.

@@ -52,9 +52,9 @@ std::vector<ResultRecord> plan_goals(const ScenarioProblems& read, const Planner
 
 std::string outcome_of(const PlanResult& result, const PlanOptions& options) {
   if (!result.path) return no_path_text(result);
-  const std::string time = options.cost.measure == CostMeasure::time
-                               ? fmt::format(", driven in {}", seconds_text(result.cost))
-                               : "";
+  const bool is_time = options.cost.measure == CostMeasure::time && !result.drive_check;
+  const std::string time = is_time ? fmt::format(", driven in {}", seconds_text(result.cost))
+                                   : drive_text(result.drive_check);
   const double bound = result.lower_bound;  // 0 if the planner proves none
   const std::string gap =
       bound > 0 ? fmt::format(", gap {:.1f} %", 100 * (result.cost / bound - 1)) : "";

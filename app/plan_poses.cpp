@@ -29,7 +29,7 @@ constexpr std::size_t problems_at_once = 4096;
 std::vector<Problem> problems_of(const Problem& pattern, std::span<const PosePair> pairs) {
   std::vector<Problem> problems;
   for (const PosePair& pair : pairs) {
-    problems.push_back(make_problem(pattern.world(), pattern.vehicle(), pair.start, pair.goal));
+    problems.push_back(with_poses(pattern, pair.start, pair.goal));
   }
   return problems;
 }

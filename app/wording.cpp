@@ -52,6 +52,13 @@ std::string path_text(const PathCheck& check) {
   return check.clearance ? text + ", " + clearance_text(*check.clearance) : text;
 }
 
+std::string drive_text(const std::optional<DriveCheck>& check) {
+  if (!check) return "";
+  const std::string text = fmt::format(", driven in {}", seconds_text(check->duration));
+  if (!check->clearance || !std::isfinite(*check->clearance)) return text;
+  return fmt::format("{}, {} from all that moves", text, metres_text(*check->clearance));
+}
+
 std::string no_path_text(const PlanResult& result) {
   const std::string text = fmt::format("no path: {}", name_of(result.status));
   return result.reason.empty() ? text : fmt::format("{} ({})", text, printable(result.reason));

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/escape.h"
+#include "vandplan/drive_check.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 
@@ -27,6 +28,10 @@ using base::printable;
 /// "length 12.500 m, gear changes 1, in reverse 2.500 m, clearance 0.310 m" of a path that the
 /// judge has seen.
 [[nodiscard]] std::string path_text(const PathCheck& check);
+
+/// ", driven in 23.100 s, 0.420 m from all that moves" of times that the judge has seen; empty
+/// where there are none.
+[[nodiscard]] std::string drive_text(const std::optional<DriveCheck>& check);
 
 /// "no path: goal_in_collision (the footprint hits obstacles[3])" of a result without a path.
 [[nodiscard]] std::string no_path_text(const PlanResult& result);

@@ -4,9 +4,9 @@
 // What does it look like?
 //
 // One drawing routine for all formats. The picture shows start, goal and path with all obstacles,
-// kerbs and the map around them; a scene that is far larger than the path is cropped, and the
-// picture says so. Bounds that lie far beyond are not shown. Axes count metres in the scenario's
-// frame.
+// kerbs and the map around them, and what moves, fainter where it is later; a scene that is far
+// larger than the path is cropped, and the picture says so. Bounds that lie far beyond are not
+// shown. Axes count metres in the scenario's frame.
 
 #include <cstddef>
 #include <string>
@@ -15,6 +15,7 @@
 #include "vandplan/outcome.h"
 #include "vandplan/path.h"
 #include "vandplan/problem.h"
+#include "vandplan/speed.h"
 
 namespace vandplan {
 
@@ -25,6 +26,9 @@ struct Drawing {
   const TreeSnapshot* tree = nullptr;  ///< or none
   /// Where the rear axle of a vehicle was that drove the path, as a line over it; or none.
   const std::vector<Pose>* driven = nullptr;
+  /// When the vehicle is where on the path: an SVG plays then, the vehicle drives over the picture
+  /// and all that moves does; or none.
+  const SpeedProfile* speeds = nullptr;
   double margin = 0.0;       ///< a band so wide is drawn around all that is swept [m]
   std::string caption = {};  ///< one line above the picture, UTF-8
   /// Below the picture of a path: how far the wheels are turned along it.

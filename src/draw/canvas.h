@@ -37,6 +37,7 @@ inline constexpr Colour ink{0.13, 0.15, 0.18};
 inline constexpr Colour faint_ink{0.42, 0.45, 0.49};
 inline constexpr Colour obstacle{0.35, 0.38, 0.43};
 inline constexpr Colour kerb{0.80, 0.71, 0.55};
+inline constexpr Colour moving{0.58, 0.29, 0.72};
 inline constexpr Colour margin{0.95, 0.80, 0.35};
 inline constexpr Colour unknown{0.72, 0.74, 0.77};
 inline constexpr Colour outside{0.935, 0.932, 0.915};

@@ -3,6 +3,7 @@
 #include "vandplan/draw.h"
 
 #include "draw/canvas.h"
+#include "draw/film.h"
 #include "draw/frame.h"
 #include "draw/paint.h"
 #include "draw/scene.h"
@@ -59,7 +60,7 @@ std::string draw(const Drawing& drawing, PictureFormat format, int width) {
   const Box& plot = layout.view.plot;
   LegendContent legend;
   legend.add(scene, layout.view);
-  return render(format, width, layout.page, [&](cairo_t* cairo) {
+  std::string picture = render(format, width, layout.page, [&](cairo_t* cairo) {
     paint_caption(cairo, {drawing.caption, 14.0}, {plot.x, plot.y - 14.0}, plot.width);
     paint_clipped(cairo, scene, layout.view);
     paint_grid(cairo, layout.view);
@@ -69,6 +70,9 @@ std::string draw(const Drawing& drawing, PictureFormat format, int width) {
     if (layout.strip) paint_curvature_strip(cairo, scene, *layout.strip);
     paint_legend(cairo, legend, layout.legend);
   });
+  const bool plays = drawing.speeds && drawing.path && format == PictureFormat::svg;
+  if (!plays) return picture;
+  return played(picture, {drawing, scene, layout.view, width / layout.page.width});
 }
 
 std::string draw(const ContactSheet& sheet, PictureFormat format, int width) {

@@ -69,6 +69,16 @@ void paint_polygons(cairo_t* cairo, const std::vector<Polygon>& polygons, const 
   }
 }
 
+// What moves: as it is at the start, and ever fainter where it goes.
+void paint_moving(cairo_t* cairo, const Scene& scene, const View& view) {
+  for (const Shadow& shadow : scene.shadows) {
+    add_polygon(cairo, view, shadow.outline);
+    set_colour(cairo, colour::moving, 0.6 * shadow.strength);
+    cairo_fill_preserve(cairo);
+    stroke(cairo, 0.8, colour::moving, shadow.strength);
+  }
+}
+
 double distance(const Bounds& box, const Point& point) {
   const double dx = point.x - std::clamp(point.x, box.x_min, box.x_max);
   const double dy = point.y - std::clamp(point.y, box.y_min, box.y_max);
@@ -223,6 +233,7 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   paint_polygons(cairo, scene.kerbs, colour::kerb, view);
   if (scene.map) paint_map(cairo, *scene.map, view);
   paint_polygons(cairo, scene.obstacles, colour::obstacle, view);
+  paint_moving(cairo, scene, view);
   paint_tree(cairo, scene, view);
   if (scene.path && scene.margin > 0.0) paint_margin(cairo, scene, view);
   if (scene.path) paint_sweep(cairo, scene, view);

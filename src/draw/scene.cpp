@@ -90,11 +90,40 @@ Bounds surroundings_of_path(const Scene& scene) {
   return bounding_box(points);
 }
 
+/// An outline where a pose puts it.
+Polygon placed(const Polygon& outline, const Pose& pose) {
+  Polygon there;
+  const double cos = std::cos(pose.heading);
+  const double sin = std::sin(pose.heading);
+  for (const auto& [x, y] : outline) {
+    there.push_back({pose.x + cos * x - sin * y, pose.y + sin * x + cos * y});
+  }
+  return there;
+}
+
+/// What moves, at some times from 0 until it rests or leaves.
+std::vector<Shadow> shadows_of(const std::vector<MovingObstacle>& moving, const Point& origin) {
+  constexpr int steps = 8;
+  std::vector<Shadow> shadows;
+  for (int i = steps; i >= 0; --i) {
+    for (const MovingObstacle& obstacle : moving) {
+      const double t = std::max(obstacle.trajectory.back().t, 0.0) * i / steps;
+      if (i > 0 && t == 0.0) continue;
+      const std::optional<Pose> pose = pose_at(obstacle, t);
+      if (!pose) continue;
+      shadows.push_back({placed(obstacle.outline, moved(*pose, origin, "moving")),
+                         i == 0 ? 1.0 : 0.5 - 0.4 * i / steps});
+    }
+  }
+  return shadows;
+}
+
 /// What stands in the scene, a map as its outline.
 std::vector<Polygon> things_in(const Scene& scene) {
   std::vector<Polygon> things = scene.obstacles;
   things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());
   if (scene.map) things.push_back(outline(*scene.map));
+  for (const Shadow& shadow : scene.shadows) things.push_back(shadow.outline);
   return things;
 }
 
@@ -113,6 +142,7 @@ Scene scene_of(const Drawing& drawing) {
   scene.goal = moved(scenario.goal, scene.origin, "goal");
   scene.obstacles = moved(scenario.obstacles, scene.origin);
   scene.kerbs = moved(scenario.kerbs, scene.origin);
+  scene.shadows = shadows_of(scenario.moving, scene.origin);
   scene.map = scenario.map;
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");
   if (drawing.path) scene.path = moved(*drawing.path, scene.origin);

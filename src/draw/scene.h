@@ -11,6 +11,12 @@
 
 namespace vandplan::drawing {
 
+/// What moves, at one of the times at which it is shown.
+struct Shadow {
+  Polygon outline;
+  double strength = 1.0;  ///< 1: at time 0; less the later it is
+};
+
 /// A drawing moved near the origin, where every coordinate is exact enough for a pixel.
 struct Scene {
   Point origin;  ///< of the local frame, in the scenario's frame: whole kilometres [m]
@@ -21,6 +27,7 @@ struct Scene {
   std::vector<Polygon> obstacles;
   std::vector<Polygon> kerbs;
   std::optional<OccupancyGrid> map;
+  std::vector<Shadow> shadows;  ///< of what moves; the latest first
   std::optional<Path> path;
   double margin = 0.0;           ///< around what the path sweeps [m]
   TreeSnapshot tree;             ///< empty when there is none

@@ -60,6 +60,35 @@ TEST_F(CheckCommand, ForeignResultIsJudged) {
             "valid: length 5.000 m, gear changes 0, in reverse 0 m, clearance 1.100 m\n");
 }
 
+TEST_F(CheckCommand, WhoMovesInTheWayIsNamedWithPlaceAndTime) {
+  const auto with_car = [&](const std::string& x) {
+    write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5,", "goal: {x: 5, y: 0,") +
+                                 "moving:\n  - {outline: [[-1, -1], [1, -1], [1, 1], [-1, 1]], "
+                                 "trajectory: [[0, " +
+                                 x + ", -8, 0], [8, " + x + ", 8, 0]]}\n");
+  };
+  with_car("9");  // its nose is at 5.9 m, the other one 1 m wide to each side
+  const Outcome hit = check(drive_ahead());
+  EXPECT_EQ(hit.status, 1) << hit.err;
+  EXPECT_EQ(hit.out.substr(0, 56), "invalid: the footprint hits moving[0] at t = 2.863 s, at");
+  with_car("12.5");
+  EXPECT_EQ(check(drive_ahead()).out.substr(0, 9), "valid: le");
+}
+
+TEST_F(CheckCommand, TimesOfAResultAreJudged) {
+  Json result = drive_ahead();
+  const Json start = {{"t", 0}, {"s", 0}, {"v", 0}, {"a", 1}};
+  const Json middle = {{"t", 2}, {"s", 2}, {"v", 2}, {"a", 0}};
+  const Json brake = {{"t", 2.5}, {"s", 3}, {"v", 2}, {"a", -1}};
+  const Json end = {{"t", 4.5}, {"s", 5}, {"v", 0}, {"a", 0}};
+  result["speeds"] = {{"duration", 4.5}, {"knots", {start, middle, brake, end}}};
+  EXPECT_EQ(check(result).out,
+            "valid: length 5.000 m, gear changes 0, in reverse 0 m, clearance 1.100 m, driven in "
+            "4.500 s\n");
+  result["speeds"]["knots"][1]["v"] = 2.1;
+  EXPECT_EQ(check(result).out, "invalid: knots[1] does not follow from the one before\n");
+}
+
 TEST_F(CheckCommand, JsonHoldsTheFigures) {
   const Outcome outcome = check(drive_ahead(), {"--json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -420,6 +420,48 @@ TEST(MapImage, ShowsTheWorstCellOfABlock) {
   EXPECT_TRUE(matches(pixels.at(2, 1), drawing::colour::unknown));
 }
 
+TEST(Draw, WhatMovesIsShownFainterWhereItIsLater) {
+  Scenario scenario = yard();
+  const Polygon car{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  scenario.moving = {{.outline = car, .trajectory = {{0, {-6, 12, 0}}, {8, {2, 12, 0}}}}};
+  const drawing::Scene scene = drawing::scene_of({.scenario = &scenario});
+  ASSERT_EQ(scene.shadows.size(), 9U);
+  EXPECT_EQ(scene.shadows.back().strength, 1.0);
+  EXPECT_EQ(scene.shadows.back().outline[0], (Point{-7, 11}));
+  EXPECT_LT(scene.shadows.front().strength, 0.2);
+  EXPECT_NEAR(scene.shadows.front().outline[0].x, 1, 1e-12);
+  const std::string still = draw({.scenario = &scenario}, PictureFormat::svg, 600);
+  EXPECT_NE(still, [&] {
+    scenario.moving.clear();
+    return draw({.scenario = &scenario}, PictureFormat::svg, 600);
+  }());
+}
+
+TEST(Draw, APathWithTimesPlays) {
+  Scenario scenario = yard();
+  const Polygon car{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  scenario.moving = {{.outline = car,
+                      .trajectory = {{0, {-6, 12, 0}}, {8, {2, 12, 0}}},
+                      .after = Afterwards::leaves}};
+  const Path path = yard_path();
+  const SpeedProfile speeds = speed_profile(path, scenario.vehicle);
+  const Drawing drawing{.scenario = &scenario, .path = &path, .speeds = &speeds};
+  const std::string film = draw(drawing, PictureFormat::svg, 600);
+  const auto count = [&](const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = film.find(part); at != std::string::npos; at = film.find(part, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count("type=\"translate\""), 2U);
+  EXPECT_EQ(count("type=\"rotate\""), 2U);
+  EXPECT_EQ(count("attributeName=\"opacity\""), 1U);
+  EXPECT_EQ(count("values=\"0.000,0.000;"), 1U);  // the truck begins at its start
+  EXPECT_EQ(count("</svg>"), 1U);
+  EXPECT_EQ(draw(drawing, PictureFormat::png, 600).substr(1, 3), "PNG");
+}
+
 TEST(Draw, TheSameDrawingGivesTheSameBytes) {
   const Scenario scenario = yard();
   const Path path = yard_path();

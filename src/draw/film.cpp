@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "draw/film.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "vandplan/moving.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan::drawing {
+namespace {
+
+constexpr double frame_time = 0.1;  // between poses, in between it is even [s]
+constexpr double most_frames = 3000;
+constexpr double rest_time = 1.5;  // at the end [s]
+
+std::string written(const char* format, auto... values) {
+  std::array<char, 240> buffer;
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+std::string colour_of(const Colour& colour) {
+  const auto byte = [](double share) { return static_cast<int>(std::lround(255 * share)); };
+  return written("rgb(%d,%d,%d)", byte(colour.red), byte(colour.green), byte(colour.blue));
+}
+
+/// Something that moves: its outline, and where it is at each frame; none once it is gone.
+struct Actor {
+  Polygon outline;
+  Colour colour;
+  std::vector<std::optional<Pose>> poses;
+};
+
+/// The values of one animation, `duration` seconds long.
+std::string animation(const char* type, const std::string& values, double duration) {
+  return written("<animateTransform attributeName=\"transform\" type=\"%s\" dur=\"%.3fs\" ", type,
+                 duration) +
+         "repeatCount=\"indefinite\" values=\"" + values + "\"/>";
+}
+
+/// What shows an actor and moves it. Metres, y upwards.
+std::string scene_of_actor(const Actor& actor, double duration) {
+  std::string places;
+  std::string turns;
+  std::string shows;
+  Pose last = actor.poses.front().value_or(Pose{});
+  double heading = last.heading;
+  for (const std::optional<Pose>& pose : actor.poses) {
+    const char* const separator = places.empty() ? "" : ";";
+    const Pose& now = pose.value_or(last);
+    heading += wrap_angle(now.heading - last.heading);
+    places += written("%s%.3f,%.3f", separator, now.x, now.y);
+    turns += written("%s%.2f", separator, heading * 180 / std::numbers::pi);
+    shows += written("%s%d", separator, pose ? 1 : 0);
+    last = now;
+  }
+  std::string corners;
+  for (const auto& [x, y] : actor.outline) corners += written("%.3f,%.3f ", x, y);
+  const std::string colour = colour_of(actor.colour);
+  std::string text = "<g>" + animation("translate", places, duration) + "<g>" +
+                     animation("rotate", turns, duration) + "<polygon points=\"" + corners +
+                     "\" fill=\"" + colour + "\" fill-opacity=\"0.75\" stroke=\"" + colour +
+                     "\" stroke-width=\"0.15\"/></g>";
+  if (shows.find('0') != std::string::npos) {
+    text += written("<animate attributeName=\"opacity\" calcMode=\"discrete\" dur=\"%.3fs\" ",
+                    duration) +
+            "repeatCount=\"indefinite\" values=\"" + shows + "\"/>";
+  }
+  return text + "</g>\n";
+}
+
+/// All who play, the vehicle last.
+std::vector<Actor> actors_of(const Film& film, double step, double count) {
+  const Drawing& drawing = film.drawing;
+  const Scenario& scenario = *drawing.scenario;
+  const Point& origin = film.scene.origin;
+  const auto local = [&](const Pose& pose) {
+    return Pose{pose.x - origin.x, pose.y - origin.y, pose.heading};
+  };
+  std::vector<Actor> actors;
+  for (const MovingObstacle& obstacle : scenario.moving) {
+    Actor& actor = actors.emplace_back(Actor{obstacle.outline, colour::moving, {}});
+    for (double i = 0; i <= count; ++i) {
+      const std::optional<Pose> pose = pose_at(obstacle, i * step);
+      actor.poses.push_back(pose ? std::optional(local(*pose)) : std::nullopt);
+    }
+  }
+  const std::array<Point, 4> body = corners(footprint(scenario.vehicle), {});
+  Actor& vehicle = actors.emplace_back(Actor{{body.begin(), body.end()}, colour::start, {}});
+  for (double i = 0; i <= count; ++i) {
+    vehicle.poses.emplace_back(
+        local(motion_at(*drawing.path, scenario.vehicle, *drawing.speeds, i * step).pose));
+  }
+  return actors;
+}
+
+}  // namespace
+
+std::string played(const std::string& svg, const Film& film) {
+  const double lasts = rest_time + std::max(film.drawing.speeds->duration,
+                                            end_of_motion(film.drawing.scenario->moving));
+  const double count = std::min(std::ceil(lasts / frame_time), most_frames);
+  const Box& plot = film.view.plot;
+  const double k = film.scale;
+  const double metre = k * film.view.scale;
+  std::string text =
+      written("<clipPath id=\"film\"><rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\"/>",
+              k * plot.x, k * plot.y, k * plot.width, k * plot.height) +
+      "</clipPath>\n<g clip-path=\"url(#film)\">" +
+      written("<g transform=\"matrix(%.6f 0 0 %.6f %.4f %.4f)\">\n", metre, -metre,
+              k * plot.x - metre * film.view.visible.x_min,
+              k * plot.y + metre * film.view.visible.y_max);
+  for (const Actor& actor : actors_of(film, lasts / count, count)) {
+    text += scene_of_actor(actor, lasts);
+  }
+  text += written("</g><rect x=\"%.2f\" y=\"%.2f\" width=\"0\" height=\"%.2f\" fill=\"%s\">",
+                  k * plot.x, k * (plot.y + plot.height) - 4.0, 4.0,
+                  colour_of(colour::faint_ink).c_str()) +
+          written("<animate attributeName=\"width\" from=\"0\" to=\"%.2f\" dur=\"%.3fs\" ",
+                  k * plot.width, lasts) +
+          "repeatCount=\"indefinite\"/></rect></g>\n";
+  const std::size_t end = svg.rfind("</svg>");
+  return svg.substr(0, end) + text + svg.substr(end);
+}
+
+}  // namespace vandplan::drawing
