@@ -11,8 +11,19 @@
 
 namespace vandplan {
 
-/// The lengths of a rigid vehicle that steers at the front [m], and how fast it may be driven; the
-/// field names are keys of scenario files, where those of `limits` stand beside the lengths.
+/// The lengths of a trailer with one axle [m]: it hangs on the hitch of its tractor, and its axle
+/// follows. The field names are keys of scenario files.
+struct Trailer {
+  double wheelbase = 8.1;       ///< hitch to axle; > 0
+  double front_overhang = 1.2;  ///< hitch to the front of the body; negative with a drawbar
+  double rear_overhang = 4.3;   ///< axle to the rear of the body; >= 0
+  double width = 2.55;          ///< of the body; > 0
+  bool operator==(const Trailer&) const = default;
+};
+
+/// The lengths of a rigid vehicle that steers at the front [m], how fast it may be driven, and the
+/// trailer that it may pull; the field names are keys of scenario files, where those of `limits`
+/// stand beside the lengths.
 struct Vehicle {
   double wheelbase = 4.5;           ///< rear axle to front axle; > 0
   double front_overhang = 1.4;      ///< front axle to front bumper; >= 0
@@ -22,6 +33,11 @@ struct Vehicle {
   /// Width over the wheels of an axle; > 0, at most `width`, which holds where there is none.
   std::optional<double> track_width = {};
   DrivingLimits limits = {};
+  double hitch = 0.0;  ///< x of the hitch in the vehicle frame; negative behind the rear axle
+  /// Largest angle between the vehicle and its trailer [rad], beyond which they would touch or
+  /// fold up; in (0, pi). The default is 69 degrees, well short of a right angle.
+  double max_hitch_angle = 1.2;
+  std::optional<Trailer> trailer = {};  ///< none: the vehicle is alone
   bool operator==(const Vehicle&) const = default;
 };
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/exponential.h"
 #include "support/cases.h"
 #include "vandplan/random.h"
 
@@ -115,6 +116,23 @@ TEST(Atan2, KnowsTheSpecialArguments) {
     EXPECT_TRUE(std::isnan(base::atan_2(y, nan)));
     EXPECT_TRUE(std::isnan(base::atan_2(nan, y)));
   }
+}
+
+TEST(Exponential, IsWithinTwoUnitsInTheLastPlace) {
+  for_each_case(7, 1'000'000, [](Rng& rng) {
+    const double size = std::pow(10, uniform(-9, 2.84, rng));
+    const double x = rng() % 2 == 0 ? size : -size;
+    EXPECT_LT(error_of(base::exponential(x), std::exp(static_cast<long double>(x))), 2)
+        << as_code(x);
+  });
+}
+
+TEST(Exponential, GoesToTheEndsOfDoubles) {
+  EXPECT_EQ(base::exponential(0), 1);
+  EXPECT_EQ(base::exponential(-701), 0);
+  EXPECT_EQ(base::exponential(-infinity), 0);
+  EXPECT_EQ(base::exponential(701), infinity);
+  EXPECT_TRUE(std::isnan(base::exponential(nan)));
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/rig.h"
+
+#include "base/trigonometry.h"
+#include "vehicle/hitch_motion.h"
+
+namespace vandplan {
+namespace {
+
+vehicle::Coupling coupling_of(const Vehicle& vehicle) noexcept {
+  return {.hitch = vehicle.hitch, .wheelbase = vehicle.trailer->wheelbase};
+}
+
+Pose moved_ahead(const Pose& pose, double distance) noexcept {
+  const auto [sin, cos] = base::sin_cos(pose.heading);
+  return {pose.x + distance * cos, pose.y + distance * sin, pose.heading};
+}
+
+}  // namespace
+
+Pose trailer_pose(const Vehicle& vehicle, const RigState& state) noexcept {
+  Pose pose = moved_ahead(state.pose, vehicle.hitch);
+  pose.heading = wrap_angle(pose.heading - state.hitch_angle);
+  return moved_ahead(pose, -vehicle.trailer->wheelbase);
+}
+
+Pose tractor_pose(const Vehicle& vehicle, const Pose& trailer, double hitch_angle) noexcept {
+  Pose pose = moved_ahead(trailer, vehicle.trailer->wheelbase);
+  pose.heading = wrap_angle(pose.heading + hitch_angle);
+  return moved_ahead(pose, -vehicle.hitch);
+}
+
+double hitch_rate(const Vehicle& vehicle, double hitch_angle, double curvature) noexcept {
+  return vehicle::hitch_rate(coupling_of(vehicle), hitch_angle, curvature);
+}
+
+double hitch_angle_after(const Vehicle& vehicle, double hitch_angle,
+                         const Segment& segment) noexcept {
+  return hitch_angle + vehicle::hitch_change(coupling_of(vehicle), hitch_angle, segment);
+}
+
+RigState advance(const Vehicle& vehicle, const RigState& state, const Segment& segment) noexcept {
+  return {advance(state.pose, segment),
+          wrap_angle(hitch_angle_after(vehicle, state.hitch_angle, segment))};
+}
+
+double largest_hitch_angle(const Vehicle& vehicle, double hitch_angle,
+                           const Segment& segment) noexcept {
+  return vehicle::largest_hitch_angle(coupling_of(vehicle), hitch_angle, segment);
+}
+
+}  // namespace vandplan
