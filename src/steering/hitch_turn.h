@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does the trailer follow at full lock and on lines?
+//
+// Lengths are in turning radii, so that the curvature of a turn is -1, 0 or 1. The hitch angle is
+// held as u, the tangent of its half. Numbers of formulas: docs/algorithms/rig_steering.md.
+
+#include <array>
+#include <cstddef>
+
+namespace vandplan::steering {
+
+/// What of a rig decides how its trailer follows, at unit turning radius.
+class HitchTurn {
+ public:
+  /// `wheelbase` of the trailer > |hitch|; `most`: the largest |u|.
+  HitchTurn(double wheelbase, double hitch, double most) noexcept;
+
+  [[nodiscard]] double most() const noexcept { return most_; }
+
+  /// Change of u per unit driven forward with that curvature (2).
+  [[nodiscard]] double rate(double curvature, double u) const noexcept;
+
+  /// u at the end of a way, and its derivative to u at the start.
+  struct After {
+    double u = 0.0;
+    double slope = 0.0;  ///< NaN where the trailer has folded up on the way
+  };
+  /// After `way` at a turn of -1, 0 or 1; negative in reverse (3).
+  [[nodiscard]] After after(int turn, double u, double way) const noexcept;
+
+  /// After `way` at any curvature (3).
+  [[nodiscard]] After after_arc(double curvature, double u, double way) const noexcept;
+
+  /// The way from one u to another at a turn of -1 or 1, negative in reverse; NaN: there is none
+  /// (4).
+  [[nodiscard]] double way_between(int turn, double from, double to) const noexcept;
+
+  /// The curvature that holds u (5).
+  [[nodiscard]] double hold_curvature(double u) const noexcept;
+
+ private:
+  /// du/ds = a + b u + c u^2, and b^2/4 - a c.
+  struct Riccati {
+    double a = 0.0, b = 0.0, c = 0.0, square = 0.0, root = 0.0;
+  };
+  [[nodiscard]] Riccati riccati(double curvature) const noexcept;
+  [[nodiscard]] static After after(const Riccati& r, double u, double way) noexcept;
+  [[nodiscard]] const Riccati& of_turn(int turn) const noexcept {
+    return turns_[static_cast<std::size_t>(turn + 1)];
+  }
+
+  double wheelbase_;
+  double hitch_;
+  double most_;
+  std::array<Riccati, 3> turns_{};
+};
+
+}  // namespace vandplan::steering

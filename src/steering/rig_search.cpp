@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "steering/rig_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "base/trigonometry.h"
+#include "steering/rig_guesses.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan::steering {
+namespace {
+
+constexpr double good = 1.01;
+
+/// One of the four tasks that have the same paths but for their direction and their sides.
+struct Image {
+  RigEnds ends;
+  bool is_backwards = false;
+  bool is_mirrored = false;
+
+  [[nodiscard]] std::tuple<double, double, double, double, double> key() const {
+    return {ends.frame.x, ends.frame.y, ends.frame.half_turn, ends.start_u, ends.goal_u};
+  }
+};
+
+Image backwards(const Image& image) {
+  const auto& [frame, start, goal] = image.ends;
+  return {{{-frame.x, -frame.y, -frame.half_turn}, goal, start},
+          !image.is_backwards,
+          image.is_mirrored};
+}
+
+Image mirrored(const Image& image) {
+  const auto& [frame, start, goal] = image.ends;
+  return {{{frame.x, -frame.y, -frame.half_turn}, -start, -goal},
+          image.is_backwards,
+          !image.is_mirrored};
+}
+
+/// The image that stands for all four: the goal is ahead and to the left.
+Image folded(const RigEnds& ends) {
+  const Image given{ends};
+  const std::array<Image, 4> images = {given, backwards(given), mirrored(given),
+                                       mirrored(backwards(given))};
+  return *std::max_element(images.begin(), images.end(),
+                           [](const Image& a, const Image& b) { return a.key() < b.key(); });
+}
+
+/// A path of the image as the task meant it.
+Piece unfolded(const Image& image, std::span<const Segment> segments) {
+  Piece piece;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    Segment s = segments[image.is_backwards ? segments.size() - 1 - i : i];
+    if (image.is_mirrored) s.curvature = -s.curvature;
+    if (image.is_backwards) s.length = -s.length;
+    piece.length += std::abs(s.length);
+    piece.segments[piece.count++] = s;
+  }
+  return piece;
+}
+
+RigWordSolver::Task task_of(const Image& image, const RigPrices& prices) {
+  const MeanFrame& f = image.ends.frame;
+  RigWordSolver::Task task;
+  task.start = rig_place(-f.x / 2, -f.y / 2, -f.half_turn, image.ends.start_u);
+  task.goal = rig_place(f.x / 2, f.y / 2, f.half_turn, image.ends.goal_u);
+  task.tolerance = 1e-12 * (1 + std::abs(f.x) + std::abs(f.y));
+  task.prices = {1, prices.reverse_weight, prices.gear_change_cost};
+  task.is_backwards = image.is_backwards;
+  if (image.is_backwards) std::swap(task.prices.forward, task.prices.reverse);
+  task.cutoff = prices.cutoff;
+  return task;
+}
+
+double price_of(const RigSegments& segments, const WordPrices& prices) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < segments.count; ++i) {
+    const double way = segments.list[i].length;
+    sum += way < 0 ? -way * prices.reverse : way * prices.forward;
+    if (i > 0 && way * segments.list[i - 1].length < 0) sum += prices.gear_change;
+  }
+  return sum;
+}
+
+/// A guess in the size of a task: near states have short turns.
+RigWord sized(const RigWord& guess, const RigWordSolver::Task& task) {
+  const double dx = task.goal.x - task.start.x, dy = task.goal.y - task.start.y;
+  const double distance = std::sqrt(dx * dx + dy * dy);
+  const double apart = std::abs(dx) + std::abs(dy) +
+                       std::abs(task.goal.heading - task.start.heading) +
+                       2 * std::abs(task.goal.u - task.start.u);
+  const double size = std::cbrt(std::min(1.0, apart));
+  RigWord word = guess;
+  for (std::size_t i = 0; i < RigWord::letters; ++i) {
+    word.lengths[i] *= word.turns[i] == 0 ? size / 2 + distance : size;
+  }
+  return word;
+}
+
+/// The angle of a turn to the left in [0, 2 pi).
+double in_one_turn(double angle) {
+  constexpr double full_turn = 2 * std::numbers::pi;
+  return angle - full_turn * std::floor(angle / full_turn);
+}
+
+/// A turn, a line and a turn forward on the sharpest circles that the rig can hold, with a swing to
+/// the other side at the end that bends the rig as the goal wants; none where the circles overlap
+/// (step 3).
+std::optional<RigWord> forward_guess(const RigWordSolver::Task& task, double radius, int first,
+                                     int last) {
+  constexpr double swing = 0.5;
+  const RigPlace& a = task.start;
+  const RigPlace& b = task.goal;
+  const double x = (b.x - last * radius * b.sin) - (a.x - first * radius * a.sin);
+  const double y = (b.y + last * radius * b.cos) - (a.y + first * radius * a.cos);
+  const double across = radius * (last - first);  // of the centres, seen along the line
+  const double squared = x * x + y * y - across * across;
+  if (!(squared > 0)) return std::nullopt;
+  const double line = std::sqrt(squared);
+  const double heading = base::atan_2(y * line - x * across, x * line + y * across);
+  return RigWord{{first, 0, last, -last},
+                 {radius * in_one_turn(first * (heading - a.heading)), line,
+                  radius * in_one_turn(last * (b.heading - heading)) + swing, swing}};
+}
+
+/// Calls `take` with the arcs and lines that lead to the goal alone (step 2).
+template <typename Take>
+void for_each_single(const RigWordSolver& solver, const RigWordSolver::Task& task, Take take) {
+  const double turn = task.goal.heading - task.start.heading;
+  const auto look_at = [&](double curvature, double way) {
+    RigSegments one;
+    one.list[0] = {curvature, way};
+    one.count = way != 0.0 ? 1 : 0;
+    if (price_of(one, task.prices) <= task.cutoff && solver.leads(task, one.view())) take(one);
+  };
+  look_at(0, task.goal.x - task.start.x);
+  if (turn == 0.0) return;
+  look_at(1, turn);
+  look_at(-1, -turn);
+  const double hold = solver.hitch().hold_curvature(task.start.u);
+  if (hold != 0.0 && std::abs(hold) < 1) look_at(hold, turn / hold);
+}
+
+/// The word that drives another one backwards.
+RigWord backwards(const RigWord& word) {
+  RigWord result;
+  for (std::size_t i = 0; i < RigWord::letters; ++i) {
+    result.turns[i] = word.turns[RigWord::letters - 1 - i];
+    result.lengths[i] = -word.lengths[RigWord::letters - 1 - i];
+  }
+  return result;
+}
+
+/// Calls `take` with guesses of a turn, a line and a turn: forward, then in reverse.
+template <typename Take>
+void for_each_lined(const RigWordSolver& solver, const RigWordSolver::Task& task, Take take) {
+  const double radius = solver.hold_radius();
+  RigWordSolver::Task other = task;
+  std::swap(other.start, other.goal);
+  for (const bool is_forward : {true, false}) {
+    for (const int first : {1, -1}) {
+      for (const int last : {1, -1}) {
+        const auto guess = forward_guess(is_forward ? task : other, radius, first, last);
+        if (guess) take(is_forward ? *guess : backwards(*guess));
+      }
+    }
+  }
+}
+
+/// Words that are found cut off dearer ones (steps 2 to 4).
+std::optional<RigSegments> least_word(const RigWordSolver& solver, RigWordSolver::Task task) {
+  std::optional<RigSegments> least;
+  const auto take = [&](const RigSegments& found) {
+    least = found;
+    task.cutoff = price_of(found, task.prices);
+  };
+  for_each_single(solver, task, take);
+  const double bound = std::min(task.prices.forward, task.prices.reverse) *
+                       reeds_shepp_length({task.start.x, task.start.y, task.start.heading},
+                                          {task.goal.x, task.goal.y, task.goal.heading}, 1.0);
+  if (bound * good > task.cutoff) return least;
+  for_each_lined(solver, task, [&](RigWord guess) {
+    if (price_of(guess, task.prices) > 1.5 * task.cutoff) return;
+    if (const auto found = solver.solve(task, guess)) take(*found);
+  });
+  for (const RigWord& guess : rig_guesses) {
+    if (task.cutoff <= good * bound) break;
+    RigWord word = sized(guess, task);
+    const auto found = solver.solve(task, word);
+    if (found) take(*found);
+  }
+  return least;
+}
+
+/// The way to a straight rig by the arc at full lock that is driven forward.
+Segment straightening(const RigWordSolver& solver, const RigPlace& place) {
+  const int turn = place.u > 0 ? -1 : 1;
+  return {double(turn), place.u == 0 ? 0.0 : solver.hitch().way_between(turn, place.u, 0)};
+}
+
+/// A rig that is straightened at both ends, goes on straight there, and is joined by a word.
+std::optional<Piece> straightened(const RigWordSolver& solver, const Image& image,
+                                  const RigWordSolver::Task& task,
+                                  const std::array<double, 2>& lines) {
+  const std::array<Segment, 2> ahead = {straightening(solver, task.start), Segment{0, lines[0]}};
+  const std::array<Segment, 2> back = {straightening(solver, task.goal), Segment{0, lines[1]}};
+  RigWordSolver::Task middle = task;
+  middle.start = solver.after(task.start, ahead);
+  middle.goal = solver.after(task.goal, back);
+  middle.start.u = middle.goal.u = 0;
+  middle.is_rounded = true;
+  middle.tolerance = 1e-12 * (1 + std::abs(middle.goal.x) + std::abs(middle.goal.y));
+  const auto word = least_word(solver, middle);
+  if (!word) return std::nullopt;
+  std::array<Segment, SegmentRoom::size()> all{};
+  std::size_t count = 0;
+  const auto add = [&](const Segment& s) {
+    if (s.length != 0) all[count++] = s;
+  };
+  for (const Segment& s : ahead) add(s);
+  for (const Segment& s : word->view()) add(s);
+  add({back[1].curvature, -back[1].length});
+  add({back[0].curvature, -back[0].length});
+  if (!solver.leads(task, {all.data(), count})) return std::nullopt;
+  return unfolded(image, {all.data(), count});
+}
+
+/// Goes on farther and farther straight until a word joins both ends (step 5).
+std::optional<Piece> detour(const RigWordSolver& solver, const Image& image,
+                            const RigWordSolver::Task& task) {
+  constexpr double longest = 100;
+  for (double line = 0; line < longest; line = line * 1.5 + 1) {
+    if (line > task.cutoff / std::min(task.prices.forward, task.prices.reverse)) break;
+    for (const std::array<double, 2>& lines :
+         {std::array{line, 0.0}, std::array{0.0, line}, std::array{line, line / 2}}) {
+      const auto piece = straightened(solver, image, task, lines);
+      if (piece) return piece;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Piece> least_rig_path(const RigWordSolver& solver, const RigEnds& ends,
+                                    const RigPrices& prices) {
+  const Image image = folded(ends);
+  const RigWordSolver::Task task = task_of(image, prices);
+  const auto word = least_word(solver, task);
+  if (word) return unfolded(image, {word->list.data(), word->count});
+  const auto piece = detour(solver, image, task);
+  if (!piece || price_of(prices, piece->view()) > prices.cutoff) return std::nullopt;
+  return piece;
+}
+
+std::vector<Piece> all_rig_paths(const RigWordSolver& solver, const RigEnds& ends,
+                                 const RigPrices& prices) {
+  const Image image = folded(ends);
+  const RigWordSolver::Task task = task_of(image, prices);
+  std::vector<Piece> pieces;
+  const auto take = [&](const RigSegments& found) {
+    const Piece piece = unfolded(image, {found.list.data(), found.count});
+    const auto is_same = [&](const Piece& other) {
+      constexpr double same = 1e-9;
+      return other.count == piece.count && std::abs(other.length - piece.length) < same;
+    };
+    if (std::none_of(pieces.begin(), pieces.end(), is_same)) pieces.push_back(piece);
+  };
+  for_each_single(solver, task, take);
+  const auto look_at = [&](RigWord guess) {
+    if (const auto found = solver.solve(task, guess)) take(*found);
+  };
+  for_each_lined(solver, task, look_at);
+  for (const RigWord& guess : rig_guesses) look_at(sized(guess, task));
+  if (pieces.empty()) {
+    const auto piece = least_rig_path(solver, ends, prices);
+    if (piece) pieces.push_back(*piece);
+  }
+  const auto by_price = [&](const Piece& a, const Piece& b) {
+    return price_of(prices, a.view()) < price_of(prices, b.view());
+  };
+  std::stable_sort(pieces.begin(), pieces.end(), by_price);
+  return pieces;
+}
+
+}  // namespace vandplan::steering

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which lengths must the four letters of a word have, so that a rig ends in the wanted state?
+//
+// A letter is a turn to full lock or a line, its length negative in reverse. Where it would bend
+// the rig beyond the limit, it goes on with the curvature that holds the limit. Lengths are in
+// turning radii, hitch angles the tangents of their halves: docs/algorithms/rig_steering.md.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "steering/hitch_turn.h"
+#include "vandplan/path.h"
+
+namespace vandplan::steering {
+
+/// A state of a rig at unit radius.
+struct RigPlace {
+  double x = 0.0, y = 0.0, heading = 0.0;
+  double u = 0.0;               ///< tangent of half the hitch angle
+  double sin = 0.0, cos = 1.0;  ///< of the heading
+};
+
+[[nodiscard]] RigPlace rig_place(double x, double y, double heading, double u) noexcept;
+
+/// What is driven, in turning radii.
+struct RigSegments {
+  std::array<Segment, 8> list{};
+  std::size_t count = 0;
+
+  [[nodiscard]] std::span<const Segment> view() const noexcept { return {list.data(), count}; }
+};
+
+/// Weights of the metres of a word and of its changes of gear.
+struct WordPrices {
+  double forward = 1.0;
+  double reverse = 1.0;
+  double gear_change = 0.0;
+};
+
+/// Four letters. Words of fewer have letters of no length.
+struct RigWord {
+  static constexpr std::size_t letters = 4;
+  std::array<int, letters> turns{};       ///< 1 left, 0 straight, -1 right; neighbours differ
+  std::array<double, letters> lengths{};  ///< negative in reverse
+};
+
+[[nodiscard]] double price_of(const RigWord& word, const WordPrices& prices) noexcept;
+
+/// Closes words between two states.
+class RigWordSolver {
+ public:
+  explicit RigWordSolver(const HitchTurn& hitch) noexcept;
+
+  /// What a word has to join, and up to which price one is of interest.
+  struct Task {
+    RigPlace start, goal;
+    double tolerance = 1e-12;
+    WordPrices prices;
+    double cutoff = 0.0;
+    bool is_backwards = false;  ///< the path will be driven from the goal to the start
+    bool is_rounded = false;    ///< more is driven before: a straight rig is straight but for that
+  };
+
+  /// The segments of the word with the letters of `guess` that Newton's method finds from its
+  /// lengths; nothing if it finds none, or one above the cutoff. `guess` takes the lengths.
+  [[nodiscard]] std::optional<RigSegments> solve(const Task& task, RigWord& guess) const noexcept;
+
+  /// Where a rig is after the segments.
+  [[nodiscard]] RigPlace after(const RigPlace& place,
+                               std::span<const Segment> segments) const noexcept;
+
+  /// Whether the segments, driven one after the other, lead to the goal within the limits, and
+  /// rounding does not grow too much on the way (7). At most 16.
+  [[nodiscard]] bool leads(const Task& task, std::span<const Segment> segments) const noexcept;
+
+  [[nodiscard]] const HitchTurn& hitch() const noexcept { return hitch_; }
+
+  /// The radius of the sharpest circle on which the rig can go on for ever.
+  [[nodiscard]] double hold_radius() const noexcept { return hold_radius_; }
+
+ private:
+  struct Slope;
+  struct Mismatch;
+  struct Letter;
+  struct Parts;
+
+  [[nodiscard]] bool evaluate(const Task& task, const RigWord& word, std::size_t meeting,
+                              Mismatch& mismatch) const noexcept;
+  [[nodiscard]] static std::optional<std::array<double, 4>> newton_step(
+      const Mismatch& here) noexcept;
+  [[nodiscard]] bool drive(RigPlace& place, const Letter& letter, Slope* slopes,
+                           std::size_t count) const noexcept;
+  [[nodiscard]] bool divide(const RigPlace& place, const Letter& letter,
+                            Parts& parts) const noexcept;
+  [[nodiscard]] std::optional<RigSegments> segments_of(const Task& task, const RigWord& word,
+                                                       std::size_t meeting) const noexcept;
+
+  HitchTurn hitch_;
+  double hold_radius_;
+};
+
+}  // namespace vandplan::steering
