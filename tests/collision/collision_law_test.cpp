@@ -36,11 +36,13 @@ struct Case {
 
 /// As C++ that can be pasted into a unit test.
 std::string described(const Case& c) {
-  const auto& [wheelbase, front, rear, width, radius, track, limits] = c.vehicle;
+  const Vehicle& v = c.vehicle;
   const auto& [x_min, x_max, y_min, y_max] = c.bounds;
-  return "Vehicle" + as_code(std::array{wheelbase, front, rear, width, radius}) + ", Bounds" +
-         as_code(std::array{x_min, x_max, y_min, y_max}) + ", obstacles " + as_code(c.obstacles) +
-         ", " + as_code(c.path);
+  return "Vehicle" +
+         as_code(std::array{v.wheelbase, v.front_overhang, v.rear_overhang, v.width,
+                            v.min_turning_radius}) +
+         ", Bounds" + as_code(std::array{x_min, x_max, y_min, y_max}) + ", obstacles " +
+         as_code(c.obstacles) + ", " + as_code(c.path);
 }
 
 /// Around the origin.

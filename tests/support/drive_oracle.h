@@ -107,9 +107,9 @@ inline double dense_duration(const Path& path, const Vehicle& vehicle, double st
 
 /// What is wrong with a drive, looked at every millimetre and in twenty places between knots; empty
 /// if nothing is.
-class DriveCheck {
+class DenseCheck {
  public:
-  DriveCheck(const Path& path, const Vehicle& vehicle, const SpeedProfile& profile)
+  DenseCheck(const Path& path, const Vehicle& vehicle, const SpeedProfile& profile)
       : segments_(placed(path)), vehicle_(vehicle), profile_(profile) {}
 
   [[nodiscard]] std::string fault() {
@@ -207,7 +207,7 @@ class DriveCheck {
 };
 
 inline std::string fault_of(const Path& path, const Vehicle& vehicle, const SpeedProfile& profile) {
-  return DriveCheck(path, vehicle, profile).fault();
+  return DenseCheck(path, vehicle, profile).fault();
 }
 
 }  // namespace vandplan
