@@ -3,11 +3,13 @@
 // How is a result written? (docs/formats.md)
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "base/escape.h"
@@ -41,15 +43,51 @@ Json json_of(const Segment& segment, double radius) {
   return json;
 }
 
-Json json_of(const PathPoint& point) {
-  Json json;
-  json["s"] = point.s;
-  json["x"] = point.pose.x;
-  json["y"] = point.pose.y;
-  json["heading"] = point.pose.heading;
-  json["curvature"] = point.curvature;
-  json["direction"] = point.direction;
-  return json;
+enum class Layout { lines, one_line };
+
+/// What is between the elements of a list or object on one line, and after a key.
+std::string_view comma_of(Layout layout) { return layout == Layout::one_line ? "," : ", "; }
+std::string_view colon_of(Layout layout) { return layout == Layout::one_line ? ":" : ": "; }
+
+/// Numbers as `Json` writes them. A file may hold millions: values of their own, with a key for
+/// each, would take ten times as long.
+void append_number(std::string& text, double value) {
+  if (!std::isfinite(value)) {
+    text += "null";
+    return;
+  }
+  std::array<char, 64> digits;
+  const char* const end =
+      nlohmann::detail::to_chars(digits.data(), digits.data() + digits.size(), value);
+  text.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
+}
+
+std::string text_of(const PathPoint& point, Layout layout) {
+  std::string text = "{";
+  const auto append = [&](std::string_view key, double value) {
+    if (text.back() != '{') text += comma_of(layout);
+    text.append(key).append(colon_of(layout));
+    append_number(text, value);
+  };
+  append(R"("s")", point.s);
+  append(R"("x")", point.pose.x);
+  append(R"("y")", point.pose.y);
+  append(R"("heading")", point.pose.heading);
+  append(R"("curvature")", point.curvature);
+  text.append(comma_of(layout)).append(R"("direction")").append(colon_of(layout));
+  return text.append(std::to_string(point.direction)).append("}");
+}
+
+/// A node of a tree.
+std::string text_of(const Pose& pose, Layout layout) {
+  std::string text = "[";
+  append_number(text, pose.x);
+  text += comma_of(layout);
+  append_number(text, pose.y);
+  text += comma_of(layout);
+  append_number(text, pose.heading);
+  text += ']';
+  return text;
 }
 
 /// Which long lists the records of a file state.
@@ -75,12 +113,15 @@ Extent extent_of(std::span<const ResultRecord> records) {
 /// The records of a file as JSON, but for the lists that may be long: their places stay open.
 class Results {
  public:
-  explicit Results(std::span<const ResultRecord> records) : extent_(extent_of(records)) {}
+  Results(std::span<const ResultRecord> records, Layout layout)
+      : layout_(layout), extent_(extent_of(records)) {}
 
-  using Add = std::function<void(const Json& element)>;
+  [[nodiscard]] Layout layout() const { return layout_; }
+
+  using Add = std::function<void(std::string_view element)>;
   struct LongList {
     bool is_flat;                         ///< its elements go on one line
-    std::function<void(const Add&)> all;  ///< adds the elements one after the other
+    std::function<void(const Add&)> all;  ///< adds the texts of its elements one after the other
   };
 
   Json json_of_record(const Vehicle& vehicle, const ResultRecord& record);
@@ -95,6 +136,7 @@ class Results {
     return Json::value_t::discarded;
   }
 
+  Layout layout_;
   Extent extent_;
   std::vector<LongList> lists_;
   std::size_t next_ = 0;
@@ -107,23 +149,21 @@ Json Results::json_of_path(const Path& path, double radius) {
   }
   Json json = {{"start", json_of(path.start)}, {"segments", std::move(segments)}};
   if (!extent_.poses) return json;
-  json["poses"] = open_place({false, [&path](const Add& add) {
-                                for (const PathPoint& point : sampled(path, pose_distance)) {
-                                  add(json_of(point));
-                                }
+  json["poses"] = open_place({false, [&path, layout = layout_](const Add& add) {
+                                for (const PathPoint& point : sampled(path, pose_distance))
+                                  add(text_of(point, layout));
                               }});
   return json;
 }
 
 Json Results::json_of_tree(const TreeSnapshot& tree) {
   Json json;
-  json["poses"] = open_place({false, [&tree](const Add& add) {
-                                for (const Pose& pose : tree.poses) {
-                                  add({pose.x, pose.y, pose.heading});
-                                }
+  json["poses"] = open_place({false, [&tree, layout = layout_](const Add& add) {
+                                for (const Pose& pose : tree.poses) add(text_of(pose, layout));
                               }});
   json["parents"] = open_place({true, [&tree](const Add& add) {
-                                  for (const std::int32_t parent : tree.parents) add(parent);
+                                  for (const std::int32_t parent : tree.parents)
+                                    add(std::to_string(parent));
                                 }});
   return json;
 }
@@ -221,10 +261,8 @@ std::string text_of_scalar(const Json& json) {
 /// it on one line.
 class Writer {
  public:
-  enum class Layout { lines, one_line };
-
-  Writer(Results& results, Layout layout, const TextSink& sink)
-      : results_(results), is_compact_(layout == Layout::one_line), sink_(sink) {}
+  Writer(Results& results, const TextSink& sink)
+      : results_(results), is_compact_(results.layout() == Layout::one_line), sink_(sink) {}
 
   void write_all(const Json& json) {
     write(json, "");
@@ -262,9 +300,9 @@ class Writer {
   void write(const Results::LongList& list, const std::string& indent) {
     Frame frame{list.is_flat, indent};
     text_ += '[';
-    list.all([&](const Json& element) {
+    list.all([&](std::string_view element) {
       begin_element(frame);
-      write(element, indent + "  ");
+      text_ += element;
       if (text_.size() < most_kept) return;
       sink_(text_);
       text_.clear();
@@ -313,7 +351,7 @@ void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& re
                    const TextSink& sink) {
   assert(!records.empty());
   const Vehicle& vehicle = file.scenario.vehicle;
-  Results results(records);
+  Results results(records, Layout::lines);
   Json json;
   if (file.is_row()) {
     json = heading_of(records.front());
@@ -326,7 +364,7 @@ void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& re
   } else {
     json = results.json_of_record(vehicle, records.front());
   }
-  Writer(results, Writer::Layout::lines, sink).write_all(json);
+  Writer(results, sink).write_all(json);
 }
 
 void write_results(const std::string& output, const ScenarioFile& file,
@@ -342,13 +380,13 @@ std::string results_to_json(const ScenarioFile& file, const std::vector<ResultRe
 
 void write_result_line(std::size_t pair, const Problem& problem, const ResultRecord& record,
                        const TextSink& sink) {
-  Results results({&record, 1});
+  Results results({&record, 1}, Layout::one_line);
   Json json = {{"pair", pair}};
   json["start"] = json_of(problem.start());
   json["goal"] = json_of(problem.goal());
   Json result = results.json_of_record(problem.vehicle(), record);
   for (auto& [key, value] : result.get_ref<Json::object_t&>()) json[key] = std::move(value);
-  Writer(results, Writer::Layout::one_line, sink).write_all(json);
+  Writer(results, sink).write_all(json);
 }
 
 std::string result_to_json_line(std::size_t pair, const Problem& problem,

@@ -121,6 +121,17 @@ TEST(ResultFile, ClothoidsSayTheirCurvatureRate) {
   EXPECT_EQ(poses.back()["curvature"], 0.0);
 }
 
+// Long lists are written without the library's values, number by number.
+TEST(ResultFile, ALineIsWhatTheLibraryWouldWrite) {
+  ResultRecord record = solved(yard());
+  record.result.path->segments.push_back({1e-7, 1e3});
+  record.result.tree = TreeSnapshot{{{0, -0.0, 1}, {1e20, 1.0 / 3, -1e-9}}, {-1, 0}};
+  const Problem problem = make_problem(yard());
+  const std::string line = result_to_json_line(7, problem, record);
+  EXPECT_EQ(nlohmann::ordered_json::parse(line).dump() + "\n", line);
+  EXPECT_GT(line.size(), 100'000U);  // its poses are in there
+}
+
 TEST(ResultFile, PosesFollowThePathAtMostTenCentimetresApart) {
   const ResultRecord record = solved(yard());
   const Json json = Json::parse(results_to_json(yard_file(), {record}));
