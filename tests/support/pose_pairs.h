@@ -55,7 +55,9 @@ inline DrawnPair border_pair(double radius, Rng& rng) {
 inline DrawnPair tiny_pair(Rng& rng) {
   const Pose from{0, 0, uniform(-std::numbers::pi, std::numbers::pi, rng)};
   const auto offset = [&] {
-    return std::ldexp(uniform(-1, 1, rng), -static_cast<int>(rng() % 31));
+    // One after the other: compilers draw two arguments in an order of their own.
+    const int halvings = static_cast<int>(rng() % 31);
+    return std::ldexp(uniform(-1, 1, rng), -halvings);
   };
   return {from, {offset(), offset(), from.heading + offset()}};
 }
