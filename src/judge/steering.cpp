@@ -9,10 +9,10 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr Real rate_slack = 1e-9L;  // relative
+constexpr auto rate_slack = static_cast<Real>(1e-9L);  // relative
 // All jumps from one stop to the next come to no more than this part of the tightest curvature. Of
 // each alone, many small ones could turn the wheels at once.
-constexpr Real rounding = 1e-6L;
+constexpr auto rounding = static_cast<Real>(1e-6L);
 
 /// Change of the curvature per metre that the vehicle can drive [1/m^2].
 Real fastest_change(const Vehicle& vehicle) {

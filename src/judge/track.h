@@ -14,7 +14,13 @@
 
 namespace vandplan::judge {
 
+/// What the judge computes with: more digits than what it judges, but for WebAssembly, which has none
+/// above double in hardware; there a millimetre is looked at with 1e-9 m of rounding.
+#ifdef __wasm__
+using Real = double;
+#else
 using Real = long double;
+#endif
 
 inline constexpr Real full_turn = 2 * std::numbers::pi_v<Real>;
 
