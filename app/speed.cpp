@@ -14,6 +14,7 @@
 #include "chosen_path.h"
 #include "commands.h"
 #include "motions_file.h"
+#include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
 #include "wording.h"
 
@@ -145,8 +146,13 @@ int run(const SpeedArguments& arguments) {
   if (!reason.empty()) return refuse(choice, reason, arguments.json);
   const std::optional<Path>& path = choice.record.result.path;
   const Vehicle& vehicle = choice.problem.vehicle();
+  const std::optional<SpeedProfile>& stated = choice.record.result.speeds;
+  if (stated) {
+    const DriveCheck check = check_drive(choice.problem, {*path, *stated});
+    if (!check.valid) return refuse(choice, check.reason, arguments.json);
+  }
   const SpeedOptions options{.start_curvature = choice.problem.curvatures().start};
-  const SpeedProfile profile = speed_profile(*path, vehicle, options);
+  const SpeedProfile profile = stated ? *stated : speed_profile(*path, vehicle, options);
   nlohmann::ordered_json json = speed_json(choice, profile);
   if (arguments.output) {
     if (profile.duration / arguments.step > most_rows) {
@@ -177,7 +183,8 @@ void add_speed(CLI::App& vandplan, int& status) {
       "Drive the path of a result as fast as the limits of the scenario's vehicle allow: speed,\n"
       "acceleration, braking, lateral acceleration, steering rate, jerk. It stands at start, goal\n"
       "and gear changes, and wherever the curvature jumps until the wheels are turned; before the\n"
-      "start they are as the scenario says (start.curvature). The judge sees the path first.");
+      "start they are as the scenario says (start.curvature). The judge sees the path first. A\n"
+      "result with times of its own, planned among what moves, keeps them if the judge does.");
   command->footer(
       "Columns: t [s], s [m], x, y [m], heading [rad], curvature [1/m], steering_angle [rad],\n"
       "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse, a is its change.\n"

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "io/speeds_file.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 namespace vandplan::io {
@@ -27,6 +29,9 @@ SpeedProfile speeds_from(const Document& file, const Node& node) {
                             .jerk = number_or_zero(file, item, "jerk")});
   }
   if (speeds.knots.empty()) file.fail(knots, "is empty, expected at least one knot");
+  if (const double first = speeds.knots.front().t; first != 0.0) {
+    file.fail(knots, fmt::format("begin at {} s, expected 0 s", first));
+  }
   const Node* const stops = file.find(node, "stops");
   if (stops == nullptr) return speeds;
   for (const Node& item : file.list(*stops, "a list of stops")) {

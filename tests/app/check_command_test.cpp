@@ -75,6 +75,28 @@ TEST_F(CheckCommand, WhoMovesInTheWayIsNamedWithPlaceAndTime) {
   EXPECT_EQ(check(drive_ahead()).out.substr(0, 9), "valid: le");
 }
 
+TEST_F(CheckCommand, APlanAmongWhatMovesIsWrittenJudgedAndPlayed) {
+  write_content(scenario_, yard() +
+                               "moving:\n  - {outline: [[-1, -1], [1, -1], [1, 1], [-1, 1]], "
+                               "trajectory: [[0, 9, -8, 0], [8, 9, 8, 0]], after: leaves}\n");
+  const Outcome planned =
+      run_vandplan({"plan", scenario_, "--max-iterations", "500", "--output", result_});
+  EXPECT_EQ(planned.status, 0) << planned.err;
+  EXPECT_NE(planned.out.find(" from all that moves, first path after "), std::string::npos)
+      << planned.out;
+  const Outcome checked = run_vandplan({"check", scenario_, result_, "--json"});
+  EXPECT_EQ(checked.status, 0) << checked.out;
+  EXPECT_GT(Json::parse(checked.out).at("moving_clearance"), 0);
+  const std::string film = folder_ / "film.svg";
+  EXPECT_EQ(run_vandplan({"draw", scenario_, result_, "--play", "-o", film}).status, 0);
+  EXPECT_NE(content_of(film).find("<animateTransform"), std::string::npos);
+  EXPECT_EQ(run_vandplan({"draw", scenario_, result_, "--play", "-o", folder_ / "film.png"}).err,
+            "vandplan: --play: is for pictures that end in .svg\n");
+  EXPECT_EQ(run_vandplan({"plan", scenario_, "--planner", "rrt-opt-rs"}).err,
+            "vandplan: moving: is not honoured by rrt-opt-rs, expected one of the planners that "
+            "honour it: anytime\n");
+}
+
 TEST_F(CheckCommand, TimesOfAResultAreJudged) {
   Json result = drive_ahead();
   const Json start = {{"t", 0}, {"s", 0}, {"v", 0}, {"a", 1}};
@@ -87,6 +109,8 @@ TEST_F(CheckCommand, TimesOfAResultAreJudged) {
             "4.500 s\n");
   result["speeds"]["knots"][1]["v"] = 2.1;
   EXPECT_EQ(check(result).out, "invalid: knots[1] does not follow from the one before\n");
+  result["speeds"]["knots"][0]["t"] = 1;
+  EXPECT_NE(check(result).err.find("speeds.knots: begin at 1 s, expected 0 s"), std::string::npos);
 }
 
 TEST_F(CheckCommand, JsonHoldsTheFigures) {
