@@ -98,17 +98,18 @@ int run(const PlanArguments& arguments) {
   const std::shared_ptr<const HeuristicTable> table = table_of_user(arguments.table);
   const std::shared_ptr<const search::Primitives> primitives =
       arguments.primitives ? read_primitives(*arguments.primitives) : nullptr;
-  const auto options_with = [&](const std::vector<Setting>& wanted_by_file) {
+  const auto options_with = [&](const std::vector<Setting>& wanted_by_file,
+                                const Vehicle& vehicle) {
     PlanOptions options = options_for(planner, wanted_by_file, arguments.options);
     options.table = table;
     options.primitives = primitives;
-    return complete(planner, options);
+    return complete(planner, options, vehicle);
   };
-  (void)options_with({});  // before a long read
+  (void)options_with({}, {});  // before a long read
   const std::atomic<bool>* const stop = stop_on_signal();
   check_outputs(arguments);
   const ScenarioProblems read = read_problems(arguments.scenario);
-  PlanOptions options = options_with(read.file.options);
+  PlanOptions options = options_with(read.file.options, read.file.scenario.vehicle);
   options.budget.stop = stop;
   expect_one_path(arguments.picture, read.file);
   warn(read.file.warnings);

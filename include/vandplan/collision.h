@@ -18,6 +18,8 @@
 
 namespace vandplan {
 
+struct RigState;  // rig.h
+
 namespace collision {
 struct Ground;
 }
@@ -50,7 +52,7 @@ struct Margin {
 };
 
 /// Answers collision queries for one footprint in one set of obstacles. Immutable after
-/// construction and safe to share between threads.
+/// construction and safe to share between threads. A trailer is looked at by `rig_...` alone.
 ///
 /// Promise: whatever is accepted keeps the closed footprint clear of every closed obstacle, by more
 /// than the margin, and the rear axle inside the bounds; whatever has a clearance above the margin
@@ -81,11 +83,27 @@ class CollisionChecker {
   /// Everything swept from `from` along the segments, one after the other.
   [[nodiscard]] bool is_free(const Pose& from, std::span<const Segment> segments) const noexcept;
 
+  /// Both bodies of a vehicle with a trailer, the vehicle alone if it has none. The hitch angle
+  /// is not limited here, and the trailer is not held to the bounds.
+  [[nodiscard]] bool rig_is_free(const RigState& state) const noexcept;
+
+  /// Everything that both bodies sweep from `from` along `segment`, both ends included.
+  [[nodiscard]] bool rig_is_free(const RigState& from, const Segment& segment) const noexcept;
+
+  /// Everything that both bodies sweep from `from` along the segments, one after the other.
+  [[nodiscard]] bool rig_is_free(const RigState& from,
+                                 std::span<const Segment> segments) const noexcept;
+
   /// Distance of the body from the nearest obstacle or blocked cell, or of the wheels from the
   /// nearest kerb, whichever is less, and no more than `most` [m]; 0 if they touch. Where it is at
   /// least `enough` any number from `enough` to it will do, which is found sooner.
   [[nodiscard]] double clearance(
       const Pose& pose, double most,
+      double enough = std::numeric_limits<double>::infinity()) const noexcept;
+
+  /// What is nearer to something of both bodies, as `clearance` of one.
+  [[nodiscard]] double rig_clearance(
+      const RigState& state, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
   /// Whether an obstacle of the map is at most this far from the point [m]. False without a map.

@@ -20,8 +20,9 @@ namespace vandplan {
 struct StatedPose {
   double s = 0.0;  ///< [m]
   Pose pose;
-  std::optional<double> curvature = {};  ///< [1/m]
-  std::optional<int> direction = {};     ///< 1 forward, -1 reverse
+  std::optional<double> curvature = {};    ///< [1/m]
+  std::optional<int> direction = {};       ///< 1 forward, -1 reverse
+  std::optional<double> hitch_angle = {};  ///< [rad]
 };
 
 /// What somebody says that a path costs.
@@ -47,6 +48,7 @@ struct PathClaims {
   /// `max_curvature_rate` of the vehicle per metre; if nowhere, it is that of the problem at both
   /// ends.
   Steering steering = Steering::reeds_shepp;
+  std::optional<double> start_hitch_angle = {};  ///< [rad]
   /// From end to end, at most 0.1 m apart, in the frame of the path; none: nothing is said.
   std::vector<StatedPose> poses = {};
 };
@@ -59,6 +61,7 @@ struct PathCheck {
   double length = 0.0;               ///< [m]
   double reverse_length = 0.0;       ///< of it in reverse [m]
   int gear_changes = 0;
+  double largest_hitch_angle = 0.0;  ///< absolute, of what was looked at [rad]; 0: no trailer
   double curvature_change = 0.0;  ///< total variation of the curvature, at gear changes, too [1/m]
   /// Least distance between footprint and obstacles or cells, or wheels and kerbs, at most 1 mm too
   /// large [m]: 0 if they touch, infinity if there are none. None if the path was found wrong
@@ -69,9 +72,10 @@ struct PathCheck {
 /// Judges a path in the scenario's frame, in this order: every number is finite, it
 /// begins at the start, every curvature is drivable, the wheels turn as is claimed, the rear axle
 /// stays in the bounds, the footprint touches no obstacle and no blocked cell and the wheels no
-/// kerb (looked at every millimetre that a point of the vehicle moves, skipping only what is proven
-/// to be free), they keep the margin that is claimed, it ends at the goal within 1e-6 m and 1e-6
-/// rad, and what is claimed is true.
+/// kerb, both of the vehicle and of its trailer, whose hitch angle stays within its limit (looked
+/// at every millimetre that a point of the vehicle moves, skipping only what is proven to be free),
+/// they keep the margin that is claimed, it ends at the goal within 1e-6 m and 1e-6 rad, and what
+/// is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});
 

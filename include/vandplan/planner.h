@@ -39,6 +39,7 @@ struct PlannerProperties {
   bool honours_steering = false;         ///< PlanOptions::steering; else it is `reeds_shepp`
   bool honours_primitives = false;       ///< PlanOptions::primitives
   bool honours_moving = false;           ///< Task::moving: it answers speeds, too
+  bool honours_trailers = false;         ///< plans for a vehicle that pulls a trailer, too
   bool anytime = false;                  ///< goes on improving its path for as long as it may
   bool deterministic = true;             ///< same seed and iterations, same path
   std::vector<std::string> groups = {};  ///< sets that it belongs to: "thesis"
@@ -99,6 +100,12 @@ struct PlanResult {
 /// Options with the planner's own filled in. Throws InputError naming the first option that is out
 /// of range, or that the planner does not honour (and which planners of the library do).
 [[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options);
+
+/// What is in force for a vehicle: a path for one that pulls a trailer is made of arcs and lines.
+/// Throws InputError naming "planner" when it plans for vehicles alone (and which planners of the
+/// library do not), "steering" when another one is asked for, and as `complete` without a vehicle.
+[[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options,
+                                   const Vehicle& vehicle);
 
 /// What is in force for a planner when nobody sets anything: the style of a driver, or the shortest
 /// one where it knows no prices.

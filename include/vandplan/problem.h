@@ -35,6 +35,13 @@ struct EndCurvatures {
   bool operator==(const EndCurvatures&) const = default;
 };
 
+/// The angles between a vehicle and its trailer at the ends of a path; 0 without a trailer.
+struct EndHitchAngles {
+  double start = 0.0;  ///< heading of the vehicle - heading of its trailer [rad]
+  double goal = 0.0;   ///< [rad]
+  bool operator==(const EndHitchAngles&) const = default;
+};
+
 /// A planning problem as somebody states it: unchecked, every number in one frame of his choice.
 struct Scenario {
   std::string name = {};
@@ -44,6 +51,7 @@ struct Scenario {
   Pose start = {};
   Pose goal = {};
   EndCurvatures curvatures = {};
+  EndHitchAngles hitch_angles = {};
   std::vector<Polygon> obstacles = {};
   std::vector<Polygon> kerbs = {};          ///< low ones, that overhangs may swing over
   std::string map_file = {};                ///< where the map is from; empty without map
@@ -102,6 +110,7 @@ struct Task {
   Pose goal;
   Steering steering = Steering::reeds_shepp;
   EndCurvatures curvatures = {};
+  EndHitchAngles hitch_angles = {};
   std::vector<MovingObstacle> moving = {};  ///< what else moves; no part of `checker`
 };
 
@@ -115,13 +124,15 @@ class Problem {
   [[nodiscard]] const Pose& goal() const noexcept { return goal_; }
 
   [[nodiscard]] const EndCurvatures& curvatures() const noexcept { return task_.curvatures; }
+  [[nodiscard]] const EndHitchAngles& hitch_angles() const noexcept { return task_.hitch_angles; }
 
   /// The problem as planners see it, without a margin.
   [[nodiscard]] const Task& task() const noexcept { return task_; }
 
  private:
   friend Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
-                              const Pose& start, const Pose& goal, const EndCurvatures& curvatures);
+                              const Pose& start, const Pose& goal, const EndCurvatures& curvatures,
+                              const EndHitchAngles& hitch_angles);
   friend Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
   friend Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
 
@@ -152,10 +163,12 @@ void check_map(const OccupancyGrid& map);
 /// One more problem in a world that is there: nothing of it is built again, so thousands of
 /// problems may share it, on as many threads as one likes. The poses are in the scenario's frame.
 /// Throws InputError naming "vehicle", "start" or "goal" when they are out of range,
-/// "start.curvature" or "goal.curvature" when the vehicle cannot turn so sharply.
+/// "start.curvature" or "goal.curvature" when the vehicle cannot turn so sharply,
+/// "start.hitch_angles" or "goal.hitch_angles" when its trailer may not stand so.
 [[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
                                    const Pose& start, const Pose& goal,
-                                   const EndCurvatures& curvatures = {});
+                                   const EndCurvatures& curvatures = {},
+                                   const EndHitchAngles& hitch_angles = {});
 
 /// The problem among what moves, in the scenario's frame, instead of what moved in it before.
 /// Throws InputError naming "moving[2].outline" or another key.

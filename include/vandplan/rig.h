@@ -5,6 +5,8 @@
 //
 // Formulas: docs/algorithms/trailers.md. Every vehicle that is passed here has a trailer.
 
+#include <vector>
+
 #include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 
@@ -37,6 +39,10 @@ struct RigState {
 /// The state after driving the segment; the hitch angle is in [-pi, pi).
 [[nodiscard]] RigState advance(const Vehicle& vehicle, const RigState& state,
                                const Segment& segment) noexcept;
+
+/// The hitch angles at the points that `sampled` gives for the path and that step [rad].
+[[nodiscard]] std::vector<double> sampled_hitch_angles(const Vehicle& vehicle, const Path& path,
+                                                       double start_angle, double step);
 
 /// The largest |hitch angle| anywhere on the segment, both ends included [rad]. Along arcs and
 /// lines it is that of an end: the angle moves towards or away from one equilibrium.

@@ -22,7 +22,8 @@ struct RowGoal {
   double distance = 0.0;  ///< how far this goal counts [m]
   Pose goal = {};
   std::vector<Polygon> obstacles = {};
-  double curvature = 0.0;  ///< `EndCurvatures::goal` of this goal [1/m]
+  double curvature = 0.0;    ///< `EndCurvatures::goal` of this goal [1/m]
+  double hitch_angle = 0.0;  ///< `EndHitchAngles::goal` of this goal [rad]
 };
 
 /// What a scenario file says: one problem (`goal:`), or a row of problems that differ in their

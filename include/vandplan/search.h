@@ -18,6 +18,10 @@
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
+namespace vandplan {
+struct RigState;  // rig.h
+}
+
 namespace vandplan::search {
 
 // ---- How long may it go on? ----
@@ -137,11 +141,19 @@ enum class Looks {
   answer,  ///< within 1e-3 of the cost
 };
 
-/// What being near things adds to the cost of driving the segments from a pose [m]. Above `cutoff`
-/// it is any number above it: the sum ends there. docs/algorithms/anytime.md says how it is found.
+/// What being near things adds to the cost of driving the segments from a pose [m], with the hitch
+/// angle of the task's start if there is a trailer. Above `cutoff` it is any number above it: the
+/// sum ends there. docs/algorithms/anytime.md says how it is found.
 [[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
                                     std::span<const Segment> segments, Looks looks,
                                     double cutoff = std::numeric_limits<double>::infinity());
+
+/// What being near things adds, with the trailer, to the cost of driving the segments from a state
+/// of the rig [m]; the vehicle alone if it has no trailer.
+[[nodiscard]] double rig_clearance_cost(const Task& task, const CostRule& rule,
+                                        const RigState& from, std::span<const Segment> segments,
+                                        Looks looks,
+                                        double cutoff = std::numeric_limits<double>::infinity());
 
 // ---- Which piece joins two poses, what does it cost, and may it be driven? ----
 

@@ -10,12 +10,14 @@
 #include "collision/clothoid_part.h"
 #include "collision/ground.h"
 #include "collision/sweep.h"
+#include "collision/trailer_part.h"
+#include "vandplan/rig.h"
 
 namespace vandplan {
 
 using collision::ClothoidPart, collision::DiscRows, collision::Obstacles, collision::Placement,
     collision::placement_of;
-using collision::PlacedSegment, collision::Sides, collision::Sweep;
+using collision::PlacedSegment, collision::Sides, collision::Sweep, collision::TrailerPart;
 
 namespace {
 
@@ -89,22 +91,47 @@ bool is_crossed(const Obstacles& obstacles, const Footprint& footprint, double m
   return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });  // [2]
 }
 
+/// A rigid part of what drives, around the midpoint of its axle.
+struct Body {
+  Body(const Footprint& of_body, const Footprint& of_wheels, double margin)
+      : outline(of_body), wheels(of_wheels), discs(of_body, margin) {}
+
+  Footprint outline;
+  Footprint wheels;
+  DiscRows discs;  // that cover the outline with the margin wanted
+};
+
+/// What hangs on a vehicle.
+struct Towed {
+  Towed(const Vehicle& of, double margin)
+      : vehicle(of),
+        body({.rear = of.trailer->rear_overhang,
+              .front = of.trailer->wheelbase + of.trailer->front_overhang,
+              .half_width = of.trailer->width / 2},
+             {.rear = 0.0, .front = 0.0, .half_width = of.trailer->width / 2}, margin),
+        reach(reach_of(body.outline)) {}
+
+  Vehicle vehicle;
+  Body body;
+  double reach;  // [m]
+};
+
 }  // namespace
 
 struct CollisionChecker::Data {
   Data(const Footprint& of_body, const Footprint& of_wheels, const Margin& kept,
        std::shared_ptr<const collision::Ground> on)
-      : body(of_body),
-        wheels(of_wheels),
-        margin(kept),
-        discs(of_body, kept.wanted),
-        ground(std::move(on)) {}
+      : body(of_body, of_wheels, kept.wanted), margin(kept), ground(std::move(on)) {}
 
-  Footprint body;
-  Footprint wheels;
+  Data(const Vehicle& vehicle, const Margin& kept, std::shared_ptr<const collision::Ground> on)
+      : Data(footprint(vehicle), wheel_footprint(vehicle), kept, std::move(on)) {
+    if (vehicle.trailer) towed.emplace(vehicle, kept.wanted);
+  }
+
+  Body body;
   Margin margin;
-  DiscRows discs;  // that cover the body with the margin wanted
   std::shared_ptr<const collision::Ground> ground;
+  std::optional<Towed> towed = {};
 
   /// Whether nothing contains the place of a rear axle.
   [[nodiscard]] bool is_outside(const Point& axle) const noexcept {
@@ -117,28 +144,45 @@ struct CollisionChecker::Data {
   [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed,
                                      const Bounds& box) const noexcept {
     return holds(box, placed.axle_box()) &&
-           (margin.ramps.empty() ? keeps(margin.wanted, discs, placed) : keeps_margin(placed));
+           (margin.ramps.empty() ? keeps(body, margin.wanted, body.discs, placed)
+                                 : keeps_margin(placed));
   }
 
-  [[nodiscard]] bool keeps(double distance, const DiscRows& around,
+  /// Whether a body keeps a distance, with discs that cover it and what is within that distance.
+  [[nodiscard]] bool keeps(const Body& moved, double distance, const DiscRows& around,
                            const PlacedSegment& placed) const noexcept {
-    return !is_crossed(ground->walls, body, distance, placed) &&
-           !is_crossed(ground->kerbs, wheels, distance, placed) &&
-           !(ground->map && !ground->map->is_clear(body, distance, around, placed));
+    return !is_crossed(ground->walls, moved.outline, distance, placed) &&
+           !is_crossed(ground->kerbs, moved.wheels, distance, placed) &&
+           !(ground->map && !ground->map->is_clear(moved.outline, distance, around, placed));
+  }
+
+  [[nodiscard]] bool keeps(const Body& moved, double distance,
+                           const PlacedSegment& placed) const noexcept {
+    if (!ground->map || distance == margin.wanted) {
+      return keeps(moved, distance, moved.discs, placed);
+    }
+    return keeps(moved, distance, DiscRows(moved.outline, distance), placed);
+  }
+
+  [[nodiscard]] double clearance(const Body& standing, const Placement& placement, double most,
+                                 double enough) const noexcept {
+    if (!is_outside(placement.position)) return 0.0;
+    double least = distance_from(ground->walls, standing.outline, placement, most);
+    least = distance_from(ground->kerbs, standing.wheels, placement, least);
+    return ground->map ? ground->map->clearance(standing.outline, placement, least, enough) : least;
   }
 
   [[nodiscard]] bool keeps_margin(const PlacedSegment& placed) const noexcept;
   [[nodiscard]] bool crosses_nothing(const ClothoidPart& part, double reach) const noexcept;
   [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept;
+  [[nodiscard]] bool crosses_nothing(const TrailerPart& part) const noexcept;
 };
 
 /// Whether the margin is kept where it changes on the way: what is asked for on a part of it lies
 /// between two numbers, which are told apart only if that decides.
 bool CollisionChecker::Data::keeps_margin(const PlacedSegment& placed) const noexcept {
   constexpr double close_enough = 0.2e-3;  // [m]
-  const auto keeps_all = [&](double distance) {
-    return keeps(distance, DiscRows(body, distance), placed);
-  };
+  const auto keeps_all = [&](double distance) { return keeps(body, distance, placed); };
   const double half = placed.length / 2;
   const Point axle = placed.at(half).position;
   const double most = wanted_at(margin, axle, half);
@@ -163,8 +207,7 @@ bool CollisionChecker::Data::crosses_nothing(const ClothoidPart& part,
     }
     const auto& [x_min, x_max, y_min, y_max] = arc.axle_box();
     if (holds(ground->bounds, {x_min - off, x_max + off, y_min - off, y_max + off})) {
-      const double distance = margin.wanted + off;
-      if (keeps(distance, DiscRows(body, distance), arc)) return true;
+      if (keeps(body, margin.wanted + off, arc)) return true;
     }
   }
   const auto [first, second] = part.halves();
@@ -175,11 +218,38 @@ bool CollisionChecker::Data::crosses_nothing(const ClothoidPart& part,
 /// of line, so that arcs and lines do not pay for it.
 [[gnu::noinline, gnu::cold]] bool CollisionChecker::Data::crosses_nothing(
     Placement& placement, const Segment& clothoid) const noexcept {
-  const double reach = std::max(reach_of(body), reach_of(wheels));
+  const double reach = std::max(reach_of(body.outline), reach_of(body.wheels));
   const ClothoidPart whole(placement, clothoid);
   if (!contains(ground->bounds, placement.position) || whole.is_too_long(reach)) return false;
   placement = whole.to();
   return crosses_nothing(whole, reach);
+}
+
+/// Whether the trailer touches no side: an arc in place of its way does not, with as much around it
+/// as it is off, nor, where the margin changes on the way, with the most that is asked for; or both
+/// halves do not.
+bool CollisionChecker::Data::crosses_nothing(const TrailerPart& part) const noexcept {
+  constexpr double close_enough = 0.2e-3;  // [m]
+  if (part.is_simple()) {
+    const PlacedSegment arc = part.arc();
+    const double off = part.deviation(towed->reach);
+    const bool is_exact = off <= collision::arc_deviation;
+    const double beside = is_exact ? 0.0 : off;
+    if (margin.ramps.empty()) {
+      const bool is_clear = keeps(towed->body, margin.wanted + beside, arc);
+      if (is_clear || is_exact) return is_clear;
+    } else {
+      const Point tractor = part.tractor_in_the_middle();
+      const double most = wanted_at(margin, tractor, part.half_length());
+      if (keeps(towed->body, most + beside, arc)) return true;
+      const double least = wanted_at(margin, tractor, -part.half_length());
+      if (is_exact && (most - least <= close_enough || !keeps(towed->body, least, arc))) {
+        return false;
+      }
+    }
+  }
+  const auto [first, second] = part.halves();
+  return crosses_nothing(first) && crosses_nothing(second);
 }
 
 double Margin::least() const noexcept {
@@ -202,8 +272,7 @@ CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& s
 CollisionChecker::CollisionChecker(const Vehicle& vehicle,
                                    std::shared_ptr<const collision::Ground> ground,
                                    const Margin& margin)
-    : data_(std::make_unique<const Data>(footprint(vehicle), wheel_footprint(vehicle), margin,
-                                         std::move(ground))) {}
+    : data_(std::make_unique<const Data>(vehicle, margin, std::move(ground))) {}
 
 CollisionChecker::~CollisionChecker() = default;
 
@@ -229,13 +298,41 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
   return true;
 }
 
+bool CollisionChecker::rig_is_free(const RigState& state) const noexcept {
+  return rig_is_free(state, Segment{});
+}
+
+bool CollisionChecker::rig_is_free(const RigState& from, const Segment& segment) const noexcept {
+  return rig_is_free(from, std::span<const Segment>(&segment, 1));
+}
+
+bool CollisionChecker::rig_is_free(const RigState& from,
+                                   std::span<const Segment> segments) const noexcept {
+  if (!is_free(from.pose, segments)) return false;
+  if (!data_->towed) return true;
+  if (segments.empty()) return rig_is_free(from);
+  const Vehicle& vehicle = data_->towed->vehicle;
+  const Pose axle = trailer_pose(vehicle, from);
+  if (!data_->is_outside({axle.x, axle.y})) return false;
+  RigState state = from;
+  for (const Segment& segment : segments) {
+    const TrailerPart part(vehicle, state, segment);
+    if (part.is_too_long() || !data_->crosses_nothing(part)) return false;
+    state = part.to();
+  }
+  return true;
+}
+
 double CollisionChecker::clearance(const Pose& pose, double most, double enough) const noexcept {
-  if (!data_->is_outside({pose.x, pose.y})) return 0.0;
-  const Placement placement = placement_of(pose);
-  const auto& [body, wheels, margin, discs, ground] = *data_;
-  double least = distance_from(ground->walls, body, placement, most);
-  least = distance_from(ground->kerbs, wheels, placement, least);
-  return ground->map ? ground->map->clearance(body, placement, least, enough) : least;
+  return data_->clearance(data_->body, placement_of(pose), most, enough);
+}
+
+double CollisionChecker::rig_clearance(const RigState& state, double most,
+                                       double enough) const noexcept {
+  const double of_tractor = clearance(state.pose, most, enough);
+  if (!data_->towed || of_tractor == 0.0) return of_tractor;
+  const auto& [vehicle, body, reach] = *data_->towed;
+  return data_->clearance(body, placement_of(trailer_pose(vehicle, state)), of_tractor, enough);
 }
 
 bool CollisionChecker::map_is_within(const Point& point, double distance) const noexcept {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/rig.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::drawing {
@@ -136,19 +137,27 @@ double fine_step(const Scene& scene) {
   return std::max(scene.vehicle.min_turning_radius / 8, length(scene.path->segments) / 5000);
 }
 
-void add_swept(cairo_t* cairo, const View& view, const Footprint& body, const Stroke& part) {
-  for (std::size_t i = 1; i < part.poses.size(); ++i) {
-    add_polygon(cairo, view, swept(body, part.poses[i - 1], part.poses[i]));
+void add_swept(cairo_t* cairo, const View& view, const Footprint& body,
+               const std::vector<Pose>& poses) {
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    add_polygon(cairo, view, swept(body, poses[i - 1], poses[i]));
+  }
+}
+
+// What the vehicle and its trailer sweep.
+void add_swept(cairo_t* cairo, const View& view, const Scene& scene, const Stroke& part) {
+  add_swept(cairo, view, footprint(scene.vehicle), part.poses);
+  if (scene.vehicle.trailer) {
+    add_swept(cairo, view, outline_of(*scene.vehicle.trailer), part.trailer);
   }
 }
 
 // All that is within the margin of what the vehicle sweeps, as one translucent area.
 void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
-  const Footprint body = footprint(scene.vehicle);
   cairo_push_group(cairo);
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-  for (const Stroke& part : strokes_of(*scene.path, fine_step(scene))) {
-    add_swept(cairo, view, body, part);
+  for (const Stroke& part : strokes_of(scene, fine_step(scene))) {
+    add_swept(cairo, view, scene, part);
     set_colour(cairo, colour::margin, 1.0);
     cairo_fill_preserve(cairo);
     stroke(cairo, 2 * scene.margin * view.scale, colour::margin, 1.0);
@@ -162,22 +171,29 @@ void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
 void paint_sweep(cairo_t* cairo, const Scene& scene, const View& view) {
   const Footprint body = footprint(scene.vehicle);
   const double total = length(scene.path->segments);
-  for (const Stroke& part : strokes_of(*scene.path, fine_step(scene))) {
-    add_swept(cairo, view, body, part);
+  for (const Stroke& part : strokes_of(scene, fine_step(scene))) {
+    add_swept(cairo, view, scene, part);
     set_colour(cairo, colour_of_gear(part.direction), 0.13);
     cairo_fill(cairo);
   }
   const double coarse = std::max((body.rear + body.front) / 4, total / 60);
-  for (const Stroke& part : strokes_of(*scene.path, coarse)) {
+  for (const Stroke& part : strokes_of(scene, coarse)) {
     for (const Pose& pose : part.poses) add_polygon(cairo, view, corners(body, pose));
+    for (const Pose& pose : part.trailer) {
+      add_polygon(cairo, view, corners(outline_of(*scene.vehicle.trailer), pose));
+    }
     stroke(cairo, 0.5, colour_of_gear(part.direction), 0.4);
   }
 }
 
 void paint_path(cairo_t* cairo, const Scene& scene, const View& view) {
   const double step = std::max(4.0 / view.scale, length(scene.path->segments) / 20000);
-  const std::vector<Stroke> parts = strokes_of(*scene.path, step);
+  const std::vector<Stroke> parts = strokes_of(scene, step);
   for (const Stroke& part : parts) {
+    if (!part.trailer.empty()) {
+      add_line(cairo, view, part.trailer);
+      stroke(cairo, 1.0, colour_of_gear(part.direction), 0.6);
+    }
     add_line(cairo, view, part.poses);
     stroke(cairo, 2.0, colour_of_gear(part.direction), 1.0);
   }
@@ -227,8 +243,24 @@ void paint_gear_change(cairo_t* cairo, const Point& place) {
   stroke(cairo, 1.3, colour::ink, 1.0);
 }
 
+namespace {
+
+// The vehicle with its trailer, if it has one.
+void paint_rig(cairo_t* cairo, const Scene& scene, const RigState& state, const Colour& colour,
+               const View& view) {
+  if (scene.vehicle.trailer) {
+    const Pose trailer = trailer_pose(scene.vehicle, state);
+    add_polygon(cairo, view, corners(outline_of(*scene.vehicle.trailer), trailer));
+    set_colour(cairo, colour, 0.30);
+    cairo_fill_preserve(cairo);
+    stroke(cairo, 1.6, colour, 1.0);
+  }
+  paint_vehicle(cairo, {footprint(scene.vehicle), state.pose, colour}, view);
+}
+
+}  // namespace
+
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
-  const Footprint body = footprint(scene.vehicle);
   paint_bounds(cairo, scene, view);
   paint_polygons(cairo, scene.kerbs, colour::kerb, view);
   if (scene.map) paint_map(cairo, *scene.map, view);
@@ -237,8 +269,8 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   paint_tree(cairo, scene, view);
   if (scene.path && scene.margin > 0.0) paint_margin(cairo, scene, view);
   if (scene.path) paint_sweep(cairo, scene, view);
-  paint_vehicle(cairo, {body, scene.goal, colour::goal}, view);
-  paint_vehicle(cairo, {body, scene.start, colour::start}, view);
+  paint_rig(cairo, scene, {scene.goal, scene.hitch_angles.goal}, colour::goal, view);
+  paint_rig(cairo, scene, {scene.start, scene.hitch_angles.start}, colour::start, view);
   if (scene.path) paint_path(cairo, scene, view);
   if (!scene.driven.empty()) {
     add_line(cairo, view, scene.driven);

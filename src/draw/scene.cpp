@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "vandplan/input_error.h"
+#include "vandplan/rig.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::drawing {
@@ -78,12 +79,22 @@ Bounds surroundings_of_path(const Scene& scene) {
   const auto add_vehicle = [&](const Pose& pose) {
     for (const Point& corner : corners(body, pose)) points.push_back(corner);
   };
+  const auto add_trailer = [&](const Pose& pose) {
+    for (const Point& corner : corners(outline_of(*scene.vehicle.trailer), pose)) {
+      points.push_back(corner);
+    }
+  };
   add_vehicle(scene.start);
   add_vehicle(scene.goal);
+  if (scene.vehicle.trailer) {
+    add_trailer(trailer_pose(scene.vehicle, {scene.start, scene.hitch_angles.start}));
+    add_trailer(trailer_pose(scene.vehicle, {scene.goal, scene.hitch_angles.goal}));
+  }
   if (scene.path) {
     const double step = std::max(1.0, length(scene.path->segments) / 5000);
-    for (const Stroke& stroke : strokes_of(*scene.path, step)) {
+    for (const Stroke& stroke : strokes_of(scene, step)) {
       for (const Pose& pose : stroke.poses) add_vehicle(pose);
+      for (const Pose& pose : stroke.trailer) add_trailer(pose);
     }
   }
   for (const Pose& pose : scene.driven) points.push_back({pose.x, pose.y});
@@ -140,6 +151,7 @@ Scene scene_of(const Drawing& drawing) {
                   bounds.y_min - scene.origin.y, bounds.y_max - scene.origin.y};
   scene.start = moved(scenario.start, scene.origin, "start");
   scene.goal = moved(scenario.goal, scene.origin, "goal");
+  scene.hitch_angles = scenario.hitch_angles;
   scene.obstacles = moved(scenario.obstacles, scene.origin);
   scene.kerbs = moved(scenario.kerbs, scene.origin);
   scene.shadows = shadows_of(scenario.moving, scene.origin);
@@ -158,19 +170,35 @@ Scene scene_of(const Drawing& drawing) {
   return scene;
 }
 
-std::vector<Stroke> strokes_of(const Path& path, double step) {
+Footprint outline_of(const Trailer& trailer) noexcept {
+  return {.rear = trailer.rear_overhang,
+          .front = trailer.wheelbase + trailer.front_overhang,
+          .half_width = trailer.width / 2};
+}
+
+std::vector<Stroke> strokes_of(const Scene& scene, double step) {
+  const bool has_trailer = scene.vehicle.trailer.has_value();
   std::vector<Stroke> strokes;
-  Pose pose = path.start;
-  for (const Segment& segment : path.segments) {
+  RigState state{scene.path->start, scene.hitch_angles.start};
+  for (const Segment& segment : scene.path->segments) {
     if (segment.length == 0.0) continue;
     const int direction = segment.length > 0.0 ? 1 : -1;
     if (strokes.empty() || strokes.back().direction != direction) {
-      strokes.push_back({direction, {pose}});
+      strokes.push_back({direction, {state.pose}, {}});
+      if (has_trailer) strokes.back().trailer = {trailer_pose(scene.vehicle, state)};
     }
-    for (const PathPoint& point : sampled({pose, {segment}}, step)) {
-      if (point.s > 0.0) strokes.back().poses.push_back(point.pose);
+    for (const PathPoint& point : sampled({state.pose, {segment}}, step)) {
+      if (!(point.s > 0.0)) continue;
+      strokes.back().poses.push_back(point.pose);
+      if (!has_trailer) continue;
+      const Segment driven = part_of(segment, 0.0, point.s);
+      const double angle = hitch_angle_after(scene.vehicle, state.hitch_angle, driven);
+      strokes.back().trailer.push_back(trailer_pose(scene.vehicle, {point.pose, angle}));
     }
-    pose = strokes.back().poses.back();
+    state.pose = strokes.back().poses.back();
+    if (has_trailer) {
+      state.hitch_angle = hitch_angle_after(scene.vehicle, state.hitch_angle, segment);
+    }
   }
   return strokes;
 }

@@ -24,6 +24,7 @@ struct Scene {
   Bounds bounds;
   Pose start;
   Pose goal;
+  EndHitchAngles hitch_angles;  ///< of account if the vehicle has a trailer
   std::vector<Polygon> obstacles;
   std::vector<Polygon> kerbs;
   std::optional<OccupancyGrid> map;
@@ -43,10 +44,14 @@ struct Scene {
 struct Stroke {
   int direction = 1;  ///< 1 forward, -1 reverse
   std::vector<Pose> poses;
+  std::vector<Pose> trailer;  ///< where it is at each pose; empty if there is none
 };
 
-/// The path cut where the gear changes, its poses at most `step` apart [m].
-[[nodiscard]] std::vector<Stroke> strokes_of(const Path& path, double step);
+/// The outline of a trailer around the midpoint of its axle.
+[[nodiscard]] Footprint outline_of(const Trailer& trailer) noexcept;
+
+/// The path of a scene cut where the gear changes, its poses at most `step` apart [m].
+[[nodiscard]] std::vector<Stroke> strokes_of(const Scene& scene, double step);
 
 /// The part of the world that is shown.
 struct Framing {

@@ -41,6 +41,7 @@ StatedPose stated_pose(const Document& file) {
       file.fail(*direction, fmt::format("is {}, expected 1 or -1", sign));
     stated.direction = static_cast<int>(sign);
   }
+  stated.hitch_angle = hitch_angle_from(file, node);
   return stated;
 }
 
@@ -73,6 +74,17 @@ void expect_room(const Document& file, std::size_t count, std::size_t most) {
 Pose pose_from(const Document& file, const Node& node) {
   return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
           file.number(file.at(node, "heading"))};
+}
+
+std::optional<double> hitch_angle_from(const Document& file, const Node& node) {
+  const Node* const angles = file.find(node, "hitch_angles");
+  if (angles == nullptr) return std::nullopt;
+  const std::vector<Node>& items = file.list(*angles, "a list with one angle");
+  if (items.size() != 1) {
+    file.fail(*angles,
+              fmt::format("has {} angles, expected 1, one for each trailer", items.size()));
+  }
+  return file.number(items[0]);
 }
 
 bool ListTaker::take(const std::vector<Node>& open, Node& element) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,9 @@
 namespace vandplan::io {
 
 [[nodiscard]] Pose pose_from(const Document& file, const Node& node);
+
+/// The angle between the vehicle and its one trailer that a pose states; none if it states none.
+[[nodiscard]] std::optional<double> hitch_angle_from(const Document& file, const Node& node);
 
 /// The long lists of one result: `path.poses`, `tree.poses` and `tree.parents`.
 struct ResultLists {

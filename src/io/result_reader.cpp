@@ -201,6 +201,8 @@ PathClaims claims_from(const Document& file, const Node& node, ResultLists& list
     }
     claims.gear_changes = static_cast<int>(count);
   }
+  const Node& start = file.at(file.at(node, "path"), "start");
+  claims.start_hitch_angle = hitch_angle_from(file, start);
   if (const Node* const poses = file.find(file.at(node, "path"), "poses")) {
     (void)file.list(*poses, "a list of poses");
     claims.poses = std::move(lists.poses);

@@ -16,6 +16,7 @@
 #include "io/speeds_file.h"
 #include "vandplan/files.h"
 #include "vandplan/result_file.h"
+#include "vandplan/rig.h"
 #include "vandplan/version.h"
 
 namespace vandplan {
@@ -26,6 +27,13 @@ using Json = nlohmann::ordered_json;
 constexpr double pose_distance = 0.1;  // at most between neighbouring poses of a file [m]
 
 Json json_of(const Pose& pose) { return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}}; }
+
+/// A start, with the angle of the trailer if there is one.
+Json json_of_start(const Pose& pose, const Vehicle& vehicle, double hitch_angle) {
+  Json json = json_of(pose);
+  if (vehicle.trailer) json["hitch_angles"] = Json::array({hitch_angle});
+  return json;
+}
 
 Json json_of(const Segment& segment, double radius) {
   Json json;
@@ -62,7 +70,8 @@ void append_number(std::string& text, double value) {
   text.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
 }
 
-std::string text_of(const PathPoint& point, Layout layout) {
+/// `hitch_angle` is null without a trailer.
+std::string text_of(const PathPoint& point, const double* hitch_angle, Layout layout) {
   std::string text = "{";
   const auto append = [&](std::string_view key, double value) {
     if (text.back() != '{') text += comma_of(layout);
@@ -73,6 +82,11 @@ std::string text_of(const PathPoint& point, Layout layout) {
   append(R"("x")", point.pose.x);
   append(R"("y")", point.pose.y);
   append(R"("heading")", point.pose.heading);
+  if (hitch_angle != nullptr) {
+    text.append(comma_of(layout)).append(R"("hitch_angles")").append(colon_of(layout)) += '[';
+    append_number(text, *hitch_angle);
+    text += ']';
+  }
   append(R"("curvature")", point.curvature);
   text.append(comma_of(layout)).append(R"("direction")").append(colon_of(layout));
   return text.append(std::to_string(point.direction)).append("}");
@@ -124,12 +138,12 @@ class Results {
     std::function<void(const Add&)> all;  ///< adds the texts of its elements one after the other
   };
 
-  Json json_of_record(const Vehicle& vehicle, const ResultRecord& record);
+  Json json_of_record(const Vehicle& vehicle, double hitch_angle, const ResultRecord& record);
   /// The list of an open place; they follow one another as the places do.
   const LongList& next_list() { return lists_.at(next_++); }
 
  private:
-  Json json_of_path(const Path& path, double radius);
+  Json json_of_path(const Path& path, const Vehicle& vehicle, double hitch_angle);
   Json json_of_tree(const TreeSnapshot& tree);
   Json open_place(LongList list) {
     lists_.push_back(std::move(list));
@@ -142,17 +156,25 @@ class Results {
   std::size_t next_ = 0;
 };
 
-Json Results::json_of_path(const Path& path, double radius) {
+Json Results::json_of_path(const Path& path, const Vehicle& vehicle, double hitch_angle) {
   Json segments = Json::array();
   for (const Segment& segment : path.segments) {
-    segments.push_back(json_of(segment, radius));
+    segments.push_back(json_of(segment, vehicle.min_turning_radius));
   }
-  Json json = {{"start", json_of(path.start)}, {"segments", std::move(segments)}};
+  Json json = {{"start", json_of_start(path.start, vehicle, hitch_angle)},
+               {"segments", std::move(segments)}};
   if (!extent_.poses) return json;
-  json["poses"] = open_place({false, [&path, layout = layout_](const Add& add) {
-                                for (const PathPoint& point : sampled(path, pose_distance))
-                                  add(text_of(point, layout));
-                              }});
+  json["poses"] =
+      open_place({false, [&path, &vehicle, hitch_angle, layout = layout_](const Add& add) {
+                    std::vector<double> angles;
+                    if (vehicle.trailer) {
+                      angles = sampled_hitch_angles(vehicle, path, hitch_angle, pose_distance);
+                    }
+                    std::size_t i = 0;
+                    for (const PathPoint& point : sampled(path, pose_distance)) {
+                      add(text_of(point, vehicle.trailer ? &angles[i++] : nullptr, layout));
+                    }
+                  }});
   return json;
 }
 
@@ -210,7 +232,8 @@ Json heading_of(const ResultRecord& record) {
           {"seed", record.options.budget.seed}};
 }
 
-Json Results::json_of_record(const Vehicle& vehicle, const ResultRecord& record) {
+Json Results::json_of_record(const Vehicle& vehicle, double hitch_angle,
+                             const ResultRecord& record) {
   const PlanResult& result = record.result;
   Json json = heading_of(record);
   if (record.distance) json["distance"] = *record.distance;
@@ -237,7 +260,7 @@ Json Results::json_of_record(const Vehicle& vehicle, const ResultRecord& record)
   json["nodes"] = counter(result, "nodes");
   json["counters"] = counters_of(result);
   json["anytime"] = anytime_of(result);
-  if (result.path) json["path"] = json_of_path(*result.path, vehicle.min_turning_radius);
+  if (result.path) json["path"] = json_of_path(*result.path, vehicle, hitch_angle);
   if (result.speeds) json["speeds"] = io::json_of(*result.speeds);
   if (result.tree && extent_.trees) json["tree"] = json_of_tree(*result.tree);
   json["options"] = options_of(record.options);
@@ -351,18 +374,19 @@ void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& re
                    const TextSink& sink) {
   assert(!records.empty());
   const Vehicle& vehicle = file.scenario.vehicle;
+  const double hitch_angle = file.scenario.hitch_angles.start;
   Results results(records, Layout::lines);
   Json json;
   if (file.is_row()) {
     json = heading_of(records.front());
     json["goals"] = Json::array();
     for (const ResultRecord& record : records) {
-      json["goals"].push_back(results.json_of_record(vehicle, record));
+      json["goals"].push_back(results.json_of_record(vehicle, hitch_angle, record));
     }
     const std::optional<double> furthest = furthest_reached(records);
     json["furthest"] = furthest ? Json(*furthest) : Json();
   } else {
-    json = results.json_of_record(vehicle, records.front());
+    json = results.json_of_record(vehicle, hitch_angle, records.front());
   }
   Writer(results, sink).write_all(json);
 }
@@ -384,7 +408,7 @@ void write_result_line(std::size_t pair, const Problem& problem, const ResultRec
   Json json = {{"pair", pair}};
   json["start"] = json_of(problem.start());
   json["goal"] = json_of(problem.goal());
-  Json result = results.json_of_record(problem.vehicle(), record);
+  Json result = results.json_of_record(problem.vehicle(), problem.hitch_angles().start, record);
   for (auto& [key, value] : result.get_ref<Json::object_t&>()) json[key] = std::move(value);
   Writer(results, sink).write_all(json);
 }

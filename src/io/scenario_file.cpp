@@ -14,6 +14,7 @@
 #include "problem/checks.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
+#include "vandplan/rig.h"
 #include "vandplan/scenario_file.h"
 
 namespace vandplan {
@@ -39,7 +40,7 @@ Bounds bounds_from(const Document& file, const Node& node) {
 }
 
 Pose lone_pose(const Document& file, const Node& node) {
-  file.allow_only(node, {"x", "y", "heading", "curvature"});
+  file.allow_only(node, {"x", "y", "heading", "curvature", "hitch_angles"});
   return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
           file.number(file.at(node, "heading"))};
 }
@@ -48,6 +49,47 @@ Pose lone_pose(const Document& file, const Node& node) {
 double curvature_from(const Document& file, const Node& pose) {
   const Node* const curvature = file.find(pose, "curvature");
   return curvature == nullptr ? 0.0 : file.number(*curvature);
+}
+
+/// The angle between the vehicle and its trailer at a pose.
+double hitch_angle_from(const Document& file, const Node& pose, const Vehicle& vehicle) {
+  const Node* const angles = file.find(pose, "hitch_angles");
+  if (angles == nullptr) return 0.0;
+  if (!vehicle.trailer) {
+    file.fail(*angles, "are given without a trailer, expected trailers of the vehicle");
+  }
+  const std::vector<Node>& items = file.list(*angles, "a list with one angle");
+  if (items.size() != 1) {
+    file.fail(*angles,
+              fmt::format("has {} angles, expected 1, one for each trailer", items.size()));
+  }
+  return file.number(items[0]);
+}
+
+/// What a start or a goal says.
+struct End {
+  Pose pose = {};
+  double curvature = 0.0;
+  double hitch_angle = 0.0;
+};
+
+End end_from(const Document& file, const Node& node, const Vehicle& vehicle) {
+  return {lone_pose(file, node), curvature_from(file, node), hitch_angle_from(file, node, vehicle)};
+}
+
+/// A goal of the vehicle, or of its trailer.
+End goal_from(const Document& file, const Node& node, const Vehicle& vehicle) {
+  const Node* const trailer = file.find(node, "trailer");
+  if (trailer == nullptr) return end_from(file, node, vehicle);
+  file.allow_only(node, {"trailer", "curvature", "hitch_angles"});
+  if (!vehicle.trailer) {
+    file.fail(*trailer, "is given without a trailer, expected trailers of the vehicle");
+  }
+  file.allow_only(*trailer, {"x", "y", "heading"});
+  End end{lone_pose(file, *trailer), curvature_from(file, node),
+          hitch_angle_from(file, node, vehicle)};
+  end.pose = tractor_pose(vehicle, end.pose, end.hitch_angle);
+  return end;
 }
 
 std::vector<Polygon> polygons_from(const Document& file, const Node& node) {
@@ -64,20 +106,23 @@ std::vector<Polygon> polygons_from(const Document& file, const Node& node) {
 
 /// Adds a warning when the heading of a pose looks like degrees.
 void warn_of_degrees(const Document& file, const Node& pose, std::vector<std::string>& warnings) {
-  const Node& heading = file.at(pose, "heading");
+  const Node* const trailer = file.find(pose, "trailer");
+  const Node& heading = file.at(trailer == nullptr ? pose : *trailer, "heading");
   if (const std::string doubt = heading_doubt(file.number(heading)); !doubt.empty()) {
     warnings.push_back(file.place_of(heading) + ": " + doubt);
   }
 }
 
-std::vector<RowGoal> row_from(const Document& file, const Node& node) {
+std::vector<RowGoal> row_from(const Document& file, const Node& node, const Vehicle& vehicle) {
   std::vector<RowGoal> row;
   for (const Node& item : file.list(node, "a list of goals")) {
     file.allow_only(item, {"distance", "goal", "obstacles"});
     RowGoal& goal = row.emplace_back();
     goal.distance = file.number(file.at(item, "distance"));
-    goal.goal = lone_pose(file, file.at(item, "goal"));
-    goal.curvature = curvature_from(file, file.at(item, "goal"));
+    const End end = goal_from(file, file.at(item, "goal"), vehicle);
+    goal.goal = end.pose;
+    goal.curvature = end.curvature;
+    goal.hitch_angle = end.hitch_angle;
     if (const Node* const obstacles = file.find(item, "obstacles")) {
       goal.obstacles = polygons_from(file, *obstacles);
     }
@@ -184,16 +229,19 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     scenario.description = file.text(*description);
   }
   scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"));
-  scenario.start = lone_pose(file, file.at(root, "start"));
-  scenario.curvatures.start = curvature_from(file, file.at(root, "start"));
+  const End start = end_from(file, file.at(root, "start"), scenario.vehicle);
+  End end;
   if (goals != nullptr) {
-    result.row = row_from(file, *goals);
-    scenario.goal = result.row.front().goal;
-    scenario.curvatures.goal = result.row.front().curvature;
+    result.row = row_from(file, *goals, scenario.vehicle);
+    const RowGoal& first = result.row.front();
+    end = {first.goal, first.curvature, first.hitch_angle};
   } else {
-    scenario.goal = lone_pose(file, *goal);
-    scenario.curvatures.goal = curvature_from(file, *goal);
+    end = goal_from(file, *goal, scenario.vehicle);
   }
+  scenario.start = start.pose;
+  scenario.goal = end.pose;
+  scenario.curvatures = {start.curvature, end.curvature};
+  scenario.hitch_angles = {start.hitch_angle, end.hitch_angle};
   read_ground(file, where, map, scenario);
   if (const Node* const moving = file.find(root, "moving")) {
     scenario.moving = moving_from(file, *moving);
@@ -230,7 +278,8 @@ Problem problem_of_row(const ScenarioFile& file, std::size_t i,
     if (!goal.obstacles.empty()) return make_problem(scenario_at(file, i));
     if (shared != nullptr) {
       return with_moving(make_problem(shared, file.scenario.vehicle, file.scenario.start, goal.goal,
-                                      {file.scenario.curvatures.start, goal.curvature}),
+                                      {file.scenario.curvatures.start, goal.curvature},
+                                      {file.scenario.hitch_angles.start, goal.hitch_angle}),
                          file.scenario.moving);
     }
     Problem made = make_problem(scenario_at(file, i));
@@ -250,6 +299,8 @@ void check(const ScenarioFile& file) {
     problem::check_row_distance(file.row[i].distance, key + ".distance");
     problem::check_pose(file.row[i].goal, key + ".goal");
     problem::check_curvature(file.row[i].curvature, file.scenario.vehicle, key + ".goal.curvature");
+    problem::check_hitch_angle(file.row[i].hitch_angle, file.scenario.vehicle,
+                               key + ".goal.hitch_angles");
     problem::check_distance(start, file.row[i].goal, key + ".goal");
     (void)problem::local_polygons(file.row[i].obstacles, problem::local_origin({start.x, start.y}),
                                   key + ".obstacles");
@@ -274,9 +325,10 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string yaml_of(const Pose& pose, double curvature) {
-  const std::string turned = curvature == 0.0 ? "" : fmt::format(", curvature: {}", curvature);
-  return fmt::format("{{x: {}, y: {}, heading: {}{}}}", pose.x, pose.y, pose.heading, turned);
+std::string yaml_of(const Pose& pose, double curvature, double hitch_angle) {
+  std::string more = curvature == 0.0 ? "" : fmt::format(", curvature: {}", curvature);
+  if (hitch_angle != 0.0) more += fmt::format(", hitch_angles: [{}]", hitch_angle);
+  return fmt::format("{{x: {}, y: {}, heading: {}{}}}", pose.x, pose.y, pose.heading, more);
 }
 
 /// The value of an `obstacles` key and the end of its line.
@@ -301,6 +353,7 @@ Scenario scenario_at(const ScenarioFile& file, std::size_t i) {
   const RowGoal& goal = file.row.at(i);
   scenario.goal = goal.goal;
   scenario.curvatures.goal = goal.curvature;
+  scenario.hitch_angles.goal = goal.hitch_angle;
   scenario.obstacles.insert(scenario.obstacles.end(), goal.obstacles.begin(), goal.obstacles.end());
   return scenario;
 }
@@ -359,14 +412,17 @@ std::string to_yaml(const ScenarioFile& file) {
   }
   text += fmt::format("vehicle: {}\n", yaml_of(scenario.vehicle));
   text += fmt::format("bounds: {{x: [{}, {}], y: [{}, {}]}}\n", b.x_min, b.x_max, b.y_min, b.y_max);
-  text += fmt::format("start: {}\n", yaml_of(scenario.start, scenario.curvatures.start));
+  text += fmt::format("start: {}\n", yaml_of(scenario.start, scenario.curvatures.start,
+                                             scenario.hitch_angles.start));
   if (!file.is_row()) {
-    text += fmt::format("goal: {}\n", yaml_of(scenario.goal, scenario.curvatures.goal));
+    text += fmt::format(
+        "goal: {}\n", yaml_of(scenario.goal, scenario.curvatures.goal, scenario.hitch_angles.goal));
   }
   if (file.is_row()) text += "goals:\n";
   for (const RowGoal& goal : file.row) {
     text += fmt::format("  - distance: {}\n    goal: {}\n    obstacles:{}", goal.distance,
-                        yaml_of(goal.goal, goal.curvature), yaml_of(goal.obstacles, "      "));
+                        yaml_of(goal.goal, goal.curvature, goal.hitch_angle),
+                        yaml_of(goal.obstacles, "      "));
   }
   if (!scenario.kerbs.empty()) text += "kerbs:" + yaml_of(scenario.kerbs, "  ");
   if (scenario.map) {

@@ -41,11 +41,43 @@ double turning_radius_from(const Document& file, const Node& node, double wheelb
             "key \"min_turning_radius\" is missing, expected either it or max_steering_angle");
 }
 
+Trailer trailer_from(const Document& file, const Node& node) {
+  file.allow_only(node, {"wheelbase", "front_overhang", "rear_overhang", "width"});
+  return {.wheelbase = file.number(file.at(node, "wheelbase")),
+          .front_overhang = file.number(file.at(node, "front_overhang")),
+          .rear_overhang = file.number(file.at(node, "rear_overhang")),
+          .width = file.number(file.at(node, "width"))};
+}
+
+/// The trailer, and how it hangs on the vehicle.
+void read_trailer(const Document& file, const Node& node, Vehicle& vehicle) {
+  const Node* const trailers = file.find(node, "trailers");
+  if (trailers == nullptr) {
+    for (const std::string_view key : {"hitch", "max_hitch_angle"}) {
+      if (const Node* const found = file.find(node, key)) {
+        file.fail(*found, "is given without a trailer, expected trailers beside it");
+      }
+    }
+    return;
+  }
+  const std::vector<Node>& items = file.list(*trailers, "a list with one trailer");
+  if (items.size() != 1) {
+    file.fail(*trailers,
+              fmt::format("has {} trailers, expected one: more are not covered", items.size()));
+  }
+  vehicle.trailer = trailer_from(file, items[0]);
+  if (const Node* const hitch = file.find(node, "hitch")) vehicle.hitch = file.number(*hitch);
+  if (const Node* const angle = file.find(node, "max_hitch_angle")) {
+    vehicle.max_hitch_angle = file.number(*angle);
+  }
+}
+
 Vehicle lengths_from(const Document& file, const Node& node) {
-  file.allow_only(node, {"wheelbase", "front_overhang", "rear_overhang", "width",
-                         "min_turning_radius", "max_steering_angle", "track_width",
-                         "max_steering_rate", "max_curvature_rate", "max_speed", "max_acceleration",
-                         "max_braking", "max_lateral_acceleration", "max_jerk"});
+  file.allow_only(
+      node, {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius",
+             "max_steering_angle", "track_width", "max_steering_rate", "max_curvature_rate",
+             "max_speed", "max_acceleration", "max_braking", "max_lateral_acceleration", "max_jerk",
+             "hitch", "max_hitch_angle", "trailers"});
   Vehicle vehicle{.wheelbase = file.number(file.at(node, "wheelbase")),
                   .front_overhang = file.number(file.at(node, "front_overhang")),
                   .rear_overhang = file.number(file.at(node, "rear_overhang")),
@@ -55,6 +87,7 @@ Vehicle lengths_from(const Document& file, const Node& node) {
   if (const Node* const track = file.find(node, "track_width")) {
     vehicle.track_width = file.number(*track);
   }
+  read_trailer(file, node, vehicle);
   return vehicle;
 }
 
@@ -139,6 +172,17 @@ std::string yaml_of_limits(const Vehicle& vehicle) {
   return text;
 }
 
+/// The hitch and what hangs on it; empty without a trailer.
+std::string yaml_of_trailer(const Vehicle& vehicle) {
+  if (!vehicle.trailer) return "";
+  const Trailer& trailer = *vehicle.trailer;
+  return fmt::format(
+      ", hitch: {}, max_hitch_angle: {}, trailers: [{{wheelbase: {}, front_overhang: {}, "
+      "rear_overhang: {}, width: {}}}]",
+      vehicle.hitch, vehicle.max_hitch_angle, trailer.wheelbase, trailer.front_overhang,
+      trailer.rear_overhang, trailer.width);
+}
+
 std::string no_such_vehicle(std::string_view name) {
   return fmt::format("is \"{}\", expected one of {}", name.substr(0, 40),
                      base::joined(embedded_vehicles, &EmbeddedVehicle::name));
@@ -163,9 +207,9 @@ std::string yaml_of(const Vehicle& vehicle) {
       vehicle.track_width ? fmt::format(", track_width: {}", *vehicle.track_width) : "";
   return fmt::format(
       "{{wheelbase: {}, front_overhang: {}, rear_overhang: {}, width: {}, min_turning_radius: "
-      "{}{}{}}}",
+      "{}{}{}{}}}",
       vehicle.wheelbase, vehicle.front_overhang, vehicle.rear_overhang, vehicle.width,
-      vehicle.min_turning_radius, track, yaml_of_limits(vehicle));
+      vehicle.min_turning_radius, track, yaml_of_limits(vehicle), yaml_of_trailer(vehicle));
 }
 
 }  // namespace vandplan::io

@@ -15,13 +15,6 @@ namespace {
 constexpr double look_distance = 1e-3;    // of any point of a body between two looks [m]
 constexpr double clearance_error = 1e-3;  // of the clearance reported [m]
 
-/// After one full turn an arc repeats itself; a clothoid never does.
-Real length_to_look_at(const Stretch& stretch) {
-  if (stretch.rate != 0) return stretch.length;
-  const Real curvature = std::abs(stretch.curvature);
-  return curvature * stretch.length > full_turn ? full_turn / curvature : stretch.length;
-}
-
 bool is_before(const Place& a, const Place& b) {
   return std::tie(a.stretch, a.t) < std::tie(b.stretch, b.t);
 }
@@ -42,12 +35,8 @@ struct MayComeNearer {
 
 class Survey {
  public:
-  Survey(const Track& track, const Ground& ground, const Outlines& outlines, const Keeping& keeping)
-      : track_(track),
-        ground_(ground),
-        outlines_(outlines),
-        keeping_(keeping),
-        reach_(reach_of(outlines.body)) {}
+  Survey(const Body& body, const Keeping& keeping)
+      : body_(body), track_(body.track), keeping_(keeping) {}
 
   /// Both lower `least`, until it is 0: then `touch` is where that was seen.
   void look_at_ends();
@@ -62,7 +51,7 @@ class Survey {
 
  private:
   [[nodiscard]] Part whole(std::size_t stretch) const {
-    return {0, stretch, 0, length_to_look_at(track_.stretches[stretch])};
+    return {0, stretch, 0, length_to_look_at(body_, track_.stretches[stretch])};
   }
   [[nodiscard]] double clearance(const Place& place, double half, double most);
   [[nodiscard]] double bound_of(const Part& part, double most) {
@@ -77,7 +66,7 @@ class Survey {
   }
   /// No point of the body moves further than this for each metre driven.
   [[nodiscard]] double speed_on(const Part& part) const {
-    return 1 + static_cast<double>(steepest(track_.stretches[part.stretch])) * reach_;
+    return speed_of(body_, track_.stretches[part.stretch]);
   }
   [[nodiscard]] bool touches(const Place& place) { return clearance(place, 0, look_distance) == 0; }
   void look(const Place& place) {
@@ -88,25 +77,17 @@ class Survey {
   /// The first touch on a short part, of which a place is known that touches.
   [[nodiscard]] Place contact(const Part& part, const Place& last);
 
+  const Body& body_;
   const Track& track_;
-  const Ground& ground_;
-  const Outlines& outlines_;
   const Keeping& keeping_;
-  double reach_;
   double least_ = std::numeric_limits<double>::infinity();
   std::optional<Place> touch_;
   Effort effort_;
 };
 
 double Survey::clearance(const Place& place, double half, double most) {
-  const Stretch& stretch = track_.stretches[place.stretch];
-  const auto curvature = static_cast<double>(curvature_at(stretch, place.t));
-  const auto rate = static_cast<double>(stretch.rate);
-  const Position axle = after(stretch, place.t);
-  const double kept = keeping_.most_within(axle, half);
-  const double clearance =
-      ground_.clearance({axle, curvature, half, rate}, outlines_, most + kept, effort_);
-  return std::max(clearance - kept, 0.0);
+  const double kept = keeping_.most_within(after(track_.stretches[place.stretch], place.t), half);
+  return std::max(clearance_of(body_, place, half, most + kept, effort_) - kept, 0.0);
 }
 
 void Survey::look_at_ends() {
@@ -184,10 +165,9 @@ double Keeping::most_within(const Position& place, double half) const {
   return most;
 }
 
-Nearest nearest_along(const Track& track, const Ground& ground, const Outlines& outlines,
-                      const Keeping& keeping) {
-  if (ground.is_empty()) return {std::numeric_limits<double>::infinity(), {}, {}};
-  Survey survey(track, ground, outlines, keeping);
+Nearest nearest_along(const Body& body, const Keeping& keeping) {
+  if (body.ground.is_empty()) return {std::numeric_limits<double>::infinity(), {}, {}};
+  Survey survey(body, keeping);
   survey.look_at_ends();
   survey.look_between();
   std::optional<Place> touch = survey.touch();

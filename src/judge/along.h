@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "judge/ground.h"
+#include "judge/body.h"
 #include "judge/track.h"
 
 namespace vandplan::judge {
@@ -21,7 +21,7 @@ struct Ramp {
   double reach = 1.0;
 };
 
-/// How far the vehicle must stay from things.
+/// How far the vehicle, and what it pulls, must stay from things.
 struct Keeping {
   double margin = 0.0;  ///< [m]
   std::vector<Ramp> ramps = {};
@@ -39,7 +39,6 @@ struct Nearest {
 
 /// Looks wherever a point of the vehicle has moved by a millimetre, except where nothing can be
 /// nearer than what is known.
-[[nodiscard]] Nearest nearest_along(const Track& track, const Ground& ground,
-                                    const Outlines& outlines, const Keeping& keeping = {});
+[[nodiscard]] Nearest nearest_along(const Body& body, const Keeping& keeping = {});
 
 }  // namespace vandplan::judge

@@ -89,8 +89,16 @@ bool is_near(const Position& position, const Pose& pose) {
          std::abs(turn) <= stated_tolerance;
 }
 
-/// Whether a stated pose lies on the stretch. At a joint it may belong to either side.
-bool lies_on(const StatedPose& stated, const Stretch& stretch) {
+bool is_near(const Trailing* trailing, const Place& place, double hitch_angle) {
+  if (trailing == nullptr) return hitch_angle == 0;
+  const Real off = std::remainder(trailing->angle(place) - hitch_angle, full_turn);
+  return std::abs(off) <= stated_tolerance;
+}
+
+/// Whether a stated pose lies on a stretch. At a joint it may belong to either side.
+bool lies_on(const StatedPose& stated, const Track& track, const Trailing* trailing,
+             std::size_t i) {
+  const Stretch& stretch = track.stretches[i];
   const Real t = std::clamp<Real>(stated.s - stretch.s, 0, stretch.length);
   if (!(std::abs(stretch.s + t - stated.s) <= stated_tolerance)) return false;
   if (stated.direction && *stated.direction != stretch.direction) return false;
@@ -98,10 +106,12 @@ bool lies_on(const StatedPose& stated, const Stretch& stretch) {
   if (stated.curvature && !(std::abs(curvature - *stated.curvature) <= stated_tolerance)) {
     return false;
   }
+  if (stated.hitch_angle && !is_near(trailing, {i, t}, *stated.hitch_angle)) return false;
   return is_near(after(stretch, t), stated.pose);
 }
 
-std::optional<std::string> false_poses(const Track& track, const std::vector<StatedPose>& poses) {
+std::optional<std::string> false_poses(const Track& track, const Trailing* trailing,
+                                       const std::vector<StatedPose>& poses) {
   if (poses.empty()) return std::nullopt;
   const auto fault = [](std::size_t i, const char* problem) {
     return "the stated poses[" + std::to_string(i) + "] " + problem;
@@ -115,8 +125,8 @@ std::optional<std::string> false_poses(const Track& track, const std::vector<Sta
       return fault(k,
                    k == 0 ? "does not begin at s = 0" : "is not 0 to 0.1 m after the one before");
     }
-    while (i + 1 < track.stretches.size() && !lies_on(stated, track.stretches[i])) ++i;
-    if (!lies_on(stated, track.stretches[i])) return fault(k, "is not on the path");
+    while (i + 1 < track.stretches.size() && !lies_on(stated, track, trailing, i)) ++i;
+    if (!lies_on(stated, track, trailing, i)) return fault(k, "is not on the path");
     last = stated.s;
   }
   if (std::abs(track.length - last) <= stated_tolerance) return std::nullopt;
@@ -125,13 +135,18 @@ std::optional<std::string> false_poses(const Track& track, const std::vector<Sta
 
 }  // namespace
 
-std::optional<std::string> false_claim(const Track& track, const Found& found,
-                                       const PathClaims& claims) {
+std::optional<std::string> false_claim(const Track& track, const Trailing* trailing,
+                                       const Found& found, const PathClaims& claims) {
+  if (claims.start_hitch_angle && !is_near(trailing, {0, 0}, *claims.start_hitch_angle)) {
+    return text("the stated hitch angle at the start is %.10g rad, it is %.10g rad",
+                *claims.start_hitch_angle,
+                trailing == nullptr ? 0.0 : static_cast<double>(trailing->angle({0, 0})));
+  }
   if (auto reason = false_figures(track, claims)) return reason;
   if (claims.cost) {
     if (auto reason = false_cost(track, found, *claims.cost)) return reason;
   }
-  return false_poses(track, claims.poses);
+  return false_poses(track, trailing, claims.poses);
 }
 
 }  // namespace vandplan::judge

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "judge/track.h"
+#include "judge/trailing.h"
 #include "vandplan/path_check.h"
 
 namespace vandplan::judge {
@@ -18,8 +19,8 @@ struct Found {
   bool has_jerk_limit = false;
 };
 
-/// The first claim that is false, and what is true; one line.
-[[nodiscard]] std::optional<std::string> false_claim(const Track& track, const Found& found,
-                                                     const PathClaims& claims);
+/// The first claim that is false, and what is true; one line. `trailing` is null without a trailer.
+[[nodiscard]] std::optional<std::string> false_claim(const Track& track, const Trailing* trailing,
+                                                     const Found& found, const PathClaims& claims);
 
 }  // namespace vandplan::judge

@@ -13,6 +13,13 @@ Outlines outlines_of(const Vehicle& vehicle) {
           .wheels = {0.0, vehicle.wheelbase, -track / 2, track / 2}};
 }
 
+Outlines outlines_of(const Trailer& trailer) {
+  const double half_width = trailer.width / 2;
+  return {.body = {-trailer.rear_overhang, trailer.wheelbase + trailer.front_overhang, -half_width,
+                   half_width},
+          .wheels = {0.0, 0.0, -half_width, half_width}};
+}
+
 Ground::Ground(const Surroundings& surroundings)
     : obstacles_(surroundings.obstacles),
       kerbs_(surroundings.kerbs),

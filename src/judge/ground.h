@@ -25,10 +25,11 @@ struct Outlines {
 /// What may be hit, and by what.
 struct Thing {
   std::string name;  ///< such as "obstacles[2]" or "the map"
-  const char* part;  ///< of the vehicle: "the footprint" or "the wheels"
+  std::string part;  ///< of what drives: "the footprint" or "the wheels"
 };
 
 [[nodiscard]] Outlines outlines_of(const Vehicle& vehicle);
+[[nodiscard]] Outlines outlines_of(const Trailer& trailer);
 
 /// Obstacles, kerbs and map, ready to be asked. Of no vehicle, so one serves all.
 class Ground {

@@ -15,11 +15,11 @@ constexpr Real most_at_once = 1000.0;  // metres that one look may show to be fa
 
 class Integral {
  public:
-  Integral(const Ground& ground, const Outlines& outlines, double distance, Real step)
-      : ground_(ground), outlines_(outlines), distance_(distance), step_(step) {}
+  Integral(std::span<const Body> bodies, double distance, Real step)
+      : bodies_(bodies), distance_(distance), step_(step) {}
 
   /// Of max(0, 1 - clearance / distance), from `begin` to `end` of a stretch [m].
-  [[nodiscard]] Real over(const Stretch& stretch, Real begin, Real end) {
+  [[nodiscard]] Real over(std::size_t stretch, Real begin, Real end) {
     const Real middle = (begin + end) / 2;
     const Real half = (end - begin) / 2;
     if (half <= most_at_once && clearance(stretch, middle, half) >= distance_) return 0;
@@ -31,15 +31,15 @@ class Integral {
   }
 
  private:
-  [[nodiscard]] double clearance(const Stretch& stretch, Real t, Real half) {
-    const auto curvature = static_cast<double>(curvature_at(stretch, t));
-    const auto rate = static_cast<double>(stretch.rate);
-    return ground_.clearance({after(stretch, t), curvature, static_cast<double>(half), rate},
-                             outlines_, distance_, effort_);
+  [[nodiscard]] double clearance(std::size_t stretch, Real t, Real half) {
+    double least = distance_;
+    for (const Body& body : bodies_) {
+      least = clearance_of(body, {stretch, t}, static_cast<double>(half), least, effort_);
+    }
+    return least;
   }
 
-  const Ground& ground_;
-  const Outlines& outlines_;
+  std::span<const Body> bodies_;
   double distance_;
   Real step_;
   Effort effort_;
@@ -47,20 +47,21 @@ class Integral {
 
 }  // namespace
 
-double near_cost(const Track& track, const Ground& ground, const Outlines& outlines,
-                 const CostOptions& rule) {
-  if (rule.clearance_weight == 0.0 || ground.is_empty()) return 0.0;
+double near_cost(std::span<const Body> bodies, const CostOptions& rule) {
+  if (rule.clearance_weight == 0.0 || bodies[0].ground.is_empty()) return 0.0;
+  const Track& track = bodies[0].track;
   const double distance = rule.clearance_distance;
   if (!(distance > 0.0)) return 0.0;
-  const double reach = reach_of(outlines.body);
   Real sum = 0;
-  for (const Stretch& stretch : track.stretches) {
-    const Real swing = 1 + steepest(stretch) * reach;
+  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+    const Stretch& stretch = track.stretches[i];
+    Real swing = 0;
+    for (const Body& body : bodies) swing = std::max<Real>(swing, speed_of(body, stretch));
     const Real step = std::max<Real>(distance / looks / std::max<Real>(1, swing / usual_swing),
                                      track.length / most_looks);
-    Integral integral(ground, outlines, distance, step);
+    Integral integral(bodies, distance, step);
     const Real weight = stretch.direction > 0 ? 1.0 : rule.reverse_weight;
-    sum += weight * integral.over(stretch, 0, stretch.length);
+    sum += weight * integral.over(i, 0, stretch.length);
   }
   return static_cast<double>(rule.clearance_weight * sum);
 }

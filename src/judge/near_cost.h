@@ -3,15 +3,16 @@
 #pragma once
 // What does being near things add to the cost of a path, in the eyes of the judge?
 
-#include "judge/ground.h"
-#include "judge/track.h"
+#include <span>
+
+#include "judge/body.h"
 #include "vandplan/plan_options.h"
 
 namespace vandplan::judge {
 
-/// The integral of `clearance_weight` max(0, 1 - clearance / `clearance_distance`) along the track,
-/// metres in reverse weighted as the rule has it [m].
-[[nodiscard]] double near_cost(const Track& track, const Ground& ground, const Outlines& outlines,
-                               const CostOptions& rule);
+/// The integral of `clearance_weight` max(0, 1 - clearance / `clearance_distance`) along the track
+/// of the bodies, of which the one counts that is nearest to something; metres in reverse weighted
+/// as the rule has it [m].
+[[nodiscard]] double near_cost(std::span<const Body> bodies, const CostOptions& rule);
 
 }  // namespace vandplan::judge

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "judge/along.h"
+#include "judge/body.h"
 #include "judge/claims.h"
 #include "judge/drive_time.h"
 #include "judge/ground.h"
@@ -156,74 +158,128 @@ std::shared_ptr<const Ground> ground_of(const World& world) {
       world.kept(typeid(Ground), [&] { return std::make_shared<const Ground>(world.local()); }));
 }
 
+/// All bodies of the vehicle.
+using Bodies = std::vector<Body>;
+
+/// The first body on the way that comes nearer to something than it may, and where.
+struct Touch {
+  const Body* body = nullptr;
+  Place place = {};
+};
+
+/// `least` becomes the least clearance of all bodies.
+std::optional<Touch> first_touch(const Bodies& bodies, const Keeping& keeping, double& least) {
+  std::optional<Touch> first;
+  for (const Body& body : bodies) {
+    const Nearest nearest = nearest_along(body, keeping);
+    least = std::min(least, nearest.clearance);
+    if (!nearest.touch) continue;
+    const auto [stretch, t] = *nearest.touch;
+    if (first && std::tie(first->place.stretch, first->place.t) <= std::tie(stretch, t)) continue;
+    first = {&body, *nearest.touch};
+  }
+  return first;
+}
+
 /// The first collision on the way; without one `least` is the clearance.
-std::optional<Fault> collision(const Track& track, const Ground& ground, const Outlines& outlines,
-                               double& least) {
-  const Nearest nearest = nearest_along(track, ground, outlines);
-  least = nearest.clearance;
-  if (!nearest.touch) return std::nullopt;
-  const auto& [stretch, t] = *nearest.touch;
-  const auto [name, part] = ground.first_within(0, after(track.stretches[stretch], t), outlines);
-  return Fault{text("%s %s %s", part, is_of_many(part) ? "hit" : "hits", name.c_str()),
-               nearest.touch};
+std::optional<Fault> collision(const Bodies& bodies, double& least) {
+  const std::optional<Touch> touch = first_touch(bodies, {}, least);
+  if (!touch) return std::nullopt;
+  const auto [name, part] = first_within(*touch->body, 0, touch->place);
+  return Fault{text("%s %s %s", part.c_str(), is_of_many(part) ? "hit" : "hits", name.c_str()),
+               touch->place};
+}
+
+/// Of all bodies at a place, no more than `most` [m].
+double clearance_at(const Bodies& bodies, const Place& place, double most) {
+  Effort effort;
+  double least = most;
+  for (const Body& body : bodies) least = clearance_of(body, place, 0, least, effort);
+  return least;
+}
+
+/// The trailer folds up further than it may.
+std::optional<Fault> jackknife(const Trailing& trailing, double limit) {
+  const auto place = trailing.first_beyond(static_cast<Real>(limit) + heading_tolerance);
+  if (!place) return std::nullopt;
+  return Fault{text("the rig folds up (jackknife): the hitch angle is %.6f rad, its limit %.6f rad",
+                    static_cast<double>(trailing.angle(*place)), limit),
+               place};
+}
+
+std::optional<Fault> off_hitch_angle(Real actual, double expected, const char* what,
+                                     const Place& place) {
+  const auto off = static_cast<double>(std::abs(std::remainder(actual - expected, full_turn)));
+  if (off <= heading_tolerance) return std::nullopt;
+  return Fault{text("the path %s with a hitch angle %.3g rad off", what, off), place};
 }
 
 /// What is to be kept: less around the ends of the path, if there is less and a ramp.
-Keeping keeping_of(const Track& track, const Ground& ground, const Outlines& outlines,
-                   const ClearanceOptions& stated) {
+Keeping keeping_of(const Track& track, const Bodies& bodies, const ClearanceOptions& stated) {
   Keeping keeping{stated.margin - margin_slack, {}};
   if (!(stated.margin_ramp > 0)) return keeping;
-  for (const Position& end : {track.stretches[0].start, track.end}) {
-    Effort effort;
-    const double clearance = ground.clearance({end}, outlines, stated.margin, effort);
+  for (const Place& end : {Place{0, 0}, end_of(track)}) {
+    const double clearance = clearance_at(bodies, end, stated.margin);
     if (clearance >= stated.margin) continue;
-    keeping.ramps.push_back({end, clearance - ramp_slack, stated.margin_ramp});
+    keeping.ramps.push_back(
+        {after(track.stretches[end.stretch], end.t), clearance - ramp_slack, stated.margin_ramp});
   }
   return keeping;
 }
 
 /// The first place on the way that is nearer to something than it may be.
-std::optional<Fault> too_near(const Track& track, const Ground& ground, const Outlines& outlines,
+std::optional<Fault> too_near(const Track& track, const Bodies& bodies,
                               const ClearanceOptions& stated) {
-  const Keeping keeping = keeping_of(track, ground, outlines, stated);
-  const std::optional<Place> touch = nearest_along(track, ground, outlines, keeping).touch;
+  const Keeping keeping = keeping_of(track, bodies, stated);
+  double least = std::numeric_limits<double>::infinity();
+  const std::optional<Touch> touch = first_touch(bodies, keeping, least);
   if (!touch) return std::nullopt;
-  const Position place = after(track.stretches[touch->stretch], touch->t);
+  const auto& [body, place] = *touch;
   Effort effort;
-  const double clearance = ground.clearance({place}, outlines, stated.margin, effort);
-  const auto [name, part] = ground.first_within(clearance, place, outlines);
-  const double kept = keeping.most_within(place, 0);
+  const double clearance = clearance_of(*body, place, 0, stated.margin, effort);
+  const auto [name, part] = first_within(*body, clearance, place);
+  const char* const verb = is_of_many(part) ? "are" : "is";
+  const double kept = keeping.most_within(after(track.stretches[place.stretch], place.t), 0);
   if (kept == keeping.margin) {
-    return Fault{text("%s %s only %.3f m from %s, the margin is %g m", part,
-                      is_of_many(part) ? "are" : "is", clearance, name.c_str(), stated.margin),
-                 touch};
+    return Fault{text("%s %s only %.3f m from %s, the margin is %g m", part.c_str(), verb,
+                      clearance, name.c_str(), stated.margin),
+                 place};
   }
-  return Fault{text("%s %s only %.3f m from %s, the ramp of the margin asks for %.3f m", part,
-                    is_of_many(part) ? "are" : "is", clearance, name.c_str(), kept),
-               touch};
+  return Fault{text("%s %s only %.3f m from %s, the ramp of the margin asks for %.3f m",
+                    part.c_str(), verb, clearance, name.c_str(), kept),
+               place};
 }
 
-std::optional<Fault> first_fault(const Task& task, const Track& track, const PathClaims& claims,
-                                 std::optional<double>& least) {
+/// What is looked at: the trailer, if there is one, hangs on the track.
+std::optional<Fault> first_fault(const Task& task, const Track& track, const Trailing* trailing,
+                                 const PathClaims& claims, std::optional<double>& least) {
   if (auto f = off_pose(track.stretches[0].start, task.start, "begins", {0, 0})) return f;
   if (auto f = too_tight(track, task.vehicle.min_turning_radius)) return f;
   if (auto f = false_steering(track, task, claims.steering)) return Fault{f->reason, f->place};
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
   const std::shared_ptr<const Ground> ground = ground_of(*task.world);
-  const Outlines outlines = outlines_of(task.vehicle);
+  Bodies bodies{{track, *ground, outlines_of(task.vehicle)}};
+  if (trailing != nullptr) {
+    if (auto f = jackknife(*trailing, task.vehicle.max_hitch_angle)) return f;
+    bodies.push_back({track, *ground, outlines_of(*task.vehicle.trailer), trailing});
+  }
   least = std::numeric_limits<double>::infinity();
-  if (auto f = collision(track, *ground, outlines, *least)) return f;
+  if (auto f = collision(bodies, *least)) return f;
   if (*least < claims.clearance.margin) {
-    if (auto f = too_near(track, *ground, outlines, claims.clearance)) return f;
+    if (auto f = too_near(track, bodies, claims.clearance)) return f;
   }
   if (auto f = off_pose(track.end, task.goal, "ends", end_of(track))) return f;
+  if (trailing != nullptr) {
+    const double wanted = task.hitch_angles.goal;
+    if (auto f = off_hitch_angle(trailing->end_angle(), wanted, "ends", end_of(track))) return f;
+  }
   Found found{.has_jerk_limit = task.vehicle.limits.max_jerk.has_value()};
   if (claims.cost && claims.cost->rule.measure == CostMeasure::time) {
     found.time = drive_time(track, task.vehicle, task.curvatures.start);
   } else if (claims.cost) {
-    found.near = near_cost(track, *ground, outlines, claims.cost->rule);
+    found.near = near_cost(bodies, claims.cost->rule);
   }
-  if (const auto reason = false_claim(track, found, claims)) return Fault{*reason, {}};
+  if (const auto reason = false_claim(track, trailing, found, claims)) return Fault{*reason, {}};
   return std::nullopt;
 }
 
@@ -252,8 +308,14 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
   check.reverse_length = static_cast<double>(track.reverse_length);
   check.gear_changes = track.gear_changes;
   check.curvature_change = static_cast<double>(track.curvature_change);
-  const std::optional<Fault> fault =
-      first_fault(problem.task(), track, local_claims(world, claims), check.clearance);
+  const Task& task = problem.task();
+  std::optional<Trailing> trailing;
+  if (task.vehicle.trailer) {
+    trailing.emplace(track, task.vehicle, task.hitch_angles.start);
+    check.largest_hitch_angle = static_cast<double>(trailing->largest_angle());
+  }
+  const std::optional<Fault> fault = first_fault(task, track, trailing ? &*trailing : nullptr,
+                                                 local_claims(world, claims), check.clearance);
   check.valid = !fault;
   if (!fault) return check;
   check.reason = fault->reason;

@@ -13,6 +13,7 @@
 #include "vandplan/goal_estimate.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/rig.h"
 #include "vandplan/search.h"
 
 namespace vandplan {
@@ -126,23 +127,28 @@ void settle_table(const Planner& planner, const PlanOptions& all) {
 }
 
 /// What the judge says of standing at a pose.
-std::string reason_at(const Problem& problem, const Pose& pose, const ClearanceOptions& options) {
-  const Problem there = make_problem(problem.world(), problem.vehicle(), pose, pose);
+std::string reason_at(const Problem& problem, const RigState& state,
+                      const ClearanceOptions& options) {
+  const auto& [pose, angle] = state;
+  const Problem there =
+      make_problem(problem.world(), problem.vehicle(), pose, pose, {}, {angle, angle});
   return check_path(there, Path{pose, {}}, {.clearance = options}).reason;
 }
 
 /// What needs no search: a start or goal that cannot be, and a goal that is the start.
 std::optional<PlannerAnswer> settled(const Task& task) {
   PlannerAnswer answer;
-  if (!task.checker->is_free(task.start)) {
+  const auto [first_angle, last_angle] = task.hitch_angles;
+  if (!task.checker->rig_is_free({task.start, first_angle})) {
     answer.status = PlanStatus::start_in_collision;
     return answer;
   }
-  if (!task.checker->is_free(task.goal)) {
+  if (!task.checker->rig_is_free({task.goal, last_angle})) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
   }
   if (!task.moving.empty()) return std::nullopt;  // somebody may come by
+  if (first_angle != last_angle) return std::nullopt;
   const auto [first, last] = task.curvatures;
   if (task.steering == Steering::continuous && first != last) return std::nullopt;
   const double radius = task.vehicle.min_turning_radius;
@@ -375,21 +381,47 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
   return all;
 }
 
+PlanOptions complete(const Planner& planner, const PlanOptions& options, const Vehicle& vehicle) {
+  PlanOptions all = complete(planner, options);
+  if (!vehicle.trailer) return all;
+  if (!planner.properties.honours_trailers) {
+    std::vector<std::string> others;
+    for (const Planner& other : planners()) {
+      if (other.properties.honours_trailers) others.push_back(other.name);
+    }
+    const std::string why = planner.name + " plans for a vehicle without a trailer, ";
+    throw InputError("planner",
+                     why + (others.empty() ? "and so do all others: a path of a tractor "
+                                             "with a trailer can be checked and drawn"
+                                           : "expected one of those that know trailers: " +
+                                                 base::joined(others)));
+  }
+  if (options.steering && *options.steering != Steering::reeds_shepp) {
+    throw InputError(std::string(steering_key),
+                     "is " + std::string(name_of(*options.steering)) +
+                         ", expected reeds-shepp for a vehicle with a trailer");
+  }
+  all.steering = Steering::reeds_shepp;
+  return all;
+}
+
 PlanResult plan(const Problem& problem, const Planner& planner, const PlanOptions& options) {
   if (!problem.task().moving.empty() && !planner.properties.honours_moving) {
     refuse_moving(planner);
   }
-  const PlanOptions all = complete(planner, options);
+  const PlanOptions all = complete(planner, options, problem.vehicle());
   const search::Budget clock(all.budget);
   const Task task = task_of(problem, all.clearance, *all.steering);
   std::optional<PlannerAnswer> answer = settled(task);
   if (!answer) answer = planner.function(task, all);
   PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());
   if (result.status == PlanStatus::start_in_collision) {
-    result.reason = reason_at(problem, problem.start(), all.clearance);
+    const RigState state{problem.start(), problem.hitch_angles().start};
+    result.reason = reason_at(problem, state, all.clearance);
   }
   if (result.status == PlanStatus::goal_in_collision) {
-    result.reason = reason_at(problem, problem.goal(), all.clearance);
+    const RigState state{problem.goal(), problem.hitch_angles().goal};
+    result.reason = reason_at(problem, state, all.clearance);
   }
   if (!result.path) return result;
   settle_cost(task, all.cost, result);

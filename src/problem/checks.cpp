@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string_view>
 
 #include "base/decimal.h"
@@ -100,6 +101,21 @@ void check_curvatures(const EndCurvatures& curvatures, const Vehicle& vehicle) {
   check_curvature(curvatures.goal, vehicle, "goal.curvature");
 }
 
+void check_hitch_angle(double angle, const Vehicle& vehicle, const std::string& where) {
+  if (!vehicle.trailer) {
+    require(angle == 0.0, where, "are given for a vehicle without a trailer");
+    return;
+  }
+  require(std::abs(angle) <= vehicle.max_hitch_angle, where,
+          "has " + base::shortest_text(angle) + ", expected at most max_hitch_angle, " +
+              base::shortest_text(vehicle.max_hitch_angle) + " rad");
+}
+
+void check_hitch_angles(const EndHitchAngles& angles, const Vehicle& vehicle) {
+  check_hitch_angle(angles.start, vehicle, "start.hitch_angles");
+  check_hitch_angle(angles.goal, vehicle, "goal.hitch_angles");
+}
+
 void check_distance(const Pose& start, const Pose& goal, const std::string& where) {
   const double distance = std::hypot(goal.x - start.x, goal.y - start.y);
   require(distance <= largest_distance, where,
@@ -151,6 +167,23 @@ Pose local_pose(const Pose& pose, const Point& origin) {
 
 Point local_origin(const Point& near) { return {std::round(near.x), std::round(near.y)}; }
 
+void check_trailer(const Vehicle& vehicle) {
+  const Trailer& trailer = *vehicle.trailer;
+  require_positive(trailer.wheelbase, "vehicle.trailers[0].wheelbase");
+  require_within(trailer.front_overhang, largest_length, "vehicle.trailers[0].front_overhang");
+  require(trailer.wheelbase + trailer.front_overhang >= 0.0, "vehicle.trailers[0].front_overhang",
+          "is " + base::shortest_text(trailer.front_overhang) +
+              ", expected a body that begins ahead of the axle, at least -" +
+              base::shortest_text(trailer.wheelbase));
+  require_not_negative(trailer.rear_overhang, largest_length, "vehicle.trailers[0].rear_overhang");
+  require_positive(trailer.width, "vehicle.trailers[0].width");
+  require_within(vehicle.hitch, largest_length, "vehicle.hitch");
+  require(vehicle.max_hitch_angle > 0.0 && vehicle.max_hitch_angle < std::numbers::pi,
+          "vehicle.max_hitch_angle",
+          "is " + base::shortest_text(vehicle.max_hitch_angle) +
+              ", expected more than 0 and less than 3.1415 rad");
+}
+
 }  // namespace problem
 
 void check_vehicle(const Vehicle& vehicle) {
@@ -166,6 +199,7 @@ void check_vehicle(const Vehicle& vehicle) {
   } catch (const InputError& error) {
     throw InputError("vehicle." + error.where(), error.problem());
   }
+  if (vehicle.trailer) problem::check_trailer(vehicle);
   if (!vehicle.track_width) return;
   problem::require_positive(*vehicle.track_width, "vehicle.track_width");
   problem::require(*vehicle.track_width <= vehicle.width, "vehicle.track_width",

@@ -25,6 +25,17 @@ void check_curvature(double curvature, const Vehicle& vehicle, const std::string
 /// Curvatures that the vehicle can drive; errors name "start.curvature" or "goal.curvature".
 void check_curvatures(const EndCurvatures& curvatures, const Vehicle& vehicle);
 
+/// A hitch angle at which a trailer may stand [rad], 0 without one; errors name `where`.
+void check_hitch_angle(double angle, const Vehicle& vehicle, const std::string& where);
+
+/// Hitch angles at which a trailer may stand; errors name "start.hitch_angles" or
+/// "goal.hitch_angles".
+void check_hitch_angles(const EndHitchAngles& angles, const Vehicle& vehicle);
+
+/// The trailer of a vehicle that has one and how it hangs on it; errors name
+/// "vehicle.trailers[0].width" or another key.
+void check_trailer(const Vehicle& vehicle);
+
 /// A goal that is near enough to its start.
 void check_distance(const Pose& start, const Pose& goal, const std::string& where);
 

@@ -10,6 +10,7 @@
 #include "collision/ground.h"
 #include "problem/checks.h"
 #include "problem/moving.h"
+#include "vandplan/rig.h"
 
 namespace vandplan {
 namespace {
@@ -75,6 +76,7 @@ void check_scenario(const Scenario& scenario) {
   problem::check_curvatures(scenario.curvatures, scenario.vehicle);
   (void)problem::local_moving(scenario.moving,
                               problem::local_origin({scenario.start.x, scenario.start.y}));
+  problem::check_hitch_angles(scenario.hitch_angles, scenario.vehicle);
 }
 
 Surroundings surroundings(const Scenario& scenario) {
@@ -90,14 +92,16 @@ Problem make_problem(const Scenario& scenario) {
   auto world = std::make_shared<const World>(surroundings(scenario),
                                              Point{scenario.start.x, scenario.start.y});
   return with_moving(make_problem(std::move(world), scenario.vehicle, scenario.start, scenario.goal,
-                                  scenario.curvatures),
+                                  scenario.curvatures, scenario.hitch_angles),
                      scenario.moving);
 }
 
 Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle, const Pose& start,
-                     const Pose& goal, const EndCurvatures& curvatures) {
+                     const Pose& goal, const EndCurvatures& curvatures,
+                     const EndHitchAngles& hitch_angles) {
   check_poses(start, goal);
   problem::check_curvatures(curvatures, vehicle);
+  problem::check_hitch_angles(hitch_angles, vehicle);
   Problem made;
   made.start_ = start;
   made.goal_ = goal;
@@ -106,11 +110,17 @@ Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
   made.task_.start = to_local(*world, start);
   made.task_.goal = to_local(*world, goal);
   made.task_.curvatures = curvatures;
+  made.task_.hitch_angles = hitch_angles;
   made.task_.world = std::move(world);
   return made;
 }
 
 Problem with_moving(Problem problem, std::span<const MovingObstacle> moving) {
+  if (!moving.empty() && problem.vehicle().trailer) {
+    throw InputError("moving",
+                     "is there with a vehicle that pulls a trailer, expected one or the "
+                     "other: who is met is not known of trailers");
+  }
   problem.task_.moving = problem::local_moving(moving, problem.world()->origin());
   return problem;
 }
@@ -127,8 +137,10 @@ Task task_of(const Problem& problem, const ClearanceOptions& options, Steering s
   if (options.margin == 0.0) return task;
   Margin margin{.wanted = options.margin};
   if (options.margin_ramp > 0.0) {
-    for (const Pose& pose : {task.start, task.goal}) {
-      const double clearance = task.checker->clearance(pose, options.margin);
+    for (const RigState& state : {RigState{task.start, task.hitch_angles.start},
+                                  RigState{task.goal, task.hitch_angles.goal}}) {
+      const Pose& pose = state.pose;
+      const double clearance = task.checker->rig_clearance(state, options.margin);
       if (clearance == 0.0 || clearance >= options.margin) continue;
       // The checker asks for up to its tolerance more than the margin: so that the pose itself, at
       // exactly its clearance, is free.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "vandplan/rig.h"
 #include "vandplan/search.h"
 
 namespace vandplan::search {
@@ -25,6 +26,35 @@ double reach_of(const Vehicle& vehicle) {
   return std::hypot(std::max(body.front, body.rear), body.half_width);
 }
 
+/// What is looked at along a segment: the vehicle, with its trailer if it has one.
+struct Looked {
+  const Task& task;
+  const RigState& from;
+  const Segment& segment;
+
+  [[nodiscard]] double clearance(double driven, double most, double enough) const {
+    const Segment part = part_of(segment, 0.0, driven);
+    const CollisionChecker& checker = *task.checker;
+    if (!task.vehicle.trailer) return checker.clearance(advance(from.pose, part), most, enough);
+    return checker.rig_clearance(advance(task.vehicle, from, part), most, enough);
+  }
+
+  /// How fast any point of the bodies moves, for each metre driven.
+  [[nodiscard]] double swing() const {
+    const double length = std::abs(segment.length);
+    const double tightest =
+        std::max(std::abs(segment.curvature), std::abs(curvature_at(segment, length)));
+    const double of_vehicle = 1 + reach_of(task.vehicle) * tightest;
+    if (!task.vehicle.trailer) return of_vehicle;
+    const Trailer& trailer = *task.vehicle.trailer;
+    const double reach =
+        std::hypot(std::max(trailer.wheelbase + trailer.front_overhang, trailer.rear_overhang),
+                   trailer.width / 2);
+    const double of_hitch = std::hypot(1.0, task.vehicle.hitch * tightest);
+    return std::max(of_vehicle, of_hitch * (1 + reach / trailer.wheelbase));
+  }
+};
+
 /// How far the axle drives from one look to the next [m].
 struct LookSteps {
   double usual;
@@ -32,12 +62,9 @@ struct LookSteps {
 };
 
 /// The integral of 1 - clearance / distance along a segment where that is above 0 [m].
-double nearness(const CollisionChecker& checker, double reach, double distance,
-                const LookSteps& steps, const Pose& from, const Segment& segment, double most) {
-  const double length = std::abs(segment.length);
-  const double tightest =
-      std::max(std::abs(segment.curvature), std::abs(curvature_at(segment, length)));
-  const double swing = 1 + reach * tightest;  // how fast any point of the body moves
+double nearness(const Looked& looked, double distance, const LookSteps& steps, double most) {
+  const double length = std::abs(looked.segment.length);
+  const double swing = looked.swing();
   const double step = std::max(steps.least, steps.usual / std::max(1.0, swing / usual_swing));
   const double count = std::ceil(length / step);
   const double h = length / count;
@@ -45,9 +72,8 @@ double nearness(const CollisionChecker& checker, double reach, double distance,
   double sum = 0.0;
   double ahead = looks_ahead;
   for (double i = 0; i < count && sum <= most;) {
-    const Pose pose = advance(from, part_of(segment, 0.0, (i + 0.5) * h));
     const double farthest = distance + ahead * moved;
-    const double clearance = checker.clearance(pose, farthest, distance);
+    const double clearance = looked.clearance((i + 0.5) * h, farthest, distance);
     if (clearance < distance) {
       sum += h * (1 - clearance / distance);
       i += 1;
@@ -120,23 +146,30 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments, Drive
 
 double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
                       std::span<const Segment> segments, Looks looks, double cutoff) {
+  return rig_clearance_cost(task, rule, {from, task.hitch_angles.start}, segments, looks, cutoff);
+}
+
+double rig_clearance_cost(const Task& task, const CostRule& rule, const RigState& from,
+                          std::span<const Segment> segments, Looks looks, double cutoff) {
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
   const bool is_answer = looks == Looks::answer;
   const LookSteps steps{
       distance / (is_answer ? looks_of_answer : looks_of_search),
       length(segments) / (is_answer ? most_looks_of_answer : most_looks_of_search)};
-  const double reach = reach_of(task.vehicle);
   double sum = 0.0;
-  Pose pose = from;
+  RigState state = from;
   for (const Segment& segment : segments) {
     if (segment.length == 0.0) continue;
     if (sum > cutoff) break;
     const double price =
         rule.clearance_weight * (segment.length > 0.0 ? rule.forward_weight : rule.reverse_weight);
-    sum += price *
-           nearness(*task.checker, reach, distance, steps, pose, segment, (cutoff - sum) / price);
-    pose = advance(pose, segment);
+    sum += price * nearness({task, state, segment}, distance, steps, (cutoff - sum) / price);
+    if (task.vehicle.trailer) {
+      state = advance(task.vehicle, state, segment);
+    } else {
+      state.pose = advance(state.pose, segment);
+    }
   }
   return sum;
 }

@@ -2,6 +2,9 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/rig.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/trigonometry.h"
 #include "vehicle/hitch_motion.h"
 
@@ -43,6 +46,23 @@ double hitch_angle_after(const Vehicle& vehicle, double hitch_angle,
 RigState advance(const Vehicle& vehicle, const RigState& state, const Segment& segment) noexcept {
   return {advance(state.pose, segment),
           wrap_angle(hitch_angle_after(vehicle, state.hitch_angle, segment))};
+}
+
+std::vector<double> sampled_hitch_angles(const Vehicle& vehicle, const Path& path,
+                                         double start_angle, double step) {
+  std::vector<double> angles;
+  double angle = start_angle;
+  for (const Segment& segment : path.segments) {
+    const double size = std::abs(segment.length);
+    const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(size / step)));
+    for (std::size_t i = 0; i < steps; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(steps);
+      angles.push_back(hitch_angle_after(vehicle, angle, part_of(segment, 0.0, size * part)));
+    }
+    angle = hitch_angle_after(vehicle, angle, segment);
+  }
+  angles.push_back(angle);
+  return angles;
 }
 
 double largest_hitch_angle(const Vehicle& vehicle, double hitch_angle,

@@ -223,8 +223,9 @@ TEST(ScenarioFile, AVehicleMayBeNamed) {
   EXPECT_TRUE(same_lengths(scenario.vehicle, {7.6, 2.1, 2.4, 2.6, 8.66}));
   EXPECT_EQ(scenario.vehicle.limits.max_steering_rate, 0.71);
   EXPECT_EQ(message_for(with_vehicle("city-buss")),
-            "s.yaml:3: vehicle: is \"city-buss\", expected one of city-bus, coach, "
-            "three-axle-truck, tpcap-car, two-axle-truck, van, or a map of lengths");
+            "s.yaml:3: vehicle: is \"city-buss\", expected one of car-caravan, city-bus, coach, "
+            "three-axle-truck, tpcap-car, tractor-semitrailer, truck-drawbar-trailer, "
+            "two-axle-truck, van, or a map of lengths");
 }
 
 TEST(ScenarioFile, EveryVehicleOfTheCatalogueIsOne) {

@@ -41,8 +41,9 @@ Path street(double length, int segments) {
 
 judge::Nearest judged(const std::vector<Polygon>& obstacles, const Path& path) {
   const Surroundings surroundings{.obstacles = obstacles};
-  return judge::nearest_along(judge::integrate(path), judge::Ground(surroundings),
-                              judge::outlines_of({}));
+  const judge::Track track = judge::integrate(path);
+  const judge::Ground ground(surroundings);
+  return judge::nearest_along({track, ground, judge::outlines_of(Vehicle{})});
 }
 
 TEST(CostOfAVerdict, GrowsWithTheLogarithmOfWhatStandsAround) {
