@@ -36,6 +36,7 @@ Planner anytime_planner() {
                          .honours_target_gap = true,
                          .honours_steering = true,
                          .honours_moving = true,
+                         .honours_trailers = true,
                          .anytime = true},
           .options = {region_option(), min_stroke},
           .function = [](const Task& task, const PlanOptions& options) {

@@ -12,6 +12,7 @@
 #include "planners/anytime/open_ground.h"
 #include "planners/anytime/tidy.h"
 #include "planners/drive_time.h"
+#include "planners/rig/rig_planner.h"
 #include "planners/shared_options.h"
 #include "search/enclosure.h"
 #include "search/far_guide.h"
@@ -303,6 +304,7 @@ PlannerAnswer Run::result() const {
 
 // The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
 PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
+  if (task.vehicle.trailer) return rig::plan_rig(task, options);
   Run run(task, options);
   run.try_open_ground({});  // [1]
   if (!is_length(options.cost)) run.try_open_ground(rule_of(task, options.cost));

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does a tractor with a trailer get to its goal?
+//
+// Method: docs/algorithms/trailers.md.
+
+#include "vandplan/outcome.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
+
+namespace vandplan::rig {
+
+/// Plans for a vehicle with a trailer, which stands free of everything at both ends: what `anytime`
+/// does with such a task.
+[[nodiscard]] PlannerAnswer plan_rig(const Task& task, const PlanOptions& options);
+
+}  // namespace vandplan::rig

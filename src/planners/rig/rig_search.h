@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which drive leads a rig to its goal, roughly at first and then exactly?
+//
+// Method: docs/algorithms/trailers.md.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "planners/rig/closer.h"
+#include "search/grid_distance.h"
+#include "vandplan/random.h"
+#include "vandplan/rig.h"
+#include "vandplan/search.h"
+
+namespace vandplan::rig {
+
+using search::Connector, search::CostRule, search::GearSign;
+
+/// How finely a search looks.
+struct Fineness {
+  double step = 1.0;    ///< from state to state [m]
+  double weight = 2.0;  ///< of what is still to go
+  std::size_t most_nodes = 100000;
+};
+
+/// Two searches, one from the start and one back from the goal, that look for each other.
+class RigSearch {
+ public:
+  /// The task has a vehicle with a trailer; task and rule outlive the search.
+  RigSearch(const Task& task, Connector& connector, const Fineness& fineness);
+
+  /// Expands one state. False when there is nothing left to expand.
+  bool step();
+
+  /// The exact drive that was found, until it is asked for.
+  [[nodiscard]] std::optional<std::vector<Segment>> take_found();
+
+  [[nodiscard]] std::int64_t nodes() const;
+  [[nodiscard]] std::int64_t checks() const { return checks_; }
+  [[nodiscard]] std::int64_t closings() const { return closings_; }
+
+ private:
+  struct Node {
+    RigState state;
+    Segment segment;  // from the parent
+    double cost;
+    double to_go;
+    std::int32_t parent;  // -1 for the root
+    bool is_reached;      // the way from the parent is free
+  };
+  struct Entry {
+    double rank;
+    std::int32_t node;
+    bool operator<(const Entry& other) const {  // a heap has its greatest in front
+      return rank != other.rank ? rank > other.rank : node < other.node;
+    }
+  };
+  /// One of the two searches.
+  struct Side {
+    CostRule rule;  // of driving from its root
+    RigState root, target;
+    Pose target_trailer;
+    std::optional<search::GridDistance> grid;
+    std::vector<Node> nodes;
+    std::vector<Entry> open;
+    std::unordered_map<std::uint64_t, double> least = {};          // cost of a cell; -1: closed
+    std::unordered_map<std::uint64_t, std::int32_t> reached = {};  // node of a cell
+  };
+
+  [[nodiscard]] Side side_from(const RigState& root, const RigState& target, const CostRule& rule);
+  [[nodiscard]] std::uint64_t key_of(const RigState& state) const;
+  [[nodiscard]] double to_go(const Side& side, const RigState& state, GearSign gear) const;
+  bool expand(std::size_t which);
+  void add_children(Side& side, std::int32_t parent);
+  void add(Side& side, std::int32_t parent, const Segment& segment);
+  void meet(std::size_t which, std::int32_t id);
+  [[nodiscard]] std::vector<Segment> branch(const Side& side, std::int32_t id) const;
+  void join(std::int32_t forward, std::int32_t backward);
+  [[nodiscard]] bool is_free(const RigState& from, std::span<const Segment> segments);
+
+  const Task& task_;
+  Connector& connector_;
+  Closer closer_;
+  Fineness fineness_;
+  double trailer_radius_;  // that a trailer turns with in ease [m]
+  double cell_, heading_cell_, angle_cell_;
+  std::array<Side, 2> sides_;
+  std::size_t turn_ = 0;
+  std::optional<std::vector<Segment>> found_;
+  std::int64_t checks_ = 0;
+  std::int64_t closings_ = 0;
+};
+
+/// Neighbouring segments of nearly no length left out, and alike ones joined.
+[[nodiscard]] std::vector<Segment> tidied(std::span<const Segment> segments);
+
+}  // namespace vandplan::rig

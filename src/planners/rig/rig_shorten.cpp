@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/rig/rig_shorten.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planners/rig/rig_search.h"
+
+namespace vandplan::rig {
+namespace {
+
+constexpr double progress = 1e-3;  // relative, that is worth the name
+constexpr int patience = 600;      // trials without it
+constexpr std::size_t most_segments_of_window = 10;
+
+}  // namespace
+
+RigShortener::RigShortener(const Task& task, const search::CostRule& rule,
+                           std::vector<Segment> segments, std::uint64_t seed)
+    : task_(task),
+      rule_(rule),
+      closer_(task.vehicle),
+      segments_(std::move(segments)),
+      cost_(cost_of(segments_, 1e300)),
+      rng_(seed),
+      progress_cost_(cost_) {
+  drive();
+}
+
+bool RigShortener::is_stalled() const { return idle_ > patience; }
+
+void RigShortener::drive() {
+  states_.assign(1, {task_.start, task_.hitch_angles.start});
+  for (const Segment& segment : segments_) {
+    const RigState& last = states_.back();
+    states_.push_back(
+        {advance(last.pose, segment), hitch_angle_after(task_.vehicle, last.hitch_angle, segment)});
+  }
+  // So that small errors do not add up.
+  states_.back() = {task_.goal, task_.hitch_angles.goal};
+}
+
+double RigShortener::cost_of(std::span<const Segment> segments, double cutoff) const {
+  search::Driven driven = rule_.initial_gear;
+  const double cost = search::drive_cost(rule_, segments, driven);
+  if (rule_.clearance_weight == 0.0 || cost >= cutoff) return cost;
+  return cost + search::rig_clearance_cost(task_, rule_, {task_.start, task_.hitch_angles.start},
+                                           segments, search::Looks::search, cutoff - cost);
+}
+
+RigShortener::Window RigShortener::any_window() {
+  const std::size_t count = segments_.size();
+  const std::size_t most = std::min(count, most_segments_of_window);
+  const std::size_t least = std::min<std::size_t>(count, 3);
+  const std::size_t size = least + static_cast<std::size_t>(rng_() % (most - least + 1));
+  const std::size_t first = static_cast<std::size_t>(rng_() % (count - size + 1));
+  return {first, first + size};
+}
+
+/// Every length a little less or more, every curvature another one.
+void RigShortener::shake(const Window& window) {
+  const double size = size_ * std::exp2(uniform(-4.0, 1.0, rng_));
+  const double sharpest = 1 / task_.vehicle.min_turning_radius;
+  const double some = uniform(0.2, 1.0, rng_);
+  const double shrink = uniform(0.0, 1.0, rng_);
+  for (std::size_t i = window.first; i < window.last; ++i) {
+    Segment& segment = trial_[i - window.first];
+    if (uniform01(rng_) > some) continue;
+    segment.length *= std::max(0.0, 1 + size * (uniform(-1.0, 1.0, rng_) - shrink));
+    segment.curvature = std::clamp(segment.curvature + size * sharpest * uniform(-1.0, 1.0, rng_),
+                                   -sharpest, sharpest);
+  }
+}
+
+/// One segment less, or two around a gear change.
+void RigShortener::leave_out(const Window& window) {
+  const std::size_t size = window.last - window.first;
+  if (size < 4) return;
+  const auto at = static_cast<std::ptrdiff_t>(rng_() % (size - 1));
+  const bool is_cusp = trial_[static_cast<std::size_t>(at)].length *
+                           trial_[static_cast<std::size_t>(at) + 1].length <
+                       0.0;
+  const bool both = is_cusp || uniform01(rng_) < 0.3;
+  trial_.erase(trial_.begin() + at, trial_.begin() + at + (both ? 2 : 1));
+}
+
+/// One segment in two parts, so that its curvature may change on the way.
+void RigShortener::split(const Window& window) {
+  const std::size_t size = window.last - window.first;
+  const std::size_t at = static_cast<std::size_t>(rng_() % size);
+  const double part = uniform(0.2, 0.8, rng_);
+  Segment second = trial_[at];
+  second.length *= 1 - part;
+  trial_[at].length *= part;
+  trial_.insert(trial_.begin() + static_cast<std::ptrdiff_t>(at) + 1, second);
+}
+
+/// Puts the trial in place of the window if it is free and cheaper.
+bool RigShortener::replace(const Window& window) {
+  std::vector<Segment> whole(segments_.begin(),
+                             segments_.begin() + static_cast<std::ptrdiff_t>(window.first));
+  whole.insert(whole.end(), trial_.begin(), trial_.end());
+  whole.insert(whole.end(), segments_.begin() + static_cast<std::ptrdiff_t>(window.last),
+               segments_.end());
+  search::Driven driven = rule_.initial_gear;
+  if (search::drive_cost(rule_, whole, driven) >= cost_) return false;
+  checks_ += static_cast<std::int64_t>(trial_.size());
+  if (!task_.checker->rig_is_free(states_[window.first], trial_)) return false;
+  const double cost = cost_of(whole, cost_);
+  if (!(cost < cost_)) return false;
+  whole = tidied(whole);
+  const RigState from{task_.start, task_.hitch_angles.start};
+  const RigState to{task_.goal, task_.hitch_angles.goal};
+  if (!closer_.close(from, whole, to)) return false;
+  if (!task_.checker->rig_is_free(from, whole)) return false;
+  segments_ = std::move(whole);
+  cost_ = cost_of(segments_, 1e300);
+  drive();
+  return true;
+}
+
+bool RigShortener::step() {
+  ++idle_;
+  if (segments_.empty()) return false;
+  const Window window = any_window();
+  trial_.assign(segments_.begin() + static_cast<std::ptrdiff_t>(window.first),
+                segments_.begin() + static_cast<std::ptrdiff_t>(window.last));
+  const double kind = uniform01(rng_);
+  if (kind < 0.15) split(window);
+  if (kind > 0.8) {
+    leave_out(window);
+  } else if (kind < 0.15) {
+    shake({window.first, window.last + 1});
+  } else {
+    shake(window);
+  }
+  if (trial_.size() < 2) return false;
+  const bool is_closed = closer_.close(states_[window.first], trial_, states_[window.last]);
+  const bool is_better = is_closed && replace(window);
+  size_ = std::clamp(size_ * (is_better ? 1.3 : 0.99), 0.02, 1.0);
+  if (cost_ < progress_cost_ * (1 - progress)) {
+    progress_cost_ = cost_;
+    idle_ = 0;
+  }
+  return is_better;
+}
+
+}  // namespace vandplan::rig

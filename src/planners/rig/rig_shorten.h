@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does the drive of a rig get cheaper without leaving its surroundings?
+//
+// Method: docs/algorithms/trailers.md.
+
+#include <vector>
+
+#include "planners/rig/closer.h"
+#include "vandplan/random.h"
+#include "vandplan/search.h"
+
+namespace vandplan::rig {
+
+/// Improves one drive by random trials; a trial is kept only if it is free and cheaper.
+class RigShortener {
+ public:
+  /// The task has a vehicle with a trailer; it and the rule outlive the shortener. The segments are
+  /// a free drive from the start of the task to its goal.
+  RigShortener(const Task& task, const search::CostRule& rule, std::vector<Segment> segments,
+               std::uint64_t seed);
+
+  /// One trial. True when the drive got cheaper.
+  bool step();
+
+  [[nodiscard]] double cost() const { return cost_; }
+  /// The drive, which ends exactly at the goal.
+  [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
+  /// Whether many trials in a row brought next to nothing.
+  [[nodiscard]] bool is_stalled() const;
+  [[nodiscard]] std::int64_t checks() const { return checks_; }
+
+ private:
+  /// Segments that a trial replaces.
+  struct Window {
+    std::size_t first, last;  // the one after them
+  };
+
+  [[nodiscard]] Window any_window();
+  void shake(const Window& window);
+  void leave_out(const Window& window);
+  void split(const Window& window);
+  [[nodiscard]] double cost_of(std::span<const Segment> segments, double cutoff) const;
+  bool replace(const Window& window);
+  void drive();
+
+  const Task& task_;
+  const search::CostRule& rule_;
+  Closer closer_;
+  std::vector<Segment> segments_;
+  std::vector<RigState> states_;  // before each segment, and the goal
+  std::vector<Segment> trial_;    // instead of a window
+  double cost_;
+  Rng rng_;
+  double size_ = 0.1;  // of what a trial changes
+  int idle_ = 0;       // trials since the last progress worth the name
+  double progress_cost_;
+  std::int64_t checks_ = 0;
+};
+
+}  // namespace vandplan::rig
