@@ -6,16 +6,19 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "base/trigonometry.h"
 #include "steering/rig_guesses.h"
+#include "steering/rig_shortlists.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan::steering {
 namespace {
 
-constexpr double good = 1.01;
+constexpr std::size_t guess_count = rig_guesses.size() + 8;
 
 /// One of the four tasks that have the same paths but for their direction and their sides.
 struct Image {
@@ -87,19 +90,41 @@ double price_of(const RigSegments& segments, const WordPrices& prices) {
   return sum;
 }
 
-/// A guess in the size of a task: near states have short turns.
+/// How long turns between the states are, about, where these are near each other.
+double size_of(const RigWordSolver::Task& task) {
+  const double apart = std::abs(task.goal.x - task.start.x) + std::abs(task.goal.y - task.start.y) +
+                       std::abs(task.goal.heading - task.start.heading) +
+                       2 * std::abs(task.goal.u - task.start.u);
+  return std::cbrt(std::min(1.0, apart));
+}
+
+/// A guess in the size of a task.
 RigWord sized(const RigWord& guess, const RigWordSolver::Task& task) {
   const double dx = task.goal.x - task.start.x, dy = task.goal.y - task.start.y;
   const double distance = std::sqrt(dx * dx + dy * dy);
-  const double apart = std::abs(dx) + std::abs(dy) +
-                       std::abs(task.goal.heading - task.start.heading) +
-                       2 * std::abs(task.goal.u - task.start.u);
-  const double size = std::cbrt(std::min(1.0, apart));
+  const double size = size_of(task);
   RigWord word = guess;
   for (std::size_t i = 0; i < RigWord::letters; ++i) {
     word.lengths[i] *= word.turns[i] == 0 ? size / 2 + distance : size;
   }
   return word;
+}
+
+/// The place of a task in `rig_shortlists`, by how far apart and where the states are, how the
+/// heading changes and how bent the rig is.
+std::size_t shortlist_of(const RigWordSolver::Task& task, double most) {
+  const double x = task.goal.x - task.start.x, y = task.goal.y - task.start.y;
+  const double turn = task.goal.heading;  // half of it
+  const double distance = std::sqrt(x * x + y * y);
+  const double apart = distance + 2 * std::abs(turn);
+  const std::size_t reach = apart < 0.3 ? 0 : distance < 1 ? 1 : distance < 3.5 ? 2 : 3;
+  const std::size_t sector = y < 0.577 * x ? 0 : y < 1.73 * x ? 1 : 2;
+  constexpr double eighth = 0.785;
+  const std::size_t turned = turn < -eighth ? 0 : turn < 0 ? 1 : turn < eighth ? 2 : 3;
+  const auto bent = [&](double u) {
+    return u < -0.3 * most ? std::size_t{0} : u < 0.3 * most ? std::size_t{1} : std::size_t{2};
+  };
+  return (((reach * 3 + sector) * 4 + turned) * 3 + bent(task.start.u)) * 3 + bent(task.goal.u);
 }
 
 /// The angle of a turn to the left in [0, 2 pi).
@@ -156,45 +181,81 @@ RigWord backwards(const RigWord& word) {
   return result;
 }
 
-/// Calls `take` with guesses of a turn, a line and a turn: forward, then in reverse.
-template <typename Take>
-void for_each_lined(const RigWordSolver& solver, const RigWordSolver::Task& task, Take take) {
-  const double radius = solver.hold_radius();
+/// The guess of a number of `rig_shortlists.h`, if there is one.
+std::optional<RigWord> numbered_guess(const RigWordSolver& solver, const RigWordSolver::Task& task,
+                                      std::size_t number) {
+  if (number < rig_guesses.size()) return sized(rig_guesses[number], task);
+  const std::size_t lined = number - rig_guesses.size();
+  const int first = (lined & 2) != 0 ? -1 : 1;
+  const int last = (lined & 1) != 0 ? -1 : 1;
+  if (lined < 4) return forward_guess(task, solver.hold_radius(), first, last);
   RigWordSolver::Task other = task;
   std::swap(other.start, other.goal);
-  for (const bool is_forward : {true, false}) {
-    for (const int first : {1, -1}) {
-      for (const int last : {1, -1}) {
-        const auto guess = forward_guess(is_forward ? task : other, radius, first, last);
-        if (guess) take(is_forward ? *guess : backwards(*guess));
-      }
-    }
-  }
+  const auto guess = forward_guess(other, solver.hold_radius(), first, last);
+  if (!guess) return std::nullopt;
+  return backwards(*guess);
 }
 
-/// Words that are found cut off dearer ones (steps 2 to 4).
-std::optional<RigSegments> least_word(const RigWordSolver& solver, RigWordSolver::Task task) {
-  std::optional<RigSegments> least;
-  const auto take = [&](const RigSegments& found) {
-    least = found;
-    task.cutoff = price_of(found, task.prices);
-  };
-  for_each_single(solver, task, take);
-  const double bound = std::min(task.prices.forward, task.prices.reverse) *
-                       reeds_shepp_length({task.start.x, task.start.y, task.start.heading},
-                                          {task.goal.x, task.goal.y, task.goal.heading}, 1.0);
-  if (bound * good > task.cutoff) return least;
-  for_each_lined(solver, task, [&](RigWord guess) {
-    if (price_of(guess, task.prices) > 1.5 * task.cutoff) return;
-    if (const auto found = solver.solve(task, guess)) take(*found);
-  });
-  for (const RigWord& guess : rig_guesses) {
-    if (task.cutoff <= good * bound) break;
-    RigWord word = sized(guess, task);
-    const auto found = solver.solve(task, word);
+/// The cheapest word so far, which cuts off dearer ones.
+class LeastWord {
+ public:
+  LeastWord(const RigWordSolver& solver, const RigWordSolver::Task& task)
+      : solver_(solver),
+        task_(task),
+        bound_(std::min(task.prices.forward, task.prices.reverse) *
+               reeds_shepp_length({task.start.x, task.start.y, task.start.heading},
+                                  {task.goal.x, task.goal.y, task.goal.heading}, 1.0)) {
+    for_each_single(solver, task, [&](const RigSegments& one) { take(one); });
+  }
+
+  /// Whether a word is within a hundredth of the least possible price, or none can be cheap enough.
+  [[nodiscard]] bool is_good() const { return task_.cutoff <= 1.01 * bound_; }
+
+  /// Whether the word is far dearer than most between states as far apart.
+  [[nodiscard]] bool is_dear() const {
+    return !least_ || task_.cutoff > 2 * bound_ + 9 * size_of(task_);
+  }
+
+  void look_at(std::size_t number) {
+    auto guess = numbered_guess(solver_, task_, number);
+    if (!guess) return;
+    const auto found = solver_.solve(task_, *guess);
     if (found) take(*found);
   }
-  return least;
+
+  [[nodiscard]] const std::optional<RigSegments>& least() const { return least_; }
+
+ private:
+  void take(const RigSegments& found) {
+    least_ = found;
+    task_.cutoff = price_of(found, task_.prices);
+  }
+
+  const RigWordSolver& solver_;
+  RigWordSolver::Task task_;
+  double bound_;
+  std::optional<RigSegments> least_;
+};
+
+/// Steps 2 to 4.
+std::optional<RigSegments> least_word(const RigWordSolver& solver,
+                                      const RigWordSolver::Task& task) {
+  LeastWord word(solver, task);
+  if (word.is_good()) return word.least();
+  const WordPrices& prices = task.prices;
+  const bool by_length = prices.forward == 1 && prices.reverse == 1 && prices.gear_change == 0;
+  const auto& shortlist = rig_shortlists[shortlist_of(task, solver.hitch().most())];
+  for (const std::size_t number : shortlist) {
+    word.look_at(number);
+    if (word.is_good()) return word.least();
+  }
+  if (by_length && !word.is_dear()) return word.least();
+  for (std::size_t number = 0; number < guess_count; ++number) {
+    if (std::find(shortlist.begin(), shortlist.end(), number) != shortlist.end()) continue;
+    word.look_at(number);
+    if (word.is_good()) break;
+  }
+  return word.least();
 }
 
 /// The way to a straight rig by the arc at full lock that is driven forward.
@@ -275,8 +336,10 @@ std::vector<Piece> all_rig_paths(const RigWordSolver& solver, const RigEnds& end
   const auto look_at = [&](RigWord guess) {
     if (const auto found = solver.solve(task, guess)) take(*found);
   };
-  for_each_lined(solver, task, look_at);
-  for (const RigWord& guess : rig_guesses) look_at(sized(guess, task));
+  for (std::size_t number = 0; number < guess_count; ++number) {
+    const auto guess = numbered_guess(solver, task, number);
+    if (guess) look_at(*guess);
+  }
   if (pieces.empty()) {
     const auto piece = least_rig_path(solver, ends, prices);
     if (piece) pieces.push_back(*piece);

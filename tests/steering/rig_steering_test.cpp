@@ -248,6 +248,23 @@ TEST(RigSteering, GivesTheCheapestOfItsCandidates) {
   });
 }
 
+/// By length it looks at few of its guesses.
+TEST(RigSteering, LosesLittleToTheBestOfAllGuesses) {
+  double sum = 0, least = 0;
+  for_each_case(9, 300, [&](Rng& rng) {
+    const Vehicle vehicle = any_rig(rng);
+    const double radius = vehicle.min_turning_radius, reach = radius * any_size(0.3, 6, rng);
+    const RigState from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
+    const RigSteering steering(vehicle);
+    const auto piece = steering.steer(from, to);
+    const auto all = steering.candidates(from, to, {});
+    ASSERT_TRUE(piece && !all.empty());
+    sum += piece->length / radius;
+    least += std::min(piece->length, all[0].length) / radius;
+  });
+  EXPECT_LT(sum, (is_sanitized ? 1.3 : 1.05) * least);
+}
+
 TEST(RigSteering, AvoidsWhatIsDear) {
   const RigSteering steering(semitrailer());
   const RigState from{{0, 0, 0}, 0}, to{{-5, 3, 0}, 0};
