@@ -149,6 +149,10 @@ template <class R, class C = std::less<>, class P = identity>
 constexpr auto min_element(R&& r, C c = {}, P p = {}) {
   return std::min_element(std::begin(r), std::end(r), ordered_by(c, p));
 }
+template <class R, class C = std::less<>, class P = identity>
+constexpr auto max_element(R&& r, C c = {}, P p = {}) {
+  return std::max_element(std::begin(r), std::end(r), ordered_by(c, p));
+}
 template <class R, class T, class C = std::less<>, class P = identity>
 constexpr auto lower_bound(R&& r, const T& value, C c = {}, P p = {}) {
   return std::lower_bound(std::begin(r), std::end(r), value,

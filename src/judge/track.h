@@ -14,8 +14,8 @@
 
 namespace vandplan::judge {
 
-/// What the judge computes with: more digits than what it judges, but for WebAssembly, which has none
-/// above double in hardware; there a millimetre is looked at with 1e-9 m of rounding.
+/// What the judge computes with: more digits than what it judges, but for WebAssembly, which has
+/// none above double in hardware; there a millimetre is looked at with 1e-9 m of rounding.
 #ifdef __wasm__
 using Real = double;
 #else
