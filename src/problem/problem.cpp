@@ -10,6 +10,7 @@
 #include "collision/ground.h"
 #include "problem/checks.h"
 #include "problem/moving.h"
+#include "vandplan/input_error.h"
 #include "vandplan/rig.h"
 
 namespace vandplan {

@@ -412,7 +412,8 @@ std::vector<BadFile> bad_files() {
       spoilt("bounds:", "options: {margn: 1}\nbounds:",
              "4: options.margn: unknown option, expected one of style, seed, time_limit, "
              "max_iterations, threads, target_gap, reverse_weight, gear_change_cost, "
-             "curvature_change_cost, clearance_weight, clearance_distance, initial_gear, margin, "
+             "curvature_change_cost, clearance_weight, clearance_distance, initial_gear, cost, "
+             "margin, "
              "margin_ramp, steering, region, min_stroke"),
       spoilt("bounds:", "options: {seed: 7}\nbounds:",
              "4: options.seed: is an option of the budget, expected one of what is planned: --set "
