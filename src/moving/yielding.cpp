@@ -98,6 +98,10 @@ std::vector<double> places_of(const std::vector<Station>& stations) {
   return places;
 }
 
+bool is_interrupted(const Traffic& traffic) {
+  return traffic.is_interrupted && traffic.is_interrupted();
+}
+
 class Search {
  public:
   Search(const Encounters& encounters, const SpeedProfile& fastest, const DrivingLimits& limits)
@@ -108,10 +112,12 @@ class Search {
         latest_(occupied_.last_change() + fastest.duration + time_step) {}
 
   /// The index of the last state of the cheapest drive; none if there is none among so many states.
-  [[nodiscard]] std::optional<std::int32_t> run(std::int64_t most_states) {
+  [[nodiscard]] std::optional<std::int32_t> run(const Traffic& traffic) {
+    constexpr std::int64_t states_between_questions = 64;
     const double begin = stations_.front().pause;
     if (is_standing_free(0, 0.0, begin)) push({.t = begin}, begin);
-    while (!queue_.empty() && looked_ < most_states) {
+    while (!queue_.empty() && looked_ < traffic.most_states) {
+      if (looked_ % states_between_questions == 0 && is_interrupted(traffic)) break;
       const std::int32_t i = queue_.top().state;
       queue_.pop();
       const State state = states_[static_cast<std::size_t>(i)];
@@ -277,7 +283,7 @@ std::optional<SpeedProfile> begun_later(const TimedPath& fastest, const Vehicle&
   constexpr double longest = 500;  // [s]
   const double latest = std::min(end_of_motion(traffic.moving) + time_step, longest);
   const double curvature = traffic.start_curvature;
-  for (double wait = time_step; wait <= latest; wait += time_step) {
+  for (double wait = time_step; wait <= latest && !is_interrupted(traffic); wait += time_step) {
     TimedPath later = fastest;
     SpeedProfile& speeds = later.speeds;
     for (SpeedKnot& knot : speeds.knots) knot.t += wait;
@@ -302,7 +308,7 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
   if (vehicle.limits.max_jerk) return {begun_later(fastest, vehicle, traffic)};
   const Encounters encounters(path, vehicle, traffic.moving, traffic.margin);
   Search search(encounters, fastest.speeds, vehicle.limits);
-  const std::optional<std::int32_t> last = search.run(traffic.most_states);
+  const std::optional<std::int32_t> last = search.run(traffic);
   Yielding yielding{{}, search.looked()};
   if (last) yielding.speeds = Writer(search.stations(), path).written(search.chain(*last));
   return yielding;

@@ -6,6 +6,7 @@
 // Method, and what it does not find: docs/algorithms/moving.md.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -19,12 +20,13 @@ struct Traffic {
   double margin = 0.0;                     ///< that the vehicle keeps from them [m]
   double start_curvature = 0.0;            ///< that the wheels are turned to before the drive [1/m]
   std::int64_t most_states = 200'000;      ///< that the search looks at before it gives up
+  std::function<bool()> is_interrupted = {};  ///< asked now and then; true: it gives up
 };
 
 /// What came of it.
 struct Yielding {
   std::optional<SpeedProfile> speeds = {};  ///< none: none was found, which proves nothing
-  std::int64_t states = 0;             ///< that the search looked at
+  std::int64_t states = 0;                  ///< that the search looked at
 };
 
 /// A drive along the path that keeps the limits of the vehicle and meets nothing, then or later: as

@@ -184,7 +184,8 @@ class Run {
     const Path path{task_.start, segments};
     const moving::Traffic traffic{.moving = task_.moving,
                                   .margin = options_.clearance.margin,
-                                  .start_curvature = task_.curvatures.start};
+                                  .start_curvature = task_.curvatures.start,
+                                  .is_interrupted = [this] { return budget_.is_interrupted(); }};
     moving::Yielding yielding = moving::yielding_speeds(path, task_.vehicle, traffic);
     states_ += yielding.states;
     const SpeedOptions wheels{.start_curvature = task_.curvatures.start};
