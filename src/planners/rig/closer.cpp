@@ -50,8 +50,10 @@ void Closer::differentiate(std::span<const Segment> segments) {
   const Pose& end = states_.back().pose;
   double passed_on = 1.0;  // of a change of the hitch angle after the segment
   for (std::size_t i = segments.size(); i-- > 0;) {
-    const auto& [curvature, length, rate] = segments[i];
-    const auto& [first, angle] = states_[i];
+    const double curvature = segments[i].curvature;
+    const double length = segments[i].length;
+    const Pose& first = states_[i].pose;
+    const double angle = states_[i].hitch_angle;
     const auto& [last, angle_after] = states_[i + 1];
     const Pose middle = advance(first, {curvature, length / 2});
     const auto [sin, cos] = base::sin_cos(last.heading);

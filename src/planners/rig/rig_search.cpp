@@ -44,7 +44,6 @@ std::vector<Segment> tidied(std::span<const Segment> segments) {
 
 RigSearch::RigSearch(const Task& task, Connector& connector, const Fineness& fineness)
     : task_(task),
-      connector_(connector),
       closer_(task.vehicle),
       fineness_(fineness),
       trailer_radius_(task.vehicle.trailer->wheelbase /

@@ -84,7 +84,6 @@ class RigSearch {
   [[nodiscard]] bool is_free(const RigState& from, std::span<const Segment> segments);
 
   const Task& task_;
-  Connector& connector_;
   Closer closer_;
   Fineness fineness_;
   double trailer_radius_;  // that a trailer turns with in ease [m]
