@@ -141,7 +141,8 @@ TEST(Fastest, NoDriveBeatsTheLeastTime) {
   }
 }
 
-// The judge works times out by himself: what is true he believes, what is 2 in 1000 off he does not.
+// The judge works times out by himself: what is true he believes, what is 2 in 1000 off he does
+// not.
 TEST(Fastest, JudgeKnowsTheTime) {
   Rng rng(2);
   for (int i = 0; i < cases(100); ++i) {

@@ -22,11 +22,11 @@ constexpr std::array<LatticeOptions, 4> detour_searches = {
 constexpr std::int64_t least_expansions = 256;
 constexpr std::uint64_t doublings = 4;  // of `least_expansions`, at random
 // Of a long route:
-constexpr double most_stretch = 60.0;    // [turning radii]
-constexpr double grid_slack = 1.1;       // what a way on the grid is longer than a path
-constexpr int most_trials = 600;         // to shorten a way,
-constexpr double hopeless_excess = 8.0;  // over the old one, times the trials it took
-constexpr double least_gain = 1e-3;      // [turning radii]
+constexpr double most_stretch = 60.0;          // [turning radii]
+constexpr double grid_slack = 1.1;             // what a way on the grid is longer than a path
+constexpr int most_trials = 600;               // to shorten a way,
+constexpr double hopeless_detour = 8.0;        // over the old one, times the trials it took
+constexpr double least_gain_of_detour = 1e-3;  // [turning radii]
 
 // No path from focus to focus that is no longer than `length` leaves it.
 Bounds ellipse_box(const Pose& a, const Pose& b, double length, const Bounds& scene) {
@@ -155,10 +155,10 @@ bool Detours::is_hopeless() const {
 bool Detours::patch() {
   patch_->step();
   ++trials_;
-  const double least = least_gain * task_.vehicle.min_turning_radius;
+  const double least = least_gain_of_detour * task_.vehicle.min_turning_radius;
   if (patch_->cost() > old_.cost - least) {
     const double excess = patch_->cost() / old_.cost - 1.0;
-    if (patch_->is_stalled() || trials_ == most_trials || excess * trials_ > hopeless_excess) end();
+    if (patch_->is_stalled() || trials_ == most_trials || excess * trials_ > hopeless_detour) end();
     return false;
   }
   put_in_place(patch_->route());

@@ -15,9 +15,9 @@ namespace {
 // way can be turned at a higher speed.
 constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
-constexpr double worth_a_try = 1.3;  // of the time of the fastest
+constexpr double worth_a_challenge = 1.3;  // of the time of the fastest
 constexpr std::size_t most_challengers = 32;
-constexpr double hopeless_excess = 20;  // over the least time, times the trials it took
+constexpr double hopeless_challenge = 20;  // over the least time, times the trials it took
 
 }  // namespace
 
@@ -47,7 +47,7 @@ bool Fastest::offer(Route route) {
   const double time = planning::drive_time(task_, path_of(route).segments);
   route.cost = time;
   if (time >= time_) {
-    if (time < worth_a_try * time_ && challengers_.size() < most_challengers) {
+    if (time < worth_a_challenge * time_ && challengers_.size() < most_challengers) {
       challengers_.push_back(std::move(route));
     }
     return false;
@@ -71,7 +71,7 @@ bool Fastest::step() {
   if (!shortener_) return false;
   ++trials_;
   const double excess = shortener_->route().cost / time_ - 1;
-  if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless_excess)) {
+  if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless_challenge)) {
     if (!is_challenger_ && !challengers_.empty()) {
       challenge();
     } else {
