@@ -270,7 +270,8 @@ TEST(RigSteering, AvoidsWhatIsDear) {
   const RigState from{{0, 0, 0}, 0}, to{{-5, 3, 0}, 0};
   const auto reverse = [&](double weight) {
     double sum = 0;
-    for (const Segment& s : steering.steer(from, to, {.reverse_weight = weight})->view()) {
+    const std::optional<Piece> piece = steering.steer(from, to, {.reverse_weight = weight});
+    for (const Segment& s : piece->view()) {
       sum += std::max(0.0, -s.length);
     }
     return sum;
