@@ -54,7 +54,7 @@ std::string path_text(const PathCheck& check) {
 
 std::string drive_text(const std::optional<DriveCheck>& check) {
   if (!check) return "";
-  const std::string text = fmt::format(", driven in {}", seconds_text(check->duration));
+  std::string text = fmt::format(", driven in {}", seconds_text(check->duration));
   if (!check->clearance || !std::isfinite(*check->clearance)) return text;
   return fmt::format("{}, {} from all that moves", text, metres_text(*check->clearance));
 }

@@ -18,6 +18,7 @@ std::vector<double> numbers_of_row(const Document& file, const Node& node, std::
                                 items.size() == 1 ? "" : "s", expected));
   }
   std::vector<double> numbers;
+  numbers.reserve(items.size());
   for (const Node& item : items) numbers.push_back(file.number(item));
   return numbers;
 }

@@ -61,15 +61,14 @@ void Occupied::add(const Box& box) {
   // 3. Else what is larger is halved.
   Box low = box;
   Box high = box;
-  if (moved > driven && moved > finest) {
+  const bool is_one_place = last - first <= 1 && driven <= finest;
+  if (is_one_place || (moved > driven && moved > finest)) {
     low.span.end = high.span.begin = time;
   } else if (last - first > 1) {
     low.last = high.first = first + (last - first) / 2;
     low.end = high.begin = stations_[low.last];
-  } else if (driven > finest) {
-    low.end = high.begin = place;
   } else {
-    low.span.end = high.span.begin = time;
+    low.end = high.begin = place;
   }
   add(low);
   add(high);

@@ -94,6 +94,7 @@ std::vector<Station> stations_of(const SpeedProfile& fastest) {
 
 std::vector<double> places_of(const std::vector<Station>& stations) {
   std::vector<double> places;
+  places.reserve(stations.size());
   for (const Station& station : stations) places.push_back(station.s);
   return places;
 }

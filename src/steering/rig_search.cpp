@@ -299,7 +299,7 @@ std::optional<Piece> detour(const RigWordSolver& solver, const Image& image,
     if (line > task.cutoff / std::min(task.prices.forward, task.prices.reverse)) break;
     for (const std::array<double, 2>& lines :
          {std::array{line, 0.0}, std::array{0.0, line}, std::array{line, line / 2}}) {
-      const auto piece = straightened(solver, image, task, lines);
+      std::optional<Piece> piece = straightened(solver, image, task, lines);
       if (piece) return piece;
     }
   }
@@ -314,7 +314,7 @@ std::optional<Piece> least_rig_path(const RigWordSolver& solver, const RigEnds& 
   const RigWordSolver::Task task = task_of(image, prices);
   const auto word = least_word(solver, task);
   if (word) return unfolded(image, {word->list.data(), word->count});
-  const auto piece = detour(solver, image, task);
+  std::optional<Piece> piece = detour(solver, image, task);
   if (!piece || price_of(prices, piece->view()) > prices.cutoff) return std::nullopt;
   return piece;
 }
