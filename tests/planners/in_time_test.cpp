@@ -129,7 +129,9 @@ TEST(YieldingLaw, WhatIsFoundIsGoodInTheEyesOfTheJudge) {
     const DriveCheck check = judged(path, *yields.speeds, moving, {}, margin);
     EXPECT_TRUE(check.valid) << check.reason << " at " << check.t.value_or(-1) << " s";
   });
-  if (!is_sanitized) EXPECT_GT(found, cases(150) / 10);
+  if (!is_sanitized) {
+    EXPECT_GT(found, cases(150) / 10);
+  }
 }
 
 // ---- the planner ----

@@ -145,7 +145,9 @@ TEST(CloserLaw, ADriveIsBentUntilItEndsThere) {
     EXPECT_NEAR(std::remainder(state.pose.heading - end.pose.heading, 2 * pi), 0, 1e-9);
     EXPECT_NEAR(state.hitch_angle, end.hitch_angle, 1e-9);
   });
-  if (!is_sanitized) EXPECT_GE(closed, 0.85 * tried);  // a few say nothing of a share
+  if (!is_sanitized) {  // a few say nothing of a share
+    EXPECT_GE(closed, 0.85 * tried);
+  }
 }
 
 }  // namespace
