@@ -35,11 +35,19 @@ const CommonOption* common_option(std::string_view name) {
   return found == common_options().end() ? nullptr : &*found;
 }
 
-[[noreturn]] void refuse(const Planner& planner, std::string_view option) {
-  std::vector<std::string> others;
-  for (const Planner& other : planners()) {
-    if (honours(other, option)) others.push_back(other.name);
+/// The names of the planners that do, whatever `does` asks them.
+template <typename Predicate>
+std::vector<std::string> planners_that(const Predicate& does) {
+  std::vector<std::string> names;
+  for (const Planner& planner : planners()) {
+    if (does(planner)) names.push_back(planner.name);
   }
+  return names;
+}
+
+[[noreturn]] void refuse(const Planner& planner, std::string_view option) {
+  const std::vector<std::string> others =
+      planners_that([&](const Planner& other) { return honours(other, option); });
   if (!others.empty()) {
     throw InputError(std::string(option),
                      "is no option of " + planner.name +
@@ -55,10 +63,8 @@ const CommonOption* common_option(std::string_view name) {
 }
 
 [[noreturn]] void refuse_moving(const Planner& planner) {
-  std::vector<std::string> others;
-  for (const Planner& other : planners()) {
-    if (other.properties.honours_moving) others.push_back(other.name);
-  }
+  const std::vector<std::string> others =
+      planners_that([](const Planner& other) { return other.properties.honours_moving; });
   throw InputError("moving",
                    "is not honoured by " + planner.name +
                        ", expected one of the planners that honour it: " + base::joined(others));
@@ -385,21 +391,21 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
   PlanOptions all = complete(planner, options);
   if (!vehicle.trailer) return all;
   if (!planner.properties.honours_trailers) {
-    std::vector<std::string> others;
-    for (const Planner& other : planners()) {
-      if (other.properties.honours_trailers) others.push_back(other.name);
-    }
-    const std::string why = planner.name + " plans for a vehicle without a trailer, ";
-    throw InputError("planner",
-                     why + (others.empty() ? "and so do all others: a path of a tractor "
-                                             "with a trailer can be checked and drawn"
-                                           : "expected one of those that know trailers: " +
-                                                 base::joined(others)));
+    const std::vector<std::string> others =
+        planners_that([](const Planner& other) { return other.properties.honours_trailers; });
+    throw InputError("planner", planner.name +
+                                    " plans for a vehicle without a trailer, expected one of those "
+                                    "that know trailers: " +
+                                    base::joined(others));
   }
   if (options.steering && *options.steering != Steering::reeds_shepp) {
     throw InputError(std::string(steering_key),
                      "is " + std::string(name_of(*options.steering)) +
                          ", expected reeds-shepp for a vehicle with a trailer");
+  }
+  if (options.cost.measure == CostMeasure::time) {
+    throw InputError(std::string(cost_key),
+                     "is time, expected prices for a vehicle with a trailer");
   }
   all.steering = Steering::reeds_shepp;
   return all;

@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::int32_t closed_cell = -1;
 constexpr std::int32_t unknown_cell = std::numeric_limits<std::int32_t>::max();
-constexpr std::int32_t cost_of_side = 5;  // 5 and 7: their ratio is near the square root of two
-constexpr std::int32_t cost_of_corner = 7;
 constexpr std::int64_t whole = 64;        // greediness is a multiple of 1 / 64
 constexpr std::size_t most_tiles = 8192;  // 4 KB each; of 32 x 32 cells
 constexpr int settled_at_once = 64;
@@ -26,17 +24,6 @@ std::shared_ptr<const SiteSquares> squares_of(const World& world) {
     return std::make_shared<const SiteSquares>(
         SiteSquares{PolygonSquares(world.local().obstacles), PolygonSquares(world.local().kerbs)});
   }));
-}
-
-double squared_distance(const Point& p, const Point& a, const Point& b) {
-  const double ux = b.x - a.x;
-  const double uy = b.y - a.y;
-  const double uu = ux * ux + uy * uy;
-  const double t = uu > 0 ? ((p.x - a.x) * ux + (p.y - a.y) * uy) / uu : 0.0;
-  const double along = std::clamp(t, 0.0, 1.0);
-  const double dx = a.x + along * ux - p.x;
-  const double dy = a.y + along * uy - p.y;
-  return dx * dx + dy * dy;
 }
 
 }  // namespace
@@ -64,7 +51,7 @@ FarGuide::FarGuide(const Task& task, const Bounds& box, const Options& options, 
   open_.push({rank_of(to, 0), to});
 }
 
-FarGuide::RasterCell FarGuide::cell_of(const Point& point) const noexcept {
+RasterCell FarGuide::cell_of(const Point& point) const noexcept {
   return {static_cast<std::int32_t>(std::floor((point.x - box_.x_min) / side_)),
           static_cast<std::int32_t>(std::floor((point.y - box_.y_min) / side_))};
 }
@@ -144,15 +131,8 @@ bool FarGuide::is_closed(const RasterCell& cell) const {
   return !contains(box_, centre) || (map_ != nullptr && map_->map_is_within(centre, near_));
 }
 
-// Never above the cost of the way from a cell to the root.
-std::int32_t FarGuide::to_root(const RasterCell& cell) const noexcept {
-  const std::int32_t dx = std::abs(cell.x - root_.x);
-  const std::int32_t dy = std::abs(cell.y - root_.y);
-  return cost_of_side * std::max(dx, dy) + (cost_of_corner - cost_of_side) * std::min(dx, dy);
-}
-
 std::int64_t FarGuide::rank_of(const RasterCell& cell, std::int32_t cost) const noexcept {
-  return whole * cost + greediness_ * to_root(cell);
+  return whole * cost + greediness_ * cost_between(cell, root_);
 }
 
 void FarGuide::reach(const RasterCell& cell, std::int32_t cost) {
@@ -171,7 +151,7 @@ void FarGuide::settle(const RasterCell& cell, std::int32_t cost) {
   for (const std::int32_t dy : {-1, 0, 1}) {
     for (const std::int32_t dx : {-1, 0, 1}) {
       const bool is_straight = dx == 0 || dy == 0;
-      reach({cell.x + dx, cell.y + dy}, cost + (is_straight ? cost_of_side : cost_of_corner));
+      reach({cell.x + dx, cell.y + dy}, cost + (is_straight ? straight_cost : diagonal_cost));
     }
   }
 }
@@ -198,10 +178,11 @@ double FarGuide::at(double x, double y) const noexcept {
   const std::int32_t known =
       tile == tiles_.end() ? unknown_cell : (*tile->second)[place_in_tile(cell)];
   if (known == closed_cell) return euclid;
-  const double least = known == unknown_cell
-                           ? static_cast<double>(front_ - greediness_ * to_root(cell)) / whole
-                           : known;
-  return std::max(euclid, least * side_ / cost_of_side);
+  const double least =
+      known == unknown_cell
+          ? static_cast<double>(front_ - greediness_ * cost_between(cell, root_)) / whole
+          : known;
+  return std::max(euclid, least * side_ / straight_cost);
 }
 
 }  // namespace vandplan::search

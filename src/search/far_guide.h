@@ -12,6 +12,7 @@
 
 #include "search/guide.h"
 #include "search/polygon_squares.h"
+#include "search/raster.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::search {
@@ -47,10 +48,6 @@ class FarGuide final : public Guide {
   [[nodiscard]] double at(double x, double y) const noexcept override;
 
  private:
-  struct RasterCell {
-    std::int32_t x, y;
-    bool operator==(const RasterCell&) const = default;
-  };
   struct Entry {
     std::int64_t rank;
     RasterCell cell;
@@ -70,7 +67,6 @@ class FarGuide final : public Guide {
   [[nodiscard]] std::int32_t& cost_at(const RasterCell& cell);
   void reach(const RasterCell& cell, std::int32_t cost);
   void settle(const RasterCell& cell, std::int32_t cost);
-  [[nodiscard]] std::int32_t to_root(const RasterCell& cell) const noexcept;
   [[nodiscard]] std::int64_t rank_of(const RasterCell& cell, std::int32_t cost) const noexcept;
 
   std::shared_ptr<const SiteSquares> site_;

@@ -13,20 +13,7 @@ namespace {
 constexpr double most_cells = 40000.0;
 constexpr std::int32_t blocked = -1;
 constexpr std::int32_t unreached = std::numeric_limits<std::int32_t>::max();
-constexpr std::int32_t straight_cost = 5;  // 5 and 7: their ratio is near the square root of two
-constexpr std::int32_t diagonal_cost = 7;
 constexpr double detour = 1.1;  // settled are cells on ways this much longer than the shortest
-
-double squared_distance(const Point& p, const Point& a, const Point& b) {
-  const double ux = b.x - a.x;
-  const double uy = b.y - a.y;
-  const double uu = ux * ux + uy * uy;
-  const double t = uu > 0 ? ((p.x - a.x) * ux + (p.y - a.y) * uy) / uu : 0.0;
-  const double along = std::clamp(t, 0.0, 1.0);
-  const double dx = a.x + along * ux - p.x;
-  const double dy = a.y + along * uy - p.y;
-  return dx * dx + dy * dy;
-}
 
 }  // namespace
 
@@ -58,7 +45,7 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
   const RasterCell to = cell_of(target_);
   costs_[index_of(root_)] = unreached;
   costs_[index_of(to)] = unreached;
-  front_ = to_root(to);
+  front_ = cost_between(to, root_);
   reach(to, 0);
 }
 
@@ -66,7 +53,7 @@ std::size_t GridDistance::index_of(const RasterCell& cell) const noexcept {
   return static_cast<std::size_t>(cell.y * columns_ + cell.x);
 }
 
-GridDistance::RasterCell GridDistance::cell_of(const Point& point) const noexcept {
+RasterCell GridDistance::cell_of(const Point& point) const noexcept {
   return {static_cast<std::int32_t>((point.x - box_.x_min) / side_) + 1,
           static_cast<std::int32_t>((point.y - box_.y_min) / side_) + 1};
 }
@@ -117,13 +104,6 @@ Point GridDistance::centre_of(const RasterCell& cell) const noexcept {
   return {box_.x_min + (cell.x - 0.5) * side_, box_.y_min + (cell.y - 0.5) * side_};
 }
 
-// Never above the cost of the way from a cell to the root.
-std::int32_t GridDistance::to_root(const RasterCell& cell) const noexcept {
-  const std::int32_t dx = std::abs(cell.x - root_.x);
-  const std::int32_t dy = std::abs(cell.y - root_.y);
-  return straight_cost * std::max(dx, dy) + (diagonal_cost - straight_cost) * std::min(dx, dy);
-}
-
 void GridDistance::reach(const RasterCell& cell, std::int32_t cost) {
   std::int32_t& known = costs_[index_of(cell)];
   if (known <= cost) return;  // blocked ones, too
@@ -132,7 +112,7 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost) {
     return;
   }
   known = cost;
-  buckets_[static_cast<std::size_t>((cost + to_root(cell)) & 15)].push_back(cell);
+  buckets_[static_cast<std::size_t>((cost + cost_between(cell, root_)) & 15)].push_back(cell);
 }
 
 // A* with a bucket per rank: one step to a neighbour adds 0 to 14 to it.
@@ -149,7 +129,7 @@ bool GridDistance::step() {
     const RasterCell cell = bucket.back();
     bucket.pop_back();
     const std::int32_t cost = costs_[index_of(cell)];
-    if (cost + to_root(cell) != front_) continue;
+    if (cost + cost_between(cell, root_) != front_) continue;
     ++settled;
     if (cell == root_ && !reached_) {
       reached_ = true;
@@ -171,7 +151,7 @@ double GridDistance::at(double x, double y) const noexcept {
   const RasterCell cell = cell_of({x, y});
   const std::int32_t cost = costs_[index_of(cell)];
   if (cost == blocked || (cost == unreached && !reached_)) return euclid;
-  const std::int32_t least = cost == unreached ? front_ - to_root(cell) : cost;
+  const std::int32_t least = cost == unreached ? front_ - cost_between(cell, root_) : cost;
   return std::max(euclid, least * side_ / straight_cost);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "search/guide.h"
+#include "search/raster.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::search {
@@ -34,11 +35,6 @@ class GridDistance final : public Guide {
   [[nodiscard]] double at(double x, double y) const noexcept override;
 
  private:
-  struct RasterCell {
-    std::int32_t x, y;
-    bool operator==(const RasterCell&) const = default;
-  };
-
   /// The cell that holds a point of the box.
   [[nodiscard]] RasterCell cell_of(const Point& point) const noexcept;
   void mark_border();
@@ -48,7 +44,6 @@ class GridDistance final : public Guide {
   void mark(const std::vector<Polygon>& polygons, double near);
   void reach(const RasterCell& cell, std::int32_t cost);
   [[nodiscard]] std::size_t index_of(const RasterCell& cell) const noexcept;
-  [[nodiscard]] std::int32_t to_root(const RasterCell& cell) const noexcept;
 
   const CollisionChecker* map_;  // null without a map
   Bounds box_;

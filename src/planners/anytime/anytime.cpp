@@ -115,10 +115,12 @@ Run::Run(const Task& task, const PlanOptions& options)
       budget_(options.budget),
       open_ground_(open_ground(task, rule_)) {
   const Bounds region = sampling_region(task, planning::region_of(options));
+  const bool is_time = options.cost.measure == CostMeasure::time;
   for (std::size_t i = 0; i < island_count; ++i) {
-    islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i));
+    islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i),
+                          is_time);
   }
-  if (options.cost.measure == CostMeasure::time) {
+  if (is_time) {
     fastest_.emplace(task, rule_, stream_seed(options.budget.seed, island_count));
   }
 }

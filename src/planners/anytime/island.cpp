@@ -20,11 +20,12 @@ constexpr int checks_of_time = 4;                    // iterations between two l
 }  // namespace
 
 Island::Island(Work work, const Task& task, const CostRule& rule, const Bounds& region,
-               std::uint64_t seed)
+               std::uint64_t seed, bool keeps_losers)
     : task_(task),
       region_(region),
       work_(work),
       seed_(seed),
+      keeps_losers_(keeps_losers),
       scope_(FarGuide::is_wanted(task, sampling_region(task, Region::scene)) ? Scope::windows
                                                                              : Scope::all),
       connector_(task, rule),
@@ -96,7 +97,7 @@ bool Island::is_known(const Route& route) const {
 }
 
 void Island::give_up() {
-  losers_.push_back(candidate_->route());
+  if (keeps_losers_) losers_.push_back(candidate_->route());
   candidate_.reset();
   if (connector_.rule().is_length()) return;
   if (given_up_.size() == remembered) given_up_.erase(given_up_.begin());

@@ -36,7 +36,7 @@ struct Slice {
 class Island {
  public:
   Island(Work work, const Task& task, const CostRule& rule, const Bounds& region,
-         std::uint64_t seed);
+         std::uint64_t seed, bool keeps_losers = false);
   Island(const Island&) = delete;
   Island& operator=(const Island&) = delete;
 
@@ -68,7 +68,8 @@ class Island {
   Bounds region_;
   Work work_;
   std::uint64_t seed_;
-  Scope scope_;  // of shortening
+  bool keeps_losers_;  // for those who look at routes in another way
+  Scope scope_;        // of shortening
   Connector connector_;
   double best_cost_;  // of the routes it knows of
   std::optional<Ladder> ladder_;

@@ -29,9 +29,9 @@ class Run {
         options_(options),
         budget_(options.budget),
         rule_(cost_rule(options.cost)),
-        connector_(task, rule_),
         unit_(0.3 * std::sqrt(task.vehicle.min_turning_radius * task.vehicle.trailer->wheelbase)),
-        bound_(connector_.least_cost(task.start, task.goal, {rule_.initial_gear, {}})) {}
+        bound_(Connector(task, rule_).least_cost(task.start, task.goal, {rule_.initial_gear, {}})) {
+  }
 
   /// Searches for a drive, coarsely at first. False when the budget is spent.
   bool search(int round);
@@ -51,7 +51,6 @@ class Run {
   const PlanOptions& options_;
   Budget budget_;
   CostRule rule_;
-  Connector connector_;
   double unit_;   // of the steps of a search [m]
   double bound_;  // no drive costs less [m]
   std::optional<std::vector<Segment>> found_;
@@ -70,7 +69,7 @@ bool Run::search(int round) {
       .step = unit_ * steps[round % 4],
       .weight = weights[(round / 4) % 4],
       .most_nodes = static_cast<std::size_t>(40000 * std::exp2(0.5 * std::min(round, 16)))};
-  RigSearch search(task_, connector_, fineness);
+  RigSearch search(task_, rule_, fineness);
   bool goes_on = true;
   while (!found_ && goes_on && budget_.next()) {
     goes_on = search.step();

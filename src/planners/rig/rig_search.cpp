@@ -42,7 +42,7 @@ std::vector<Segment> tidied(std::span<const Segment> segments) {
   return merged(result);
 }
 
-RigSearch::RigSearch(const Task& task, Connector& connector, const Fineness& fineness)
+RigSearch::RigSearch(const Task& task, const CostRule& rule, const Fineness& fineness)
     : task_(task),
       closer_(task.vehicle),
       fineness_(fineness),
@@ -52,9 +52,9 @@ RigSearch::RigSearch(const Task& task, Connector& connector, const Fineness& fin
       heading_cell_(0.5 * fineness.step / task.vehicle.min_turning_radius),
       angle_cell_(0.5 * fineness.step / task.vehicle.trailer->wheelbase),
       sides_{side_from({task.start, task.hitch_angles.start}, {task.goal, task.hitch_angles.goal},
-                       priced(connector.rule())),
+                       priced(rule)),
              side_from({task.goal, task.hitch_angles.goal}, {task.start, task.hitch_angles.start},
-                       search::reversed(priced(connector.rule()), 0))} {}
+                       search::reversed(priced(rule), 0))} {}
 
 RigSearch::Side RigSearch::side_from(const RigState& root, const RigState& target,
                                      const CostRule& rule) {

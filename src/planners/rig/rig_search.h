@@ -32,7 +32,7 @@ struct Fineness {
 class RigSearch {
  public:
   /// The task has a vehicle with a trailer; task and rule outlive the search.
-  RigSearch(const Task& task, Connector& connector, const Fineness& fineness);
+  RigSearch(const Task& task, const CostRule& rule, const Fineness& fineness);
 
   /// Expands one state. False when there is nothing left to expand.
   bool step();
