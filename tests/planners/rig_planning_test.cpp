@@ -11,6 +11,7 @@
 #include "planners/rig/closer.h"
 #include "support/cases.h"
 #include "support/draws.h"
+#include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/rig.h"
 
@@ -98,6 +99,13 @@ TEST(RigPlanning, AStartWhoseTrailerTouchesIsNamed) {
   const PlanResult result = plan(make_problem(scenario), with_iterations(10));
   EXPECT_EQ(result.status, PlanStatus::start_in_collision);
   EXPECT_EQ(result.reason, "the trailer's footprint hits obstacles[3]");
+}
+
+TEST(RigPlanning, KnowsNoTimes) {
+  PlanOptions options = with_iterations(10);
+  options.cost = driver_style;
+  options.cost.measure = CostMeasure::time;
+  EXPECT_THROW((void)plan(make_problem(dock()), options), InputError);
 }
 
 TEST(RigPlanning, WithPricesBothBodiesStayAway) {

@@ -12,7 +12,7 @@ import threading
 
 import numpy as np
 import pytest
-from conftest import WALL
+from conftest import REPOSITORY, WALL
 
 import vandplan as vp
 
@@ -239,3 +239,11 @@ def test_everything_has_a_docstring():
             for member, value in vars(thing).items():
                 if not member.startswith("_") and not isinstance(value, (str, int)):
                     assert value.__doc__, f"{name}.{member}"
+
+
+def test_a_vehicle_may_pull_a_trailer():
+    scenario = vp.read_scenario(REPOSITORY / "scenarios/trailer/dock.yaml")
+    result = vp.plan(scenario, max_iterations=20000, seed=3)
+    assert result.status == "solved"
+    with pytest.raises(vp.InputError, match="steering: is continuous"):
+        vp.plan(scenario, max_iterations=10, steering="continuous")

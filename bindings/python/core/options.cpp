@@ -41,7 +41,7 @@ std::vector<Setting> settings_from(const py::dict& given) {
 }
 
 PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,
-                        const RunKeywords& keywords) {
+                        const RunKeywords& keywords, const Vehicle& vehicle) {
   PlanOptions options = usual_options(planner);
   set_honoured(options, planner, wanted);
   std::vector<Setting> typed = settings_from(keywords.options);
@@ -51,7 +51,7 @@ PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,
   if (keywords.time) options.budget.time_limit = keywords.time;
   if (keywords.max_iterations) options.budget.max_iterations = keywords.max_iterations;
   options.budget.seed = keywords.seed;
-  return complete(planner, options);
+  return complete(planner, options, vehicle);
 }
 
 py::object object_of(const OptionValue& value) {

@@ -26,10 +26,10 @@ struct RunKeywords {
 /// A planner by its name, one of `Planner`, or a function of a task.
 [[nodiscard]] std::shared_ptr<const Planner> planner_from(const pybind11::handle& given);
 
-/// Options as the command line makes them: the planner's defaults, then what the scenario wants,
-/// then the keywords.
+/// Options for a vehicle as the command line makes them: the planner's defaults, then what the
+/// scenario wants, then the keywords.
 [[nodiscard]] PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,
-                                      const RunKeywords& keywords);
+                                      const RunKeywords& keywords, const Vehicle& vehicle);
 
 /// A value of Python as the text that `--set` takes.
 [[nodiscard]] std::string typed(const pybind11::handle& value);

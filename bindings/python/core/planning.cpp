@@ -61,7 +61,8 @@ RunResult plan_one(const CheckedScenario& scenario, const py::object& planner,
                    std::uint64_t seed, const std::string& on_interrupt, const py::kwargs& options) {
   const bool returns = returns_at_interrupt(on_interrupt);
   std::shared_ptr<const Planner> chosen = planner_from(planner);
-  PlanOptions all = options_for(*chosen, scenario.options(), {time, max_iterations, seed, options});
+  PlanOptions all = options_for(*chosen, scenario.options(), {time, max_iterations, seed, options},
+                                scenario.scenario().vehicle);
   return planned(scenario, std::move(chosen), std::move(all), returns);
 }
 
@@ -91,7 +92,8 @@ std::vector<RunResult> plan_pairs(const CheckedScenario& scenario, const py::obj
   if (threads < 1 || threads > 1024) throw InputError("threads", "expected 1 to 1024");
   const std::shared_ptr<const Planner> chosen = planner_from(planner);
   PlanOptions options =
-      options_for(*chosen, scenario.options(), {time, max_iterations, seed, keywords});
+      options_for(*chosen, scenario.options(), {time, max_iterations, seed, keywords},
+                  scenario.scenario().vehicle);
   std::vector<CheckedScenario> scenarios = scenarios_for(scenario, starts, goals);
   std::vector<Problem> problems;
   for (const CheckedScenario& one : scenarios) problems.push_back(one.problem());
@@ -132,7 +134,9 @@ RunResult smooth(const CheckedScenario& scenario, const py::object& given,
       {"steering", std::string(name_of(Steering::continuous_between_stops))}};
   wanted.insert(wanted.end(), scenario.options().begin(), scenario.options().end());
   return planned(scenario, planner,
-                 options_for(*planner, wanted, {time, max_iterations, seed, keywords}), false);
+                 options_for(*planner, wanted, {time, max_iterations, seed, keywords},
+                             scenario.scenario().vehicle),
+                 false);
 }
 
 }  // namespace

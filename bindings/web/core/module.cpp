@@ -40,9 +40,9 @@ val guarded(Work work) {
 // ---- planning ----
 
 /// Options of the planner from an object of numbers, words and flags; null is passed over.
-PlanOptions options_from(const Planner& planner, const val& given) {
+PlanOptions options_from(const Planner& planner, const val& given, const Vehicle& vehicle) {
   PlanOptions options = usual_options(planner);
-  if (given.isUndefined() || given.isNull()) return complete(planner, options);
+  if (given.isUndefined() || given.isNull()) return complete(planner, options, vehicle);
   const val keys = val::global("Object").call<val>("keys", given);
   const auto count = keys["length"].as<std::size_t>();
   const auto set = [&](const std::string& key) {
@@ -54,7 +54,7 @@ PlanOptions options_from(const Planner& planner, const val& given) {
     const auto key = keys[i].as<std::string>();
     if (key != "style") set(key);
   }
-  return complete(planner, options);
+  return complete(planner, options, vehicle);
 }
 
 /// A scenario whose world is built once: start, goal and vehicle may then be others each time.
@@ -71,8 +71,9 @@ class Yard {
     const Planner planner = has(query, "planner")
                                 ? planner_named(query["planner"].as<std::string>())
                                 : default_planner();
-    const PlanOptions options = options_from(planner, query["options"]);
-    val object = object_of(vandplan::plan(problem_of(query), planner, options));
+    const Problem problem = problem_of(query);
+    const PlanOptions options = options_from(planner, query["options"], problem.vehicle());
+    val object = object_of(vandplan::plan(problem, planner, options));
     object.set("steering", std::string(name_of(options.steering.value_or(Steering::reeds_shepp))));
     return object;
   }
