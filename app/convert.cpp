@@ -214,6 +214,11 @@ void convert_footprint(const FootprintArguments& arguments) {
            {"added_width", made.added_width}});
     return;
   }
+  if (!made.vehicle.outline.empty()) {
+    fmt::print("the footprint as the outline of a vehicle, {} corners, written to {}\n",
+               made.vehicle.outline.size(), printable(arguments.output));
+    return;
+  }
   const Footprint rectangle = footprint(made.vehicle);
   fmt::print("a rectangle of {:.3f} x {:.3f} m around the footprint, written to {}\n",
              rectangle.front + rectangle.rear, 2 * rectangle.half_width,
@@ -229,8 +234,9 @@ void convert_footprint(const FootprintArguments& arguments) {
 void add_footprint(CLI::App& convert) {
   CLI::App* const command = convert.add_subcommand(
       "footprint",
-      "The footprint polygon of a robot of Nav2 becomes a vehicle file: a rectangle around it.\n"
-      "What a polygon does not say is given beside it.");
+      "The footprint polygon of a robot of Nav2 becomes a vehicle file: its outline if it is "
+      "convex,\n"
+      "else a rectangle around it. What a polygon does not say is given beside it.");
   const auto arguments = std::make_shared<FootprintArguments>();
   FootprintFile& file = arguments->footprint;
   command->add_option("FILE", file.file, "Parameters of Nav2, or a list of corners (YAML)")
@@ -248,6 +254,7 @@ void add_footprint(CLI::App& convert) {
                    "x of the rear axle in the frame of the footprint [m]")
       ->type_name("M")
       ->capture_default_str();
+  command->add_flag("--rectangle", file.rectangle, "Put a rectangle around any footprint");
   command->add_option("-o,--output", arguments->output, "Vehicle file (YAML)")
       ->type_name("FILE")
       ->required();

@@ -31,7 +31,7 @@ Path turns() {
 
 /// Posts on both sides, as near as noise allows.
 Surroundings posts_beside(const Path& path) {
-  const Footprint body = footprint({});
+  const Footprint body = footprint(Vehicle{});
   std::vector<Polygon> posts;
   for (const PathPoint& point : sampled(path, 2.0)) {
     for (const double side : {-1.0, 1.0}) {

@@ -64,4 +64,7 @@ struct Bounds {
 /// The smallest box around the points; all its numbers are zero if there are no points.
 [[nodiscard]] Bounds bounding_box(std::span<const Point> points) noexcept;
 
+/// Whether a simple polygon is convex; corners on the line between their neighbours do no harm.
+[[nodiscard]] bool is_convex(std::span<const Point> polygon);
+
 }  // namespace vandplan

@@ -98,17 +98,18 @@ struct FootprintFile {
   double wheelbase = 0.0;           ///< rear axle to front axle [m]
   double min_turning_radius = 0.0;  ///< of the rear-axle midpoint [m]
   double rear_axle = 0.0;           ///< x of the rear axle in the frame of the footprint [m]
+  bool rectangle = false;           ///< put a rectangle around any footprint
 };
 
-/// A vehicle whose rectangle holds a footprint.
+/// A vehicle with a convex footprint as its outline, or whose rectangle holds a footprint.
 struct FootprintVehicle {
   Vehicle vehicle;
   double footprint_area = 0.0;  ///< [m^2]
-  double added_area = 0.0;      ///< of the rectangle beside the footprint [m^2]
+  double added_area = 0.0;      ///< of the body beside the footprint [m^2]
   double added_width = 0.0;     ///< as the rectangle reaches equally far to both sides [m]
 };
 
-/// Reads the corners of a footprint, x ahead and y to the left, and puts a vehicle around them.
+/// Reads the corners of a footprint, x ahead and y to the left, and makes a vehicle of them.
 /// Throws InputError if there is none, there are several, or an axle is outside of it.
 [[nodiscard]] FootprintVehicle read_footprint(const FootprintFile& footprint);
 

@@ -18,6 +18,9 @@ struct Trailer {
   double front_overhang = 1.2;  ///< hitch to the front of the body; negative with a drawbar
   double rear_overhang = 4.3;   ///< axle to the rear of the body; >= 0
   double width = 2.55;          ///< of the body; > 0
+  /// Corners of a body that is no rectangle, in the frame of the axle's midpoint, x ahead; as that
+  /// of a vehicle.
+  Polygon outline = {};
   bool operator==(const Trailer&) const = default;
 };
 
@@ -38,11 +41,14 @@ struct Vehicle {
   /// fold up; in (0, pi). The default is 69 degrees, well short of a right angle.
   double max_hitch_angle = 1.2;
   std::optional<Trailer> trailer = {};  ///< none: the vehicle is alone
+  /// Corners of a body that is no rectangle, in the vehicle frame [m]: a convex polygon, in either
+  /// orientation, that holds the midpoint of the rear axle. None: the rectangle of the lengths.
+  Polygon outline = {};
   bool operator==(const Vehicle&) const = default;
 };
 
-/// Whether two vehicles have the same lengths, whatever their limits.
-[[nodiscard]] bool same_lengths(const Vehicle& a, const Vehicle& b) noexcept;
+/// Whether two vehicles have the same lengths and outlines, whatever their limits.
+[[nodiscard]] bool same_lengths(const Vehicle& a, Vehicle b);
 
 /// The angle of the front wheel of a bicycle with this wheelbase that makes the midpoint of the
 /// rear axle drive this curvature [rad]; in (-pi/2, pi/2), positive to the left.
@@ -61,8 +67,18 @@ struct Footprint {
   bool operator==(const Footprint&) const = default;
 };
 
-/// The outline of the whole body in the vehicle frame [m].
+/// The whole body in the vehicle frame [m]; of a body with an `outline` the least rectangle around
+/// it that is as wide to the left as to the right.
 [[nodiscard]] Footprint footprint(const Vehicle& vehicle) noexcept;
+
+/// The whole body of a trailer in the frame of its axle's midpoint, likewise [m].
+[[nodiscard]] Footprint footprint(const Trailer& trailer) noexcept;
+
+/// The corners of the whole body in the vehicle frame [m], counter-clockwise: its `outline`, or
+/// those of its footprint.
+[[nodiscard]] Polygon body_outline(const Vehicle& vehicle);
+/// The same of a trailer in the frame of its axle's midpoint [m].
+[[nodiscard]] Polygon body_outline(const Trailer& trailer);
 
 /// The outline of the wheels in the vehicle frame [m]: between the axles, as wide as the track.
 /// Kerbs must stay out of it.
@@ -73,6 +89,9 @@ struct Footprint {
 /// whose rear axle is a side of its outline. What `anytime` proves comes from a wider disc ahead of
 /// the axle then (docs/algorithms/anytime.md).
 [[nodiscard]] double inner_radius(const Footprint& footprint) noexcept;
+
+/// The same of the whole body of a vehicle, which may have an `outline` [m].
+[[nodiscard]] double inner_radius(const Vehicle& vehicle);
 
 /// The four corners of the footprint of a vehicle at `pose`, in the frame of the pose [m],
 /// counter-clockwise from the rear right one.

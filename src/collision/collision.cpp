@@ -9,6 +9,7 @@
 
 #include "collision/clothoid_part.h"
 #include "collision/ground.h"
+#include "collision/outline_sweep.h"
 #include "collision/sweep.h"
 #include "collision/trailer_part.h"
 #include "vandplan/rig.h"
@@ -17,7 +18,8 @@ namespace vandplan {
 
 using collision::ClothoidPart, collision::DiscRows, collision::Obstacles, collision::Placement,
     collision::placement_of;
-using collision::PlacedSegment, collision::Sides, collision::Sweep, collision::TrailerPart;
+using collision::OutlineSweep, collision::PlacedSegment, collision::Shape, collision::Sides,
+    collision::Sweep, collision::TrailerPart;
 
 namespace {
 
@@ -34,10 +36,11 @@ double reach_of(const Footprint& body) {
 
 /// Sides that a sweep touches while a part of its segment is driven. A long way is halved: the box
 /// around all of it holds much that is not near.
+template <typename Touches>
 struct AlongTheWay {
   const Obstacles& obstacles;
   const PlacedSegment& placed;
-  const Sweep& sweep;
+  const Touches& touches;
   double reach;  // of the footprint, inflated [m]
 
   [[nodiscard]] bool is_crossed(double begin, double end) const noexcept {
@@ -46,7 +49,7 @@ struct AlongTheWay {
     const Point axle = placed.at(begin + half).position;
     const Bounds box{axle.x - around, axle.x + around, axle.y - around, axle.y + around};
     if (half <= 4 * reach) {
-      return obstacles.any_near(box, [&](const Sides& s) { return sweep.touches(s); });
+      return obstacles.any_near(box, touches);
     }
     return obstacles.any_near(box, [](const Sides&) { return true; }) &&
            (is_crossed(begin, begin + half) || is_crossed(begin + half, end));
@@ -65,51 +68,67 @@ double wanted_at(const Margin& margin, const Point& axle, double around) noexcep
   return wanted;
 }
 
-/// Distance of a footprint from the sides of polygons, no more than `most` [m].
-double distance_from(const Obstacles& obstacles, const Footprint& footprint,
-                     const Placement& placement, double most) noexcept {
+/// Distance of a body from the sides of polygons, no more than `most` [m].
+double distance_from(const Obstacles& obstacles, const Shape& body, const Placement& placement,
+                     double most) noexcept {
   if (obstacles.is_empty()) return most;
   double least = most * most;
   const auto lower = [&](const Sides& sides) {
-    least = std::min(least, squared_distance(footprint, placement, sides));
+    least = std::min(least, squared_distance(body, placement, sides));
     return least == 0;
   };
   const PlacedSegment standing(placement, Segment{});
-  (void)obstacles.any_near(Sweep(footprint, standing, most).box(), lower);
+  (void)obstacles.any_near(Sweep(body.box, standing, most).box(), lower);
   return std::sqrt(least);
 }
 
-/// Whether a side of polygons comes within a margin of a footprint on its way [m].
+/// Whether a side of polygons comes within a margin of a footprint on its way [m], if it is also
+/// one of those that `may_touch`.
+template <typename MayTouch>
 bool is_crossed(const Obstacles& obstacles, const Footprint& footprint, double margin,
-                const PlacedSegment& placed) noexcept {
-  if (obstacles.is_empty()) return false;
+                const PlacedSegment& placed, const MayTouch& may_touch) noexcept {
   const Sweep sweep(footprint, placed, margin);
+  const auto touches = [&](const Sides& s) { return sweep.touches(s) && may_touch(s); };
   const double reach = reach_of(footprint) + margin + 1e-3;  // more than it is inflated by
   if (placed.length > 16 * reach && obstacles.are_many()) {
-    return AlongTheWay{obstacles, placed, sweep, reach}.is_crossed(0, placed.length);
+    return AlongTheWay{obstacles, placed, touches, reach}.is_crossed(0, placed.length);
   }
-  return obstacles.any_near(sweep.box(), [&](const Sides& s) { return sweep.touches(s); });  // [2]
+  return obstacles.any_near(sweep.box(), touches);  // [2]
+}
+
+bool is_crossed(const Obstacles& obstacles, const Shape& body, double margin,
+                const PlacedSegment& placed) noexcept {
+  if (obstacles.is_empty()) return false;
+  if (body.corners.empty()) {
+    return is_crossed(obstacles, body.box, margin, placed, [](const Sides&) { return true; });
+  }
+  const OutlineSweep outline(body.corners, placed, margin);
+  return is_crossed(obstacles, body.box, margin, placed,
+                    [&](const Sides& s) { return outline.touches(s); });
+}
+
+/// The body of a vehicle or a trailer.
+Shape shape_of(const auto& part) {
+  return {footprint(part), part.outline.empty() ? Polygon{} : body_outline(part)};
 }
 
 /// A rigid part of what drives, around the midpoint of its axle.
 struct Body {
-  Body(const Footprint& of_body, const Footprint& of_wheels, double margin)
-      : outline(of_body), wheels(of_wheels), discs(of_body, margin) {}
+  Body(Shape of_body, const Footprint& of_wheels, double margin)
+      : shape(std::move(of_body)), wheels{of_wheels}, discs(shape, margin) {}
 
-  Footprint outline;
-  Footprint wheels;
-  DiscRows discs;  // that cover the outline with the margin wanted
+  Shape shape;
+  Shape wheels;
+  DiscRows discs;  // that cover the shape with the margin wanted
 };
 
 /// What hangs on a vehicle.
 struct Towed {
   Towed(const Vehicle& of, double margin)
       : vehicle(of),
-        body({.rear = of.trailer->rear_overhang,
-              .front = of.trailer->wheelbase + of.trailer->front_overhang,
-              .half_width = of.trailer->width / 2},
+        body(shape_of(*of.trailer),
              {.rear = 0.0, .front = 0.0, .half_width = of.trailer->width / 2}, margin),
-        reach(reach_of(body.outline)) {}
+        reach(std::max(reach_of(body.shape.box), reach_of(body.wheels.box))) {}
 
   Vehicle vehicle;
   Body body;
@@ -119,12 +138,12 @@ struct Towed {
 }  // namespace
 
 struct CollisionChecker::Data {
-  Data(const Footprint& of_body, const Footprint& of_wheels, const Margin& kept,
+  Data(Shape of_body, const Footprint& of_wheels, const Margin& kept,
        std::shared_ptr<const collision::Ground> on)
-      : body(of_body, of_wheels, kept.wanted), margin(kept), ground(std::move(on)) {}
+      : body(std::move(of_body), of_wheels, kept.wanted), margin(kept), ground(std::move(on)) {}
 
   Data(const Vehicle& vehicle, const Margin& kept, std::shared_ptr<const collision::Ground> on)
-      : Data(footprint(vehicle), wheel_footprint(vehicle), kept, std::move(on)) {
+      : Data(shape_of(vehicle), wheel_footprint(vehicle), kept, std::move(on)) {
     if (vehicle.trailer) towed.emplace(vehicle, kept.wanted);
   }
 
@@ -151,9 +170,14 @@ struct CollisionChecker::Data {
   /// Whether a body keeps a distance, with discs that cover it and what is within that distance.
   [[nodiscard]] bool keeps(const Body& moved, double distance, const DiscRows& around,
                            const PlacedSegment& placed) const noexcept {
-    return !is_crossed(ground->walls, moved.outline, distance, placed) &&
+    if (!moved.shape.corners.empty() && placed.length > OutlineSweep::longest) {
+      const double half = placed.length / 2;
+      return keeps(moved, distance, around, placed.part(0, half)) &&
+             keeps(moved, distance, around, placed.part(half, placed.length));
+    }
+    return !is_crossed(ground->walls, moved.shape, distance, placed) &&
            !is_crossed(ground->kerbs, moved.wheels, distance, placed) &&
-           !(ground->map && !ground->map->is_clear(moved.outline, distance, around, placed));
+           !(ground->map && !ground->map->is_clear(moved.shape, distance, around, placed));
   }
 
   [[nodiscard]] bool keeps(const Body& moved, double distance,
@@ -161,15 +185,15 @@ struct CollisionChecker::Data {
     if (!ground->map || distance == margin.wanted) {
       return keeps(moved, distance, moved.discs, placed);
     }
-    return keeps(moved, distance, DiscRows(moved.outline, distance), placed);
+    return keeps(moved, distance, DiscRows(moved.shape, distance), placed);
   }
 
   [[nodiscard]] double clearance(const Body& standing, const Placement& placement, double most,
                                  double enough) const noexcept {
     if (!is_outside(placement.position)) return 0.0;
-    double least = distance_from(ground->walls, standing.outline, placement, most);
+    double least = distance_from(ground->walls, standing.shape, placement, most);
     least = distance_from(ground->kerbs, standing.wheels, placement, least);
-    return ground->map ? ground->map->clearance(standing.outline, placement, least, enough) : least;
+    return ground->map ? ground->map->clearance(standing.shape, placement, least, enough) : least;
   }
 
   [[nodiscard]] bool keeps_margin(const PlacedSegment& placed) const noexcept;
@@ -218,7 +242,7 @@ bool CollisionChecker::Data::crosses_nothing(const ClothoidPart& part,
 /// of line, so that arcs and lines do not pay for it.
 [[gnu::noinline, gnu::cold]] bool CollisionChecker::Data::crosses_nothing(
     Placement& placement, const Segment& clothoid) const noexcept {
-  const double reach = std::max(reach_of(body.outline), reach_of(body.wheels));
+  const double reach = std::max(reach_of(body.shape.box), reach_of(body.wheels.box));
   const ClothoidPart whole(placement, clothoid);
   if (!contains(ground->bounds, placement.position) || whole.is_too_long(reach)) return false;
   placement = whole.to();
@@ -261,7 +285,7 @@ double Margin::least() const noexcept {
 CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                                    std::span<const Polygon> obstacles)
     : data_(std::make_unique<const Data>(
-          footprint, footprint, Margin{},
+          Shape{footprint}, footprint, Margin{},
           std::make_shared<const collision::Ground>(Surroundings{
               .bounds = bounds, .obstacles = {obstacles.begin(), obstacles.end()}}))) {}
 

@@ -6,21 +6,35 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/convex.h"
+
 namespace vandplan::collision {
 namespace {
 
 constexpr double shortest_look = 1.0;  // shorter parts stay in doubt [m]
 constexpr double most_discs = 8.0;
 
-DiscRow disc_row(const Footprint& body, double margin, int count) {
+/// The least radius with which a body covers discs in a row, below 0 if one is not in it.
+double covered(const Polygon& corners, double first, double step, int count) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < count; ++i) {
+    least = std::min(least, -geometry::signed_distance(corners, {first + i * step, 0.0}));
+  }
+  return least;
+}
+
+DiscRow disc_row(const Shape& shape, double margin, int count) {
+  const Footprint& body = shape.box;
   const double half_step = (body.front + body.rear) / (2 * count);
   const double first = half_step - body.rear;
+  const double inner = shape.corners.empty() ? std::min(half_step, body.half_width)
+                                             : covered(shape.corners, first, 2 * half_step, count);
   return {.first = first,
           .step = 2 * half_step,
           .count = count,
           .furthest = std::max(std::abs(first), std::abs(body.front - half_step)),
           .outer = std::hypot(half_step, body.half_width) + end_margin + margin,
-          .inner = std::min(half_step, body.half_width) - end_margin + margin};
+          .inner = inner - end_margin + margin};
 }
 
 class Tracer {
@@ -117,8 +131,8 @@ void merge_doubtful(DiscTrace& trace) {
 
 }  // namespace
 
-DiscRows::DiscRows(const Footprint& body, double margin) noexcept : one(disc_row(body, margin, 1)) {
-  const double slimness = (body.front + body.rear) / (2 * body.half_width);
+DiscRows::DiscRows(const Shape& body, double margin) noexcept : one(disc_row(body, margin, 1)) {
+  const double slimness = (body.box.front + body.box.rear) / (2 * body.box.half_width);
   slim = disc_row(body, margin, static_cast<int>(std::clamp(std::ceil(slimness), 1.0, most_discs)));
 }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/trigonometry.h"
+#include "collision/outline_sweep.h"
 
 namespace vandplan::collision {
 namespace {
@@ -46,12 +48,14 @@ CellBox shared(const CellBox& a, const CellBox& b) {
 /// For an edge cell in the way of one segment, in the frame of the cells.
 class GridObstacles::Search {
  public:
-  Search(const GridObstacles& grid, const Footprint& body, double margin,
-         const PlacedSegment& placed)
+  Search(const GridObstacles& grid, const Shape& shape, double margin, const PlacedSegment& placed)
       : grid_(grid),
-        body_{body.rear + margin, body.front + margin, body.half_width + margin},
+        shape_(shape),
+        body_{shape.box.rear + margin, shape.box.front + margin, shape.box.half_width + margin},
         placed_(placed),
-        sweep_(body, placed, margin) {}
+        sweep_(shape.box, placed, margin) {
+    if (!shape.corners.empty()) outline_.emplace(shape.corners, placed, margin);
+  }
 
   /// [2] Long parts are halved, and left out where they keep outside of the frame.
   [[nodiscard]] bool finds_any(const Part& part) const {
@@ -71,12 +75,12 @@ class GridObstacles::Search {
   /// no more than the margin [m].
   [[nodiscard]] double distance(double margin) const {
     const Rectangle near = around(0, 0);
-    const Footprint body{body_.rear - margin, body_.front - margin, body_.half_width - margin};
+    const Footprint& body = shape_.box;
     const Rectangle slim{near.middle, near.forward, (body.front + body.rear) / 2, body.half_width};
     double least = margin * margin;
     (void)any_run(near, [&](const CellBox& run) {
       if (slim.squared_gap(square(run)) >= least) return false;  // most of them
-      least = std::min(least, squared_distance(body, placed_.from, sides_of(square(run))));
+      least = std::min(least, squared_distance(shape_, placed_.from, sides_of(square(run))));
       return least == 0;
     });
     return std::sqrt(least);
@@ -150,7 +154,10 @@ class GridObstacles::Search {
   }
 
   [[nodiscard]] bool finds_in(const Rectangle& near) const {
-    return any_run(near, [&](const CellBox& run) { return sweep_.touches(sides_of(square(run))); });
+    return any_run(near, [&](const CellBox& run) {
+      const Sides sides = sides_of(square(run));
+      return sweep_.touches(sides) && (!outline_ || outline_->touches(sides));
+    });
   }
 
   /// [3] Calls `look` for runs of edge cells near the rectangle, until it returns true; through
@@ -180,9 +187,11 @@ class GridObstacles::Search {
   }
 
   const GridObstacles& grid_;
-  Footprint body_;  // with its margin
+  const Shape& shape_;
+  Footprint body_;  // the box around it, with its margin
   const PlacedSegment& placed_;
   Sweep sweep_;
+  std::optional<OutlineSweep> outline_ = {};
 };
 
 GridObstacles::GridObstacles(const OccupancyGrid& grid)
@@ -234,7 +243,7 @@ bool GridObstacles::contain(const Point& point) const noexcept {
   return cells_.is_blocked(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
 }
 
-bool GridObstacles::is_clear(const Footprint& body, double margin, const DiscRows& discs,
+bool GridObstacles::is_clear(const Shape& body, double margin, const DiscRows& discs,
                              const PlacedSegment& segment) const noexcept {
   const PlacedSegment placed = in_frame(segment);
   const DiscTrace trace = trace_discs(field_, side_, discs, placed);  // [1]
@@ -247,11 +256,12 @@ bool GridObstacles::is_clear(const Footprint& body, double margin, const DiscRow
   return true;
 }
 
-double GridObstacles::clearance(const Footprint& body, const Placement& placement, double most,
+double GridObstacles::clearance(const Shape& body, const Placement& placement, double most,
                                 double enough) const noexcept {
   const PlacedSegment placed = in_frame(PlacedSegment(placement, Segment{}));
   const auto& [position, heading] = placed.from;
   const DiscRow row = DiscRows(body).slim;
+  const double beside = std::max(0.0, -row.inner);  // a centre from the body, at most
   double nearest = most;
   double proven = most;  // as far as the discs tell
   for (int i = 0; i < row.count; ++i) {
@@ -259,7 +269,7 @@ double GridObstacles::clearance(const Footprint& body, const Placement& placemen
     const auto [least, highest] = field_.around(
         {(position.x + ahead * heading.x) / side_, (position.y + ahead * heading.y) / side_});
     proven = std::min(proven, least * side_ - row.outer);
-    nearest = std::min(nearest, highest * side_);
+    nearest = std::min(nearest, highest * side_ + beside);
   }
   if (proven >= std::min(most, enough)) return proven;
   return Search(*this, body, nearest, placed).distance(nearest);

@@ -28,12 +28,12 @@ class GridObstacles {
   /// Whether no edge cell comes within a margin of the body [m] while the segment is driven.
   /// Together with a start whose rear axle is in no blocked cell that is all: whatever is entered
   /// later is entered there. `discs` are those of the body with its margin.
-  [[nodiscard]] bool is_clear(const Footprint& body, double margin, const DiscRows& discs,
+  [[nodiscard]] bool is_clear(const Shape& body, double margin, const DiscRows& discs,
                               const PlacedSegment& placed) const noexcept;
 
   /// Distance of the body from the nearest edge cell, no more than `most` [m]; if it is at least
   /// `enough`, any number from `enough` to it.
-  [[nodiscard]] double clearance(const Footprint& body, const Placement& placement, double most,
+  [[nodiscard]] double clearance(const Shape& body, const Placement& placement, double most,
                                  double enough) const noexcept;
 
   /// Between which two numbers the distance of the point from the nearest blocked cell lies [m].

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/trigonometry.h"
+#include "geometry/convex.h"
 
 namespace vandplan::collision {
 namespace {
@@ -52,9 +53,9 @@ Placement placement_of(const Pose& pose) noexcept {
   return {{pose.x, pose.y}, {cos, sin}};
 }
 
-double squared_distance(const Footprint& footprint, const Placement& placement,
+double squared_distance(const Shape& body, const Placement& placement,
                         const Sides& sides) noexcept {
-  const Rectangle body{footprint.rear, footprint.front, footprint.half_width};
+  const Rectangle box{body.box.rear, body.box.front, body.box.half_width};
   const auto& [position, heading] = placement;
   std::array<Point, 5> corners;  // as the vehicle sees them
   for (std::size_t i = 0; i < 5; ++i) {
@@ -63,7 +64,10 @@ double squared_distance(const Footprint& footprint, const Placement& placement,
   }
   double least = infinity;
   for (std::size_t i = 0; i < 4; ++i) {
-    least = std::min(least, squared_distance(body, corners[i], corners[i + 1]));
+    const Point& a = corners[i];
+    const Point& b = corners[i + 1];
+    least = std::min(least, body.corners.empty() ? squared_distance(box, a, b)
+                                                 : geometry::squared_distance(body.corners, a, b));
   }
   return least;
 }

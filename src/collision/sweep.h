@@ -29,8 +29,14 @@ struct Sides {
   std::array<double, 5> y;
 };
 
-/// Square of the distance of a footprint from four sides of a polygon [m^2], 0 if they touch.
-[[nodiscard]] double squared_distance(const Footprint& footprint, const Placement& placement,
+/// A rigid body: the box around it, and its corners counter-clockwise.
+struct Shape {
+  Footprint box;
+  Polygon corners = {};  ///< none: the box itself
+};
+
+/// Square of the distance of a body from four sides of a polygon [m^2], 0 if they touch.
+[[nodiscard]] double squared_distance(const Shape& body, const Placement& placement,
                                       const Sides& sides) noexcept;
 
 /// How far the footprint is inflated before it is tested [m]: at its start and end, and on the

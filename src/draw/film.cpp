@@ -92,8 +92,7 @@ std::vector<Actor> actors_of(const Film& film, double step, double count) {
       actor.poses.push_back(pose ? std::optional(local(*pose)) : std::nullopt);
     }
   }
-  const std::array<Point, 4> body = corners(footprint(scenario.vehicle), {});
-  Actor& vehicle = actors.emplace_back(Actor{{body.begin(), body.end()}, colour::start, {}});
+  Actor& vehicle = actors.emplace_back(Actor{body_outline(scenario.vehicle), colour::start, {}});
   for (double i = 0; i <= count; ++i) {
     vehicle.poses.emplace_back(
         local(motion_at(*drawing.path, scenario.vehicle, *drawing.speeds, i * step).pose));

@@ -85,7 +85,7 @@ void paint_sample(cairo_t* cairo, const Entry& entry, const Point& at) {
   switch (entry.sample) {
     case Entry::Sample::vehicle: {
       const View view{.visible = {}, .plot = {at.x + 6, at.y, 0, 0}, .scale = 1.0};
-      constexpr Footprint small{.rear = 4.0, .front = 16.0, .half_width = 4.4};
+      const Polygon small{{-4.0, -4.4}, {16.0, -4.4}, {16.0, 4.4}, {-4.0, 4.4}};
       paint_vehicle(cairo, {small, {}, entry.colour}, view);
       break;
     }

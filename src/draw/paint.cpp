@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -107,10 +108,10 @@ void paint_tree(cairo_t* cairo, const Scene& scene, const View& view) {
   stroke(cairo, 0.5, colour::tree, 1.0);
 }
 
-// Between two near poses: the convex hull of both footprints, by Andrew's monotone chain.
-std::vector<Point> swept(const Footprint& body, const Pose& from, const Pose& to) {
-  std::array<Point, 8> points;
-  std::ranges::copy(corners(body, to), std::ranges::copy(corners(body, from), points.begin()).out);
+// Between two near poses: the convex hull of a body at both, by Andrew's monotone chain.
+std::vector<Point> swept(const Polygon& body, const Pose& from, const Pose& to) {
+  Polygon points = placed(body, from);
+  std::ranges::copy(placed(body, to), std::back_inserter(points));
   std::ranges::sort(points, {}, [](const Point& p) { return std::pair(p.x, p.y); });
   const auto turns_left = [](const Point& a, const Point& b, const Point& c) {
     return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
@@ -137,7 +138,7 @@ double fine_step(const Scene& scene) {
   return std::max(scene.vehicle.min_turning_radius / 8, length(scene.path->segments) / 5000);
 }
 
-void add_swept(cairo_t* cairo, const View& view, const Footprint& body,
+void add_swept(cairo_t* cairo, const View& view, const Polygon& body,
                const std::vector<Pose>& poses) {
   for (std::size_t i = 1; i < poses.size(); ++i) {
     add_polygon(cairo, view, swept(body, poses[i - 1], poses[i]));
@@ -145,19 +146,18 @@ void add_swept(cairo_t* cairo, const View& view, const Footprint& body,
 }
 
 // What the vehicle and its trailer sweep.
-void add_swept(cairo_t* cairo, const View& view, const Scene& scene, const Stroke& part) {
-  add_swept(cairo, view, footprint(scene.vehicle), part.poses);
-  if (scene.vehicle.trailer) {
-    add_swept(cairo, view, outline_of(*scene.vehicle.trailer), part.trailer);
-  }
+void add_swept(cairo_t* cairo, const View& view, const Bodies& bodies, const Stroke& part) {
+  add_swept(cairo, view, bodies.vehicle, part.poses);
+  add_swept(cairo, view, bodies.trailer, part.trailer);
 }
 
 // All that is within the margin of what the vehicle sweeps, as one translucent area.
 void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
   cairo_push_group(cairo);
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  const Bodies bodies = bodies_of(scene);
   for (const Stroke& part : strokes_of(scene, fine_step(scene))) {
-    add_swept(cairo, view, scene, part);
+    add_swept(cairo, view, bodies, part);
     set_colour(cairo, colour::margin, 1.0);
     cairo_fill_preserve(cairo);
     stroke(cairo, 2 * scene.margin * view.scale, colour::margin, 1.0);
@@ -169,19 +169,18 @@ void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
 // All that the vehicle sweeps, as one translucent area in the colour of the gear, and outlines of
 // the vehicle every so often.
 void paint_sweep(cairo_t* cairo, const Scene& scene, const View& view) {
+  const Bodies bodies = bodies_of(scene);
   const Footprint body = footprint(scene.vehicle);
   const double total = length(scene.path->segments);
   for (const Stroke& part : strokes_of(scene, fine_step(scene))) {
-    add_swept(cairo, view, scene, part);
+    add_swept(cairo, view, bodies, part);
     set_colour(cairo, colour_of_gear(part.direction), 0.13);
     cairo_fill(cairo);
   }
   const double coarse = std::max((body.rear + body.front) / 4, total / 60);
   for (const Stroke& part : strokes_of(scene, coarse)) {
-    for (const Pose& pose : part.poses) add_polygon(cairo, view, corners(body, pose));
-    for (const Pose& pose : part.trailer) {
-      add_polygon(cairo, view, corners(outline_of(*scene.vehicle.trailer), pose));
-    }
+    for (const Pose& pose : part.poses) add_polygon(cairo, view, placed(bodies.vehicle, pose));
+    for (const Pose& pose : part.trailer) add_polygon(cairo, view, placed(bodies.trailer, pose));
     stroke(cairo, 0.5, colour_of_gear(part.direction), 0.4);
   }
 }
@@ -207,14 +206,15 @@ void paint_path(cairo_t* cairo, const Scene& scene, const View& view) {
 
 void paint_vehicle(cairo_t* cairo, const ParkedVehicle& vehicle, const View& view) {
   const auto& [body, pose, colour] = vehicle;
-  add_polygon(cairo, view, corners(body, pose));
+  add_polygon(cairo, view, placed(body, pose));
   set_colour(cairo, colour, 0.30);
   cairo_fill_preserve(cairo);
   stroke(cairo, 1.6, colour, 1.0);
 
   const Point rear = view.on_page({pose.x, pose.y});
-  const double tip = 0.86 * body.front * view.scale;
-  const double head = std::min({0.5 * tip, body.half_width * view.scale, 12.0});
+  const Bounds box = bounding_box(body);
+  const double tip = 0.86 * box.x_max * view.scale;
+  const double head = std::min({0.5 * tip, (box.y_max - box.y_min) / 2 * view.scale, 12.0});
   cairo_save(cairo);
   cairo_translate(cairo, rear.x, rear.y);
   cairo_rotate(cairo, -pose.heading);
@@ -250,12 +250,12 @@ void paint_rig(cairo_t* cairo, const Scene& scene, const RigState& state, const 
                const View& view) {
   if (scene.vehicle.trailer) {
     const Pose trailer = trailer_pose(scene.vehicle, state);
-    add_polygon(cairo, view, corners(outline_of(*scene.vehicle.trailer), trailer));
+    add_polygon(cairo, view, placed(body_outline(*scene.vehicle.trailer), trailer));
     set_colour(cairo, colour, 0.30);
     cairo_fill_preserve(cairo);
     stroke(cairo, 1.6, colour, 1.0);
   }
-  paint_vehicle(cairo, {footprint(scene.vehicle), state.pose, colour}, view);
+  paint_vehicle(cairo, {body_outline(scene.vehicle), state.pose, colour}, view);
 }
 
 }  // namespace

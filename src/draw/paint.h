@@ -16,7 +16,7 @@ void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view);
 
 /// A vehicle at rest.
 struct ParkedVehicle {
-  Footprint body;
+  Polygon body;  ///< in its own frame
   Pose pose;
   Colour colour;
 };

@@ -74,16 +74,13 @@ double extent(const Bounds& box) { return std::max(box.x_max - box.x_min, box.y_
 
 /// The box around all places where the vehicle is.
 Bounds surroundings_of_path(const Scene& scene) {
-  const Footprint body = footprint(scene.vehicle);
+  const auto [vehicle, trailer] = bodies_of(scene);
   std::vector<Point> points;
-  const auto add_vehicle = [&](const Pose& pose) {
-    for (const Point& corner : corners(body, pose)) points.push_back(corner);
+  const auto add = [&](const Polygon& body, const Pose& pose) {
+    for (const Point& corner : placed(body, pose)) points.push_back(corner);
   };
-  const auto add_trailer = [&](const Pose& pose) {
-    for (const Point& corner : corners(outline_of(*scene.vehicle.trailer), pose)) {
-      points.push_back(corner);
-    }
-  };
+  const auto add_vehicle = [&, &body = vehicle](const Pose& pose) { add(body, pose); };
+  const auto add_trailer = [&, &body = trailer](const Pose& pose) { add(body, pose); };
   add_vehicle(scene.start);
   add_vehicle(scene.goal);
   if (scene.vehicle.trailer) {
@@ -99,17 +96,6 @@ Bounds surroundings_of_path(const Scene& scene) {
   }
   for (const Pose& pose : scene.driven) points.push_back({pose.x, pose.y});
   return bounding_box(points);
-}
-
-/// An outline where a pose puts it.
-Polygon placed(const Polygon& outline, const Pose& pose) {
-  Polygon there;
-  const double cos = std::cos(pose.heading);
-  const double sin = std::sin(pose.heading);
-  for (const auto& [x, y] : outline) {
-    there.push_back({pose.x + cos * x - sin * y, pose.y + sin * x + cos * y});
-  }
-  return there;
 }
 
 /// What moves, at some times from 0 until it rests or leaves.
@@ -170,10 +156,19 @@ Scene scene_of(const Drawing& drawing) {
   return scene;
 }
 
-Footprint outline_of(const Trailer& trailer) noexcept {
-  return {.rear = trailer.rear_overhang,
-          .front = trailer.wheelbase + trailer.front_overhang,
-          .half_width = trailer.width / 2};
+Bodies bodies_of(const Scene& scene) {
+  const std::optional<Trailer>& trailer = scene.vehicle.trailer;
+  return {body_outline(scene.vehicle), trailer ? body_outline(*trailer) : Polygon{}};
+}
+
+Polygon placed(const Polygon& outline, const Pose& pose) {
+  Polygon there;
+  const double cos = std::cos(pose.heading);
+  const double sin = std::sin(pose.heading);
+  for (const auto& [x, y] : outline) {
+    there.push_back({pose.x + cos * x - sin * y, pose.y + sin * x + cos * y});
+  }
+  return there;
 }
 
 std::vector<Stroke> strokes_of(const Scene& scene, double step) {

@@ -47,8 +47,16 @@ struct Stroke {
   std::vector<Pose> trailer;  ///< where it is at each pose; empty if there is none
 };
 
-/// The outline of a trailer around the midpoint of its axle.
-[[nodiscard]] Footprint outline_of(const Trailer& trailer) noexcept;
+/// The outlines of what is drawn on its way, each in its own frame.
+struct Bodies {
+  Polygon vehicle;
+  Polygon trailer;  ///< none without one
+};
+
+[[nodiscard]] Bodies bodies_of(const Scene& scene);
+
+/// An outline where a pose puts it.
+[[nodiscard]] Polygon placed(const Polygon& outline, const Pose& pose);
 
 /// The path of a scene cut where the gear changes, its poses at most `step` apart [m].
 [[nodiscard]] std::vector<Stroke> strokes_of(const Scene& scene, double step);

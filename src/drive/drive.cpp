@@ -3,6 +3,7 @@
 #include "vandplan/drive.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 
@@ -78,11 +79,16 @@ Vehicle with_reserve(Vehicle vehicle, double reserve) {
   return vehicle;
 }
 
+Polygon corners_of(const Footprint& footprint) {
+  const std::array<Point, 4> rectangle = corners(footprint, {});
+  return {rectangle.begin(), rectangle.end()};
+}
+
 /// Sums of what a drive does wrong.
 class Errors {
  public:
   explicit Errors(const Vehicle& vehicle)
-      : body_(footprint(vehicle)), wheels_(wheel_footprint(vehicle)) {}
+      : body_(body_outline(vehicle)), wheels_(corners_of(wheel_footprint(vehicle))) {}
 
   /// Adds a pose at the end of `way` driven metres.
   void add(const Stroke& stroke, const Offset& offset, const Pose& pose, double way) {
@@ -108,8 +114,8 @@ class Errors {
   }
 
  private:
-  Footprint body_;
-  Footprint wheels_;
+  Polygon body_;
+  Polygon wheels_;
   double largest_lateral_ = 0.0;
   double largest_heading_ = 0.0;
   double lateral_squares_ = 0.0;

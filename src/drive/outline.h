@@ -4,22 +4,23 @@
 // How far is the outline of a vehicle beyond where it should be?
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/trigonometry.h"
+#include "geometry/convex.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::driving {
 
-/// How far the furthest point of a footprint is from the same footprint at the pose in whose frame
+/// How far the furthest point of a convex body is from the same body at the pose in whose frame
 /// `pose` is given [m]. The furthest one of a convex set is a corner.
-[[nodiscard]] inline double deviation_of(const Footprint& body, const Pose& pose) noexcept {
+[[nodiscard]] inline double deviation_of(const Polygon& body, const Pose& pose) noexcept {
+  const auto [sin, cos] = base::sin_cos(pose.heading);
   double most = 0.0;
-  for (const Point& corner : corners(body, pose)) {
-    const double dx = corner.x - std::clamp(corner.x, -body.rear, body.front);
-    const double dy = corner.y - std::clamp(corner.y, -body.half_width, body.half_width);
-    most = std::max(most, dx * dx + dy * dy);
+  for (const auto& [x, y] : body) {
+    const Point corner{pose.x + cos * x - sin * y, pose.y + sin * x + cos * y};
+    most = std::max(most, geometry::signed_distance(body, corner));
   }
-  return std::sqrt(most);
+  return most;
 }
 
 }  // namespace vandplan::driving

@@ -113,14 +113,22 @@ FootprintVehicle read_footprint(const FootprintFile& footprint) {
                                  box.x_min, box.x_max, footprint.rear_axle,
                                  footprint.rear_axle + footprint.wheelbase));
   }
+  result.footprint_area = area_of(corners);
+  const double added_area = (box.x_max - box.x_min) * vehicle.width - result.footprint_area;
+  const bool is_rectangle = added_area <= 1e-9 * result.footprint_area;
+  if (!footprint.rectangle && !is_rectangle && is_convex(corners)) {
+    for (const auto& [x, y] : corners) {
+      vehicle.outline.push_back({length_of(x - footprint.rear_axle), y});
+    }
+  } else {
+    result.added_area = added_area;
+    result.added_width = length_of(vehicle.width - (box.y_max - box.y_min));
+  }
   try {
     check_vehicle(vehicle);
   } catch (const InputError& error) {
     throw InputError(name, error.what());
   }
-  result.footprint_area = area_of(corners);
-  result.added_area = (box.x_max - box.x_min) * vehicle.width - result.footprint_area;
-  result.added_width = length_of(vehicle.width - (box.y_max - box.y_min));
   return result;
 }
 

@@ -6,6 +6,8 @@
 
 #include <string_view>
 
+#include "io/polygons.h"
+
 namespace vandplan::io {
 namespace {
 
@@ -21,15 +23,6 @@ std::vector<double> numbers_of_row(const Document& file, const Node& node, std::
   numbers.reserve(items.size());
   for (const Node& item : items) numbers.push_back(file.number(item));
   return numbers;
-}
-
-Polygon outline_from(const Document& file, const Node& node) {
-  Polygon outline;
-  for (const Node& item : file.list(node, "a polygon [[x, y], ...]")) {
-    const std::vector<double> corner = numbers_of_row(file, item, 2, "a corner [x, y]");
-    outline.push_back({corner[0], corner[1]});
-  }
-  return outline;
 }
 
 std::vector<TimedPose> rows_from(const Document& file, const Node& node) {
@@ -51,7 +44,7 @@ Afterwards after_from(const Document& file, const Node& node) {
 
 MovingObstacle obstacle_from(const Document& file, const Node& node) {
   file.allow_only(node, {"outline", "trajectory", "after", "inflate"});
-  MovingObstacle obstacle{.outline = outline_from(file, file.at(node, "outline")),
+  MovingObstacle obstacle{.outline = polygon_from(file, file.at(node, "outline")),
                           .trajectory = rows_from(file, file.at(node, "trajectory"))};
   if (const Node* const after = file.find(node, "after")) obstacle.after = after_from(file, *after);
   if (const Node* const inflate = file.find(node, "inflate")) {
@@ -73,17 +66,13 @@ std::vector<MovingObstacle> moving_from(const Document& file, const Node& node) 
 std::string moving_to_yaml(const std::vector<MovingObstacle>& moving) {
   std::string text = moving.empty() ? "" : "moving:\n";
   for (const MovingObstacle& obstacle : moving) {
-    std::string corners;
-    for (const auto& [x, y] : obstacle.outline) {
-      corners += fmt::format("{}[{}, {}]", corners.empty() ? "" : ", ", x, y);
-    }
     std::string rows;
     for (const TimedPose& row : obstacle.trajectory) {
       rows += fmt::format("{}[{}, {}, {}, {}]", rows.empty() ? "" : ", ", row.t, row.pose.x,
                           row.pose.y, row.pose.heading);
     }
-    text += fmt::format("  - outline: [{}]\n    trajectory: [{}]\n    after: {}\n", corners, rows,
-                        name_of(obstacle.after));
+    text += fmt::format("  - outline: {}\n    trajectory: [{}]\n    after: {}\n",
+                        yaml_of(obstacle.outline), rows, name_of(obstacle.after));
     if (obstacle.inflate != 0.0) text += fmt::format("    inflate: {}\n", obstacle.inflate);
   }
   return text;

@@ -10,6 +10,7 @@
 #include "io/document.h"
 #include "io/heading_doubt.h"
 #include "io/moving_file.h"
+#include "io/polygons.h"
 #include "io/vehicle_file.h"
 #include "problem/checks.h"
 #include "vandplan/files.h"
@@ -21,16 +22,6 @@ namespace vandplan {
 namespace {
 
 using namespace io;
-
-/// A list of exactly two numbers.
-Point pair_from(const Document& file, const Node& node, const std::string& expected) {
-  const std::vector<Node>& items = file.list(node, expected);
-  if (items.size() != 2) {
-    file.fail(node, fmt::format("has {} element{}, expected {}", items.size(),
-                                items.size() == 1 ? "" : "s", expected));
-  }
-  return {file.number(items[0]), file.number(items[1])};
-}
 
 Bounds bounds_from(const Document& file, const Node& node) {
   file.allow_only(node, {"x", "y"});
@@ -95,11 +86,7 @@ End goal_from(const Document& file, const Node& node, const Vehicle& vehicle) {
 std::vector<Polygon> polygons_from(const Document& file, const Node& node) {
   std::vector<Polygon> polygons;
   for (const Node& item : file.list(node, "a list of polygons")) {
-    Polygon& polygon = polygons.emplace_back();
-    polygon.reserve(item.items.size());
-    for (const Node& corner : file.list(item, "a polygon [[x, y], ...]")) {
-      polygon.push_back(pair_from(file, corner, "a corner [x, y]"));
-    }
+    polygons.push_back(polygon_from(file, item));
   }
   return polygons;
 }
@@ -336,11 +323,7 @@ std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& ind
   if (polygons.empty()) return " []\n";
   std::string text = "\n";
   for (const Polygon& polygon : polygons) {
-    std::string corners;
-    for (const Point& corner : polygon) {
-      corners += fmt::format("{}[{}, {}]", corners.empty() ? "" : ", ", corner.x, corner.y);
-    }
-    text += fmt::format("{}- [{}]\n", indent, corners);
+    text += fmt::format("{}- {}\n", indent, io::yaml_of(polygon));
   }
   return text;
 }

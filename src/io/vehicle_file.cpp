@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/trigonometry.h"
 #include "embedded_vehicles.h"
+#include "io/polygons.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/scenario_file.h"
@@ -41,12 +42,35 @@ double turning_radius_from(const Document& file, const Node& node, double wheelb
             "key \"min_turning_radius\" is missing, expected either it or max_steering_angle");
 }
 
+/// Lengths and outline of the body of a vehicle or a trailer, whose front is `wheelbase` ahead of
+/// its axle where there is no overhang. With an outline the lengths of the body may be left out:
+/// they are those of the box around it then.
+void read_body(const Document& file, const Node& node, auto& body) {
+  body.wheelbase = file.number(file.at(node, "wheelbase"));
+  const Node* const outline = file.find(node, "outline");
+  if (outline != nullptr) {
+    body.outline = polygon_from(file, *outline);
+    if (body.outline.empty()) file.fail(*outline, "has 0 corners, expected at least 3");
+    const Footprint box = footprint(body);
+    body.front_overhang = box.front - body.wheelbase;
+    body.rear_overhang = box.rear;
+    body.width = 2 * box.half_width;
+  }
+  const auto read = [&](std::string_view key, double& length) {
+    if (outline == nullptr || file.find(node, key) != nullptr) {
+      length = file.number(file.at(node, key));
+    }
+  };
+  read("front_overhang", body.front_overhang);
+  read("rear_overhang", body.rear_overhang);
+  read("width", body.width);
+}
+
 Trailer trailer_from(const Document& file, const Node& node) {
-  file.allow_only(node, {"wheelbase", "front_overhang", "rear_overhang", "width"});
-  return {.wheelbase = file.number(file.at(node, "wheelbase")),
-          .front_overhang = file.number(file.at(node, "front_overhang")),
-          .rear_overhang = file.number(file.at(node, "rear_overhang")),
-          .width = file.number(file.at(node, "width"))};
+  file.allow_only(node, {"wheelbase", "front_overhang", "rear_overhang", "width", "outline"});
+  Trailer trailer;
+  read_body(file, node, trailer);
+  return trailer;
 }
 
 /// The trailer, and how it hangs on the vehicle.
@@ -77,12 +101,9 @@ Vehicle lengths_from(const Document& file, const Node& node) {
       node, {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius",
              "max_steering_angle", "track_width", "max_steering_rate", "max_curvature_rate",
              "max_speed", "max_acceleration", "max_braking", "max_lateral_acceleration", "max_jerk",
-             "hitch", "max_hitch_angle", "trailers"});
-  Vehicle vehicle{.wheelbase = file.number(file.at(node, "wheelbase")),
-                  .front_overhang = file.number(file.at(node, "front_overhang")),
-                  .rear_overhang = file.number(file.at(node, "rear_overhang")),
-                  .width = file.number(file.at(node, "width")),
-                  .min_turning_radius = 0.0};
+             "hitch", "max_hitch_angle", "trailers", "outline"});
+  Vehicle vehicle;
+  read_body(file, node, vehicle);
   vehicle.min_turning_radius = turning_radius_from(file, node, vehicle.wheelbase);
   if (const Node* const track = file.find(node, "track_width")) {
     vehicle.track_width = file.number(*track);
@@ -172,15 +193,20 @@ std::string yaml_of_limits(const Vehicle& vehicle) {
   return text;
 }
 
+/// ", outline: [[x, y], ...]" if there is one.
+std::string yaml_of_outline(const Polygon& outline) {
+  return outline.empty() ? "" : ", outline: " + yaml_of(outline);
+}
+
 /// The hitch and what hangs on it; empty without a trailer.
 std::string yaml_of_trailer(const Vehicle& vehicle) {
   if (!vehicle.trailer) return "";
   const Trailer& trailer = *vehicle.trailer;
   return fmt::format(
       ", hitch: {}, max_hitch_angle: {}, trailers: [{{wheelbase: {}, front_overhang: {}, "
-      "rear_overhang: {}, width: {}}}]",
+      "rear_overhang: {}, width: {}{}}}]",
       vehicle.hitch, vehicle.max_hitch_angle, trailer.wheelbase, trailer.front_overhang,
-      trailer.rear_overhang, trailer.width);
+      trailer.rear_overhang, trailer.width, yaml_of_outline(trailer.outline));
 }
 
 std::string no_such_vehicle(std::string_view name) {
@@ -207,9 +233,10 @@ std::string yaml_of(const Vehicle& vehicle) {
       vehicle.track_width ? fmt::format(", track_width: {}", *vehicle.track_width) : "";
   return fmt::format(
       "{{wheelbase: {}, front_overhang: {}, rear_overhang: {}, width: {}, min_turning_radius: "
-      "{}{}{}{}}}",
+      "{}{}{}{}{}}}",
       vehicle.wheelbase, vehicle.front_overhang, vehicle.rear_overhang, vehicle.width,
-      vehicle.min_turning_radius, track, yaml_of_limits(vehicle), yaml_of_trailer(vehicle));
+      vehicle.min_turning_radius, track, yaml_of_outline(vehicle.outline), yaml_of_limits(vehicle),
+      yaml_of_trailer(vehicle));
 }
 
 }  // namespace vandplan::io

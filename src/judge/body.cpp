@@ -27,7 +27,7 @@ double clearance_of(const Body& body, const Place& place, double half, double mo
 }
 
 double speed_of(const Body& body, const Stretch& stretch) {
-  const double reach = reach_of(body.outlines.body);
+  const double reach = std::max(reach_of(body.outlines.body), reach_of(body.outlines.wheels));
   if (body.trailing != nullptr) return body.trailing->speed(stretch, reach);
   return 1 + static_cast<double>(steepest(stretch)) * reach;
 }

@@ -50,7 +50,7 @@ bool CellTree::has_blocked(std::size_t level, std::int32_t column, std::int32_t 
 /// once they are `seen`, along those of the vehicle.
 class CellTree::Search {
  public:
-  Search(const CellTree& tree, const View& view, const Rectangle& body, double most);
+  Search(const CellTree& tree, const View& view, const Outline& body, double most);
 
   [[nodiscard]] double least() const { return std::max(0.0, least_); }
   [[nodiscard]] std::size_t visited() const { return visited_; }
@@ -68,14 +68,14 @@ class CellTree::Search {
   const CellTree& tree_;
   const OccupancyGrid& grid_;
   const Passage& passage_;
-  const Rectangle& body_;
+  const Outline& body_;
   double least_;
   std::size_t visited_ = 0;
   Real x_, y_;        // of the axle, from the corner of the grid [m]
   double cos_, sin_;  // of the heading, from the axes of the grid
 };
 
-CellTree::Search::Search(const CellTree& tree, const View& view, const Rectangle& body, double most)
+CellTree::Search::Search(const CellTree& tree, const View& view, const Outline& body, double most)
     : tree_(tree), grid_(tree.grid_), passage_(view.passage), body_(body), least_(most) {
   const Real dx = passage_.middle.x - grid_.origin.x;
   const Real dy = passage_.middle.y - grid_.origin.y;
@@ -91,14 +91,14 @@ void CellTree::Search::look_outside() {
   const auto up = static_cast<double>(grid_.rows * static_cast<Real>(grid_.resolution) - y_);
   const auto left = static_cast<double>(x_);
   const auto down = static_cast<double>(y_);
-  for (const Point& corner : corners_of(body_)) {
+  for_each_corner(body_, [&](const Point& corner) {
     const double x = corner.x * cos_ - corner.y * sin_;
     const double y = corner.x * sin_ + corner.y * cos_;
     const double aside = approach(passage_, corner, {cos_, -sin_});
     const double ahead = approach(passage_, corner, {sin_, cos_});
     least_ =
         std::min({least_, left + x - aside, right - x - aside, down + y - ahead, up - y - ahead});
-  }
+  });
 }
 
 void CellTree::Search::look(std::size_t level, std::int32_t column, std::int32_t row) {
@@ -137,7 +137,7 @@ Point CellTree::Search::seen(Real x, Real y) const {
   return {dx * cos_ + dy * sin_, dy * cos_ - dx * sin_};
 }
 
-double CellTree::clearance(const View& view, const Rectangle& body, double most,
+double CellTree::clearance(const View& view, const Outline& body, double most,
                            Effort& effort) const {
   Search search(*this, view, body, most);
   if (!grid_.unknown_is_free) search.look_outside();

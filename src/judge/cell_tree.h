@@ -22,7 +22,7 @@ class CellTree {
   /// Between the closed body and the closed squares of the blocked cells [m], if the curvature is
   /// constant: at one position the distance, on a passage no more than that at any of its
   /// positions, never more than `most`.
-  [[nodiscard]] double clearance(const View& view, const Rectangle& body, double most,
+  [[nodiscard]] double clearance(const View& view, const Outline& body, double most,
                                  Effort& effort) const;
 
  private:

@@ -3,7 +3,6 @@
 #include "judge/clearance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -29,7 +28,7 @@ Gap gap_between(const Point& on_body, const Point& on_side) {
 
 const Gap& nearer(const Gap& a, const Gap& b) { return b.distance < a.distance ? b : a; }
 
-Gap gap_to_point(const Point& p, const Rectangle& body) {
+Gap gap_to_point(const Point& p, const Outline& body) {
   return gap_between(
       {std::clamp(p.x, body.x_min, body.x_max), std::clamp(p.y, body.y_min, body.y_max)}, p);
 }
@@ -44,23 +43,53 @@ Gap gap_to_side(const Point& p, const Point& a, const Point& b) {
   return gap_between(p, {a.x + nearest * dx, a.y + nearest * dy});
 }
 
-/// Of two convex sets that are apart one is nearest at a corner of the other.
-Gap gap_of_side(const Point& a, const Point& b, const Rectangle& body) {
-  const std::array<Point, 4> corners = corners_of(body);
-  // Two convex sets are apart exactly if one of the directions of their sides tells them apart.
-  bool apart = std::max(a.x, b.x) < body.x_min || std::min(a.x, b.x) > body.x_max ||
-               std::max(a.y, b.y) < body.y_min || std::min(a.y, b.y) > body.y_max;
-  int left = 0;
-  int right = 0;
-  for (const Point& corner : corners) {
-    const double cross = (b.x - a.x) * (corner.y - a.y) - (b.y - a.y) * (corner.x - a.x);
-    left += cross > 0;
-    right += cross < 0;
+/// How far to the left of the way from a to b a point is, times the length of that way.
+double left_of(const Point& a, const Point& b, const Point& p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+/// Whether a side of the body, with all of the body to its left, has a and b to its right.
+bool is_beside(const Point& a, const Point& b, const Outline& body) {
+  if (std::max(a.x, b.x) < body.x_min || std::min(a.x, b.x) > body.x_max ||
+      std::max(a.y, b.y) < body.y_min || std::min(a.y, b.y) > body.y_max) {
+    return true;
   }
-  apart = apart || left == 4 || right == 4;
-  if (!apart) return {};
-  Gap gap = nearer(gap_to_point(a, body), gap_to_point(b, body));
-  for (const Point& corner : corners) gap = nearer(gap, gap_to_side(corner, a, b));
+  for (std::size_t i = 0; i < body.corners.size(); ++i) {
+    const Point& from = body.corners[i];
+    const Point& to = body.corners[(i + 1) % body.corners.size()];
+    if (left_of(from, to, a) < 0 && left_of(from, to, b) < 0) return true;
+  }
+  return false;
+}
+
+/// Between the ends of a side and a body whose corners are known.
+Gap gap_to_corners(const Point& a, const Point& b, const Outline& body) {
+  Gap gap{std::numeric_limits<double>::infinity(), {}, {}};
+  for (std::size_t i = 0; i < body.corners.size(); ++i) {
+    const Point& from = body.corners[i];
+    const Point& to = body.corners[(i + 1) % body.corners.size()];
+    for (const Point& end : {a, b}) {
+      const Gap turned = gap_to_side(end, from, to);
+      gap = nearer(gap, {turned.distance, turned.on_side, turned.on_body});
+    }
+  }
+  return gap;
+}
+
+/// Of two convex sets that are apart one is nearest at a corner of the other. They are apart
+/// exactly if one of the directions of their sides tells them apart.
+Gap gap_of_side(const Point& a, const Point& b, const Outline& body) {
+  bool left = true;
+  bool right = true;
+  for_each_corner(body, [&](const Point& corner) {
+    const double side = left_of(a, b, corner);
+    left = left && side > 0;
+    right = right && side < 0;
+  });
+  if (!left && !right && !is_beside(a, b, body)) return {};
+  Gap gap = body.corners.empty() ? nearer(gap_to_point(a, body), gap_to_point(b, body))
+                                 : gap_to_corners(a, b, body);
+  for_each_corner(body, [&](const Point& corner) { gap = nearer(gap, gap_to_side(corner, a, b)); });
   return gap;
 }
 
@@ -92,7 +121,7 @@ class Mover {
   double turning_;
 };
 
-double clearance_of_side(const Passage& passage, const Rectangle& body, const Point& a,
+double clearance_of_side(const Passage& passage, const Outline& body, const Point& a,
                          const Point& b) {
   const Gap gap = gap_of_side(a, b, body);
   if (gap.distance == 0 || passage.half == 0) return gap.distance;
@@ -113,26 +142,30 @@ double clearance_of_side(const Passage& passage, const Rectangle& body, const Po
   // ends turn by far more than the body does, it tells more.
   const Point to_body{-to_side.x, -to_side.y};
   double at_side = std::numeric_limits<double>::infinity();
-  for (const Point& corner : corners_of(body)) {
+  for_each_corner(body, [&](const Point& corner) {
     at_side = std::min(at_side, Mover(passage, corner).ahead(there, to_body));
-  }
+  });
   return std::max(at_body, at_side);
 }
 
 }  // namespace
 
-std::array<Point, 4> corners_of(const Rectangle& body) {
-  return {Point{body.x_min, body.y_min},
-          {body.x_max, body.y_min},
-          {body.x_max, body.y_max},
-          {body.x_min, body.y_max}};
+Outline outline_with(const Polygon& corners) {
+  const Bounds box = bounding_box(corners);
+  double area = 0;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    area += left_of(corners[0], corners[i - 1], corners[i]);
+  }
+  Outline body{box.x_min, box.x_max, box.y_min, box.y_max, corners};
+  if (area < 0) std::reverse(body.corners.begin(), body.corners.end());
+  return body;
 }
 
-double reach_of(const Rectangle& body) {
+double reach_of(const Outline& body) {
   return std::hypot(std::max(-body.x_min, body.x_max), std::max(-body.y_min, body.y_max));
 }
 
-double deviation(const Passage& passage, const Rectangle& body) {
+double deviation(const Passage& passage, const Outline& body) {
   if (passage.rate == 0) return 0;
   const double square = passage.half * passage.half;
   return std::abs(passage.rate) * square * (passage.half / 6 + reach_of(body) / 2);
@@ -153,7 +186,7 @@ View view_of(const Passage& passage) {
           .axis = {static_cast<double>(cos), static_cast<double>(sin)}};
 }
 
-double clearance_of_disc(const Passage& passage, const Rectangle& body, const Point& centre,
+double clearance_of_disc(const Passage& passage, const Outline& body, const Point& centre,
                          double radius) {
   const Gap gap = gap_to_point(centre, body);
   if (gap.distance == 0 || passage.half == 0) return gap.distance - radius;
@@ -165,8 +198,7 @@ double clearance_of_disc(const Passage& passage, const Rectangle& body, const Po
   return std::max(ahead, aside - mover.approach({0, 1})) - radius;
 }
 
-double clearance_of_bar(const Passage& passage, const Rectangle& body, const Bar& bar,
-                        double most) {
+double clearance_of_bar(const Passage& passage, const Outline& body, const Bar& bar, double most) {
   const auto& [a, b, radius] = bar;
   const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   const double half_length = length_of(a, b) / 2;
@@ -175,7 +207,7 @@ double clearance_of_bar(const Passage& passage, const Rectangle& body, const Bar
   return std::max(around, clearance_of_side(passage, body, a, b) - radius);
 }
 
-double clearance_of_seen(const Passage& passage, const Rectangle& body,
+double clearance_of_seen(const Passage& passage, const Outline& body,
                          std::span<const Point> polygon, double most) {
   double least = most;
   // The body holds its rear axle, the origin. If no side touches the body, the body is inside the

@@ -5,21 +5,35 @@
 //
 // Method and proof: docs/algorithms/path_check.md.
 
-#include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "judge/track.h"
 #include "vandplan/geometry.h"
 
 namespace vandplan::judge {
 
-/// A body in the vehicle frame, x forward from the rear axle, y to the left; it holds the origin.
-struct Rectangle {
-  double x_min, x_max, y_min, y_max;
+/// A convex body in the vehicle frame, x forward from the rear axle, y to the left; it holds the
+/// origin.
+struct Outline {
+  double x_min, x_max, y_min, y_max;  ///< of the box around it
+  std::vector<Point> corners = {};    ///< counter-clockwise; none: it is that box
 };
 
-[[nodiscard]] std::array<Point, 4> corners_of(const Rectangle& body);
+/// The body with these corners, in either order.
+[[nodiscard]] Outline outline_with(const Polygon& corners);
+
+/// Calls `look` with each corner.
+template <typename Look>
+void for_each_corner(const Outline& body, Look look) {
+  for (const Point& corner : body.corners) look(corner);
+  if (!body.corners.empty()) return;
+  look(Point{body.x_min, body.y_min});
+  look(Point{body.x_max, body.y_min});
+  look(Point{body.x_max, body.y_max});
+  look(Point{body.x_min, body.y_max});
+}
 
 /// All positions on the way through one position, up to `half` metres behind and ahead of it.
 struct Passage {
@@ -66,26 +80,26 @@ struct Effort {
 };
 
 /// The furthest point of a body from its rear axle [m].
-[[nodiscard]] double reach_of(const Rectangle& body);
+[[nodiscard]] double reach_of(const Outline& body);
 
 /// No point of a body is further than this from where it would be on a passage of constant
 /// curvature [m].
-[[nodiscard]] double deviation(const Passage& passage, const Rectangle& body);
+[[nodiscard]] double deviation(const Passage& passage, const Outline& body);
 
 /// Between the closed body and a bar as it is seen from the vehicle in the middle [m], if the
 /// curvature is constant. At one position it is the distance if the radius is 0, else a lower bound
 /// that is below 0 at times; on a passage it is no more than that at any of its positions. It need
 /// not be exact from `most` on.
-[[nodiscard]] double clearance_of_bar(const Passage& passage, const Rectangle& body, const Bar& bar,
+[[nodiscard]] double clearance_of_bar(const Passage& passage, const Outline& body, const Bar& bar,
                                       double most);
 
 /// The clearance of a closed polygon as it is seen from there, 0 if one holds the other, and never
 /// more than `most`.
-[[nodiscard]] double clearance_of_seen(const Passage& passage, const Rectangle& body,
+[[nodiscard]] double clearance_of_seen(const Passage& passage, const Outline& body,
                                        std::span<const Point> polygon, double most);
 
 /// A lower bound of the clearance, below 0 at times, of all that lies in a disc seen from there.
-[[nodiscard]] double clearance_of_disc(const Passage& passage, const Rectangle& body,
+[[nodiscard]] double clearance_of_disc(const Passage& passage, const Outline& body,
                                        const Point& centre, double radius);
 
 /// How much nearer a point, seen from the vehicle in the middle, may come along a direction, if the

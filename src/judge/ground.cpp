@@ -8,15 +8,17 @@ namespace vandplan::judge {
 
 Outlines outlines_of(const Vehicle& vehicle) {
   const double track = vehicle.track_width.value_or(vehicle.width);
-  return {.body = {-vehicle.rear_overhang, vehicle.wheelbase + vehicle.front_overhang,
-                   -vehicle.width / 2, vehicle.width / 2},
+  const Outline rectangle{-vehicle.rear_overhang, vehicle.wheelbase + vehicle.front_overhang,
+                          -vehicle.width / 2, vehicle.width / 2};
+  return {.body = vehicle.outline.empty() ? rectangle : outline_with(vehicle.outline),
           .wheels = {0.0, vehicle.wheelbase, -track / 2, track / 2}};
 }
 
 Outlines outlines_of(const Trailer& trailer) {
   const double half_width = trailer.width / 2;
-  return {.body = {-trailer.rear_overhang, trailer.wheelbase + trailer.front_overhang, -half_width,
-                   half_width},
+  const Outline rectangle{-trailer.rear_overhang, trailer.wheelbase + trailer.front_overhang,
+                          -half_width, half_width};
+  return {.body = trailer.outline.empty() ? rectangle : outline_with(trailer.outline),
           .wheels = {0.0, 0.0, -half_width, half_width}};
 }
 
@@ -31,7 +33,8 @@ double Ground::clearance(const Passage& passage, const Outlines& outlines, doubl
                          Effort& effort) const {
   ++effort.looks;
   const View view = view_of(passage);
-  const double aside = deviation(passage, outlines.body);
+  const double aside =
+      std::max(deviation(passage, outlines.body), deviation(passage, outlines.wheels));
   double least = obstacles_.clearance(view, outlines.body, most + aside, effort);
   if (least > 0) least = kerbs_.clearance(view, outlines.wheels, least, effort);
   if (least > 0 && cells_) least = cells_->clearance(view, outlines.body, least, effort);

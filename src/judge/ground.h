@@ -16,10 +16,9 @@
 
 namespace vandplan::judge {
 
-/// What of a vehicle must not touch: the footprint obstacles and maps, the wheels kerbs. The wheels
-/// are within the footprint.
+/// What of a vehicle must not touch: the footprint obstacles and maps, the wheels kerbs.
 struct Outlines {
-  Rectangle body, wheels;
+  Outline body, wheels;
 };
 
 /// What may be hit, and by what.

@@ -64,7 +64,7 @@ class Neighbour {
 
   /// From the body of a vehicle to the outline [m]: the vehicle is put into the outline's frame.
   [[nodiscard]] double distance(const Position& vehicle, const Position& own,
-                                const Rectangle& body) const {
+                                const Outline& body) const {
     const Real cos = std::cos(own.heading);
     const Real sin = std::sin(own.heading);
     const Real dx = vehicle.x - own.x;

@@ -26,7 +26,7 @@ struct Moment {
 
 /// The vehicle on its drive.
 struct Driver {
-  Rectangle body;
+  Outline body;
   Real curvature = 0;                   ///< the largest on its path [1/m]
   std::function<Moment(Real t)> where;  ///< at any time from 0 on
 };

@@ -156,7 +156,7 @@ Bar Builder::bar_around(const Chain& chain) {
 /// What is nearest, on one passage.
 class PolygonTree::Search {
  public:
-  Search(const PolygonTree& tree, const View& view, const Rectangle& body, double most)
+  Search(const PolygonTree& tree, const View& view, const Outline& body, double most)
       : tree_(tree), view_(view), body_(body), least_(most) {}
 
   [[nodiscard]] double least() const { return std::max(0.0, least_); }
@@ -174,7 +174,7 @@ class PolygonTree::Search {
 
   const PolygonTree& tree_;
   const View& view_;
-  const Rectangle& body_;
+  const Outline& body_;
   double least_;
   std::size_t visited_ = 0;
 };
@@ -205,7 +205,7 @@ void PolygonTree::Search::look_at_sides(const Chain& chain) {
 PolygonTree::PolygonTree(std::span<const Polygon> polygons)
     : polygons_(polygons), nodes_(Builder(polygons).nodes()) {}
 
-double PolygonTree::clearance(const View& view, const Rectangle& body, double most,
+double PolygonTree::clearance(const View& view, const Outline& body, double most,
                               Effort& effort) const {
   if (nodes_.empty()) return most;
   Search search(*this, view, body, most);
@@ -220,7 +220,7 @@ double PolygonTree::clearance(const View& view, const Rectangle& body, double mo
 }
 
 std::optional<std::size_t> PolygonTree::first_within(double distance, const View& view,
-                                                     const Rectangle& body) const {
+                                                     const Outline& body) const {
   if (nodes_.empty()) return std::nullopt;
   std::size_t first = none;
   Effort effort;
@@ -236,7 +236,7 @@ Point PolygonTree::corner(const Chain& chain, std::uint32_t i) const {
 }
 
 void PolygonTree::find_within(double distance, const Node& node, const View& view,
-                              const Rectangle& body, std::size_t& first) const {
+                              const Outline& body, std::size_t& first) const {
   const double more = distance + std::numeric_limits<double>::min();
   const auto is_within = [&](const Bar& bar) {
     return clearance_of_bar(view.passage, body, judge::seen(view, bar), more) <= distance;

@@ -26,12 +26,12 @@ class PolygonTree {
   /// Between the closed body and the closed polygons [m], if the curvature is constant: at one
   /// position the distance, 0 if one holds the other; on a passage no more than that at any of its
   /// positions; never more than `most`.
-  [[nodiscard]] double clearance(const View& view, const Rectangle& body, double most,
+  [[nodiscard]] double clearance(const View& view, const Outline& body, double most,
                                  Effort& effort) const;
 
   /// The first polygon that is at most so far from the body at a position [m], or holds it.
   [[nodiscard]] std::optional<std::size_t> first_within(double distance, const View& view,
-                                                        const Rectangle& body) const;
+                                                        const Outline& body) const;
 
   /// Sides of one polygon, one after the other; side i goes from corner i to the next.
   struct Chain {
@@ -53,7 +53,7 @@ class PolygonTree {
   [[nodiscard]] Point corner(const Chain& chain, std::uint32_t i) const;
   [[nodiscard]] bool is_crossed(const Node& node, const View& view) const;
   void find_holder(const Node& node, const View& view, std::size_t& first, Effort& effort) const;
-  void find_within(double distance, const Node& node, const View& view, const Rectangle& body,
+  void find_within(double distance, const Node& node, const View& view, const Outline& body,
                    std::size_t& first) const;
 
   std::span<const Polygon> polygons_;

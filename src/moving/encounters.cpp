@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/trigonometry.h"
+#include "geometry/convex.h"
 
 namespace vandplan::moving {
 namespace {
@@ -37,14 +38,16 @@ bool passes_ahead(const Point& a, const Point& b) noexcept {
   return (a.x * (b.y - a.y) - a.y * (b.x - a.x) > 0.0) == (b.y > a.y);
 }
 
-double squared_gap(const Rectangle& body, std::span<const Point> outline,
-                   const Frame& frame) noexcept {
+/// A body as the vehicle has it: `corners`, or the box if there are none.
+double squared_gap(const Rectangle& box, std::span<const Point> corners,
+                   std::span<const Point> outline, const Frame& frame) noexcept {
   double least = std::numeric_limits<double>::infinity();
   bool holds_axle = false;
   Point from = frame.place(outline.back());
   for (const Point& corner : outline) {
     const Point to = frame.place(corner);
-    least = std::min(least, collision::squared_distance(body, from, to));
+    least = std::min(least, corners.empty() ? collision::squared_distance(box, from, to)
+                                            : geometry::squared_distance(corners, from, to));
     holds_axle ^= passes_ahead(from, to);
     from = to;
   }
@@ -74,6 +77,7 @@ Encounters::Encounters(const Path& path, const Vehicle& vehicle,
     : way_(path), margin_(margin) {
   const Footprint body = footprint(vehicle);
   body_ = {body.rear, body.front, body.half_width};
+  if (!vehicle.outline.empty()) corners_ = body_outline(vehicle);
   const double reach = std::hypot(std::max(body.rear, body.front), body.half_width);
   Begin begin{};
   for (const Segment& segment : way_.segments()) {
@@ -126,18 +130,22 @@ double Encounters::gap(std::size_t i, const Pose& pose, double t, double enough)
   const double coarse = std::hypot(dx, dy) - mover.reach - kept;
   if (coarse >= enough) return coarse;
   // 2. The outline itself.
-  return std::sqrt(squared_gap(body_, obstacle.outline, frame)) - kept;
+  return std::sqrt(squared_gap(body_, corners_, obstacle.outline, frame)) - kept;
 }
 
 double Encounters::depth(std::size_t i, const Pose& pose, double t) const noexcept {
   const Mover& mover = movers_[i];
   const MovingObstacle& obstacle = *mover.obstacle;
   const Point centre = frame_of(*vandplan::pose_at(obstacle, t), pose).place(mover.centre);
-  const double x = std::max(-body_.back - centre.x, centre.x - body_.front);
-  const double y = std::abs(centre.y) - body_.half_width;
-  // Of the centre from the body; inside of the body it is negative.
-  const double distance = x > 0.0 && y > 0.0 ? std::hypot(x, y) : std::max(x, y);
-  return mover.core + margin_ + growth_at(obstacle, t) - distance;
+  return mover.core + margin_ + growth_at(obstacle, t) - distance_of(centre);
+}
+
+/// Of a point, as the vehicle sees it, from the body; inside of the body it is negative.
+double Encounters::distance_of(const Point& point) const noexcept {
+  if (!corners_.empty()) return geometry::signed_distance(corners_, point);
+  const double x = std::max(-body_.back - point.x, point.x - body_.front);
+  const double y = std::abs(point.y) - body_.half_width;
+  return x > 0.0 && y > 0.0 ? std::hypot(x, y) : std::max(x, y);
 }
 
 double Encounters::driven(double s) const noexcept {

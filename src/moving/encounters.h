@@ -61,11 +61,13 @@ class Encounters {
   };
 
   [[nodiscard]] static Mover mover_of(const MovingObstacle& obstacle);
+  [[nodiscard]] double distance_of(const Point& point) const noexcept;
 
   speed::Way way_;
   std::vector<Begin> begins_;  // of the segments, and the end
   std::vector<Mover> movers_;
-  collision::Rectangle body_;
+  collision::Rectangle body_;  // the box around the vehicle
+  Polygon corners_;            // of its body, if that is not the box
   double margin_;
 };
 

@@ -36,7 +36,7 @@ class DiscCost {
  public:
   DiscCost(const Task& task, double near_weight)
       : world_(task.world->checker(speck(), {})),
-        disc_(inner_radius(footprint(task.vehicle)) + task.least_margin),
+        disc_(inner_radius(task.vehicle) + task.least_margin),
         dear_(dear_within * task.vehicle.width),
         weight_(near_weight) {}
 

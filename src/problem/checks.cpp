@@ -10,6 +10,7 @@
 
 #include "base/decimal.h"
 #include "base/text.h"
+#include "geometry/convex.h"
 #include "geometry/polygon.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
@@ -167,9 +168,22 @@ Pose local_pose(const Pose& pose, const Point& origin) {
 
 Point local_origin(const Point& near) { return {std::round(near.x), std::round(near.y)}; }
 
+void check_outline(const Polygon& outline, const std::string& where) {
+  if (outline.empty()) return;
+  for (const Point& corner : outline) {
+    require_within(corner.x, largest_length, where);
+    require_within(corner.y, largest_length, where);
+  }
+  const Polygon local = local_polygon(outline, {}, where);
+  require(is_convex(local), where, "is not convex, expected a convex polygon");
+  require(geometry::signed_distance(geometry::counter_clockwise(local), {}) <= 0.0, where,
+          "does not hold [0, 0], expected a body around the midpoint of its axle");
+}
+
 void check_trailer(const Vehicle& vehicle) {
   const Trailer& trailer = *vehicle.trailer;
   require_positive(trailer.wheelbase, "vehicle.trailers[0].wheelbase");
+  check_outline(trailer.outline, "vehicle.trailers[0].outline");
   require_within(trailer.front_overhang, largest_length, "vehicle.trailers[0].front_overhang");
   require(trailer.wheelbase + trailer.front_overhang >= 0.0, "vehicle.trailers[0].front_overhang",
           "is " + base::shortest_text(trailer.front_overhang) +
@@ -188,8 +202,14 @@ void check_trailer(const Vehicle& vehicle) {
 
 void check_vehicle(const Vehicle& vehicle) {
   problem::require_positive(vehicle.wheelbase, "vehicle.wheelbase");
-  problem::require_not_negative(vehicle.front_overhang, problem::largest_length,
-                                "vehicle.front_overhang");
+  problem::check_outline(vehicle.outline, "vehicle.outline");
+  if (vehicle.outline.empty()) {
+    problem::require_not_negative(vehicle.front_overhang, problem::largest_length,
+                                  "vehicle.front_overhang");
+  } else {
+    problem::require_within(vehicle.front_overhang, problem::largest_length,
+                            "vehicle.front_overhang");
+  }
   problem::require_not_negative(vehicle.rear_overhang, problem::largest_length,
                                 "vehicle.rear_overhang");
   problem::require_positive(vehicle.width, "vehicle.width");

@@ -32,6 +32,10 @@ void check_hitch_angle(double angle, const Vehicle& vehicle, const std::string& 
 /// "goal.hitch_angles".
 void check_hitch_angles(const EndHitchAngles& angles, const Vehicle& vehicle);
 
+/// The outline of a body, if it has one: convex, and around the midpoint of its axle; errors name
+/// `where`.
+void check_outline(const Polygon& outline, const std::string& where);
+
 /// The trailer of a vehicle that has one and how it hangs on it; errors name
 /// "vehicle.trailers[0].width" or another key.
 void check_trailer(const Vehicle& vehicle);

@@ -39,7 +39,7 @@ Bounds scene_of(const Surroundings& ground, const std::array<Point, 2>& ends) {
 // be moved, place by place, to the nearest point of a box around the scene, where nothing is near:
 // so what is connected at all is connected in that box, within the bounds.
 Enclosure::Enclosure(const Task& task) : task_(task) {
-  const Disc disc = widest_disc(footprint(task.vehicle));
+  const Disc disc = widest_disc(task.vehicle);
   disc_ = disc.radius + task.least_margin;
   ends_ = {centre_of(disc, task.start), centre_of(disc, task.goal)};
   const Surroundings& ground = task.world->local();

@@ -39,9 +39,8 @@ FarGuide::FarGuide(const Task& task, const Bounds& box, const Options& options, 
       box_(box),
       target_{target.x, target.y},
       side_(options.side * task.vehicle.width),
-      near_(std::max(
-          inner_radius(footprint(task.vehicle)) + task.least_margin - side_ * std::sqrt(0.5),
-          side_ / 2)),
+      near_(std::max(inner_radius(task.vehicle) + task.least_margin - side_ * std::sqrt(0.5),
+                     side_ / 2)),
       greediness_(std::llround(options.greediness * whole)),
       root_(cell_of({root.x, root.y})) {
   // The vehicle stands there.

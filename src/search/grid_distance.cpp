@@ -37,7 +37,7 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
   rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
   mark_border();
-  const double disc = inner_radius(footprint(task.vehicle)) + task.least_margin;
+  const double disc = inner_radius(task.vehicle) + task.least_margin;
   near_ = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
   mark(task.world->local().obstacles, near_);
   mark(task.world->local().kerbs, side_ / 2);  // the rear axle reaches as far

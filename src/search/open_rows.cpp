@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/trigonometry.h"
+#include "geometry/convex.h"
 
 namespace vandplan::search {
 namespace {
@@ -49,9 +50,36 @@ void add_box(const Point& a, const Point& b, double y, double near, double& low,
   high = std::max(high, a.x + last);
 }
 
+/// The room around a place of the middle line is concave along it: the widest place is found by
+/// thirds, then the nearest one that is hardly less wide.
+Disc widest_disc_in(const Polygon& outline, const Footprint& box) {
+  constexpr double hardly_less = 1e-6;  // of the radius
+  constexpr int steps = 100;
+  const auto room = [&](double ahead) { return -geometry::signed_distance(outline, {ahead, 0.0}); };
+  double low = -box.rear;
+  double high = box.front;
+  for (int i = 0; i < steps; ++i) {
+    const double first = low + (high - low) / 3;
+    const double second = high - (high - low) / 3;
+    (room(first) < room(second) ? low : high) = room(first) < room(second) ? first : second;
+  }
+  const double widest = (low + high) / 2;
+  const double wanted = (1 - hardly_less) * room(widest);
+  double near = 0.0;
+  double far = widest;
+  for (int i = 0; i < steps && room(0.0) < wanted; ++i) {
+    const double middle = (near + far) / 2;
+    (room(middle) < wanted ? near : far) = middle;
+  }
+  const double ahead = room(0.0) < wanted ? far : 0.0;
+  return {ahead, std::max(0.0, room(ahead))};
+}
+
 }  // namespace
 
-Disc widest_disc(const Footprint& body) noexcept {
+Disc widest_disc(const Vehicle& vehicle) {
+  const Footprint body = footprint(vehicle);
+  if (!vehicle.outline.empty()) return widest_disc_in(body_outline(vehicle), body);
   const double radius = std::min(body.half_width, (body.front + body.rear) / 2);
   return {std::max(radius - body.rear, std::min(0.0, body.front - radius)), radius};
 }
@@ -61,10 +89,9 @@ double stretch_of(const Disc& disc, double turning_radius) noexcept {
   return std::hypot(1.0, disc.ahead / turning_radius) * (1 + rounding);
 }
 
-Disc bound_disc(const Vehicle& vehicle) noexcept {
-  const Footprint body = footprint(vehicle);
-  const Disc widest = widest_disc(body);
-  const double inner = inner_radius(body);
+Disc bound_disc(const Vehicle& vehicle) {
+  const Disc widest = widest_disc(vehicle);
+  const double inner = inner_radius(vehicle);
   const bool is_near = stretch_of(widest, vehicle.min_turning_radius) < most_stretch;
   return is_near || inner == 0.0 ? widest : Disc{0.0, inner};
 }

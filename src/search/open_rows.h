@@ -15,17 +15,17 @@
 
 namespace vandplan::search {
 
-/// A disc that the footprint holds: its centre is so far ahead of the rear axle [m].
+/// A disc that the body holds: its centre is so far ahead of the rear axle [m].
 struct Disc {
   double ahead, radius;
 };
 
-/// As wide as the footprint, and its centre as near to the rear axle as may be.
-[[nodiscard]] Disc widest_disc(const Footprint& body) noexcept;
+/// The widest one that the body holds, and its centre as near to the rear axle as may be.
+[[nodiscard]] Disc widest_disc(const Vehicle& vehicle);
 
 /// The disc that bounds of lengths are made with: the widest one where its centre goes hardly
 /// further than the rear axle, or where the other one, around the rear axle, is nothing.
-[[nodiscard]] Disc bound_disc(const Vehicle& vehicle) noexcept;
+[[nodiscard]] Disc bound_disc(const Vehicle& vehicle);
 
 /// How far the centre of a disc goes at most while the rear axle goes a metre [m].
 [[nodiscard]] double stretch_of(const Disc& disc, double turning_radius) noexcept;

@@ -3,15 +3,34 @@
 #include "vandplan/vehicle.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/trigonometry.h"
+#include "geometry/convex.h"
 
 namespace vandplan {
+namespace {
 
-bool same_lengths(const Vehicle& a, const Vehicle& b) noexcept {
-  Vehicle other = b;
-  other.limits = a.limits;
-  return a == other;
+/// The least rectangle around it that is as wide to the left as to the right.
+Footprint footprint_around(const Polygon& outline) noexcept {
+  const Bounds box = bounding_box(outline);
+  return {.rear = -box.x_min,
+          .front = box.x_max,
+          .half_width = std::max(std::abs(box.y_min), std::abs(box.y_max))};
+}
+
+/// An outline that is given, or the corners of the footprint.
+Polygon outline_or_corners(const Polygon& outline, const Footprint& footprint) {
+  if (!outline.empty()) return geometry::counter_clockwise(outline);
+  const std::array<Point, 4> rectangle = corners(footprint, {});
+  return {rectangle.begin(), rectangle.end()};
+}
+
+}  // namespace
+
+bool same_lengths(const Vehicle& a, Vehicle b) {
+  b.limits = a.limits;
+  return a == b;
 }
 
 double steering_angle(const Vehicle& vehicle, double curvature) noexcept {
@@ -25,9 +44,25 @@ double max_curvature_rate(const Vehicle& vehicle) noexcept {
 }
 
 Footprint footprint(const Vehicle& vehicle) noexcept {
+  if (!vehicle.outline.empty()) return footprint_around(vehicle.outline);
   return {.rear = vehicle.rear_overhang,
           .front = vehicle.wheelbase + vehicle.front_overhang,
           .half_width = vehicle.width / 2};
+}
+
+Footprint footprint(const Trailer& trailer) noexcept {
+  if (!trailer.outline.empty()) return footprint_around(trailer.outline);
+  return {.rear = trailer.rear_overhang,
+          .front = trailer.wheelbase + trailer.front_overhang,
+          .half_width = trailer.width / 2};
+}
+
+Polygon body_outline(const Vehicle& vehicle) {
+  return outline_or_corners(vehicle.outline, footprint(vehicle));
+}
+
+Polygon body_outline(const Trailer& trailer) {
+  return outline_or_corners(trailer.outline, footprint(trailer));
 }
 
 Footprint wheel_footprint(const Vehicle& vehicle) noexcept {
@@ -37,6 +72,11 @@ Footprint wheel_footprint(const Vehicle& vehicle) noexcept {
 
 double inner_radius(const Footprint& footprint) noexcept {
   return std::min({footprint.half_width, footprint.rear, footprint.front});
+}
+
+double inner_radius(const Vehicle& vehicle) {
+  if (vehicle.outline.empty()) return inner_radius(footprint(vehicle));
+  return std::max(0.0, -geometry::signed_distance(body_outline(vehicle), {}));
 }
 
 std::array<Point, 4> corners(const Footprint& footprint, const Pose& pose) noexcept {

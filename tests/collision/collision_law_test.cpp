@@ -34,6 +34,8 @@ struct Case {
   Path path;
 };
 
+Surroundings yard_of(const Case& c) { return {.bounds = c.bounds, .obstacles = c.obstacles}; }
+
 /// As C++ that can be pasted into a unit test.
 std::string described(const Case& c) {
   const Vehicle& v = c.vehicle;
@@ -41,8 +43,9 @@ std::string described(const Case& c) {
   return "Vehicle" +
          as_code(std::array{v.wheelbase, v.front_overhang, v.rear_overhang, v.width,
                             v.min_turning_radius}) +
-         ", Bounds" + as_code(std::array{x_min, x_max, y_min, y_max}) + ", obstacles " +
-         as_code(c.obstacles) + ", " + as_code(c.path);
+         ", outline " + as_code(v.outline) + ", Bounds" +
+         as_code(std::array{x_min, x_max, y_min, y_max}) + ", obstacles " + as_code(c.obstacles) +
+         ", " + as_code(c.path);
 }
 
 /// Around the origin.
@@ -82,7 +85,7 @@ Polygon moved(Polygon polygon, double x, double y) {
 
 /// A random obstacle near the path; where that is possible, so near that it just touches or just
 /// misses what the footprint sweeps.
-Polygon any_obstacle(const Footprint& body, const Path& path, Rng& rng) {
+Polygon any_obstacle(const OracleBody& body, const Path& path, Rng& rng) {
   const Pose near = pose_at(path, uniform(0, length(path.segments), rng));
   const Polygon polygon =
       moved(any_polygon(rng), near.x + uniform(-12, 12, rng), near.y + uniform(-12, 12, rng));
@@ -95,8 +98,8 @@ Polygon any_obstacle(const Footprint& body, const Path& path, Rng& rng) {
 }
 
 Case any_case(Rng& rng) {
-  Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
-  const Footprint body = footprint(c.vehicle);
+  Case c{.vehicle = any_body(rng), .obstacles = {}, .path = any_edge(around, rng)};
+  const OracleBody body(c.vehicle);
   const int count = chance(0.8, rng) ? 1 : static_cast<int>(uniform(0, 6, rng));
   for (int i = 0; i < count; ++i) c.obstacles.push_back(any_obstacle(body, c.path, rng));
   return c;
@@ -110,11 +113,10 @@ TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
   int barely_rejected = 0;  // without touching, found in every 16th
   for_each_case(1, count, [&](Rng& rng) {
     const Case c = any_case(rng);
-    const Footprint body = footprint(c.vehicle);
-    const CollisionChecker checker(body, c.bounds, c.obstacles);
+    const OracleBody body(c.vehicle);
+    const CollisionChecker checker(c.vehicle, yard_of(c));
     if (checker.is_free(c.path.start, c.path.segments)) {
-      const Problem problem =
-          problem_of_path({.bounds = c.bounds, .obstacles = c.obstacles}, c.path, c.vehicle);
+      const Problem problem = problem_of_path(yard_of(c), c.path, c.vehicle);
       const PathCheck check = check_path(problem, c.path, {});
       EXPECT_TRUE(check.valid) << check.reason << "; " << described(c);
       ++accepted;
@@ -150,7 +152,9 @@ Polygon far_wedge(Rng& rng) {
 /// As everything, seen from so near that it is that many times smaller.
 Case shrunk(Case c, double by) {
   Vehicle& v = c.vehicle;
+  const Polygon outline = v.outline;
   v = {v.wheelbase / by, v.front_overhang / by, v.rear_overhang / by, v.width / by, 1e-3 / by};
+  for (const auto& [x, y] : outline) v.outline.push_back({x / by, y / by});
   c.path.start = {c.path.start.x / by, c.path.start.y / by, c.path.start.heading};
   for (Segment& segment : c.path.segments) {
     segment = {segment.curvature * by, segment.length / by, segment.curvature_rate * by * by};
@@ -163,9 +167,9 @@ TEST(CollisionLaw, SidesMayEndFarAway) {
   int accepted = 0;
   int rejected = 0;
   for_each_case(4, count, [&](Rng& rng) {
-    Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
+    Case c{.vehicle = any_body(rng), .obstacles = {}, .path = any_edge(around, rng)};
     if (chance(0.3, rng)) c = shrunk(c, any_size(1, 100, rng));
-    const Footprint body = footprint(c.vehicle);
+    const OracleBody body(c.vehicle);
     const Pose near = pose_at(c.path, uniform(0, length(c.path.segments), rng));
     Polygon wedge;
     Gap gap{.distance = 0.0, .on_body = {}, .on_obstacle = {}};
@@ -179,7 +183,7 @@ TEST(CollisionLaw, SidesMayEndFarAway) {
                     part * (gap.on_body.y - gap.on_obstacle.y));
     }
     c.obstacles = {wedge};
-    const CollisionChecker checker(body, c.bounds, c.obstacles);
+    const CollisionChecker checker(c.vehicle, yard_of(c));
     if (checker.is_free(c.path.start, c.path.segments)) {
       EXPECT_FALSE(comes_within(0, body, c.obstacles, c.path)) << described(c);
       ++accepted;
@@ -199,9 +203,9 @@ TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
   int barely_accepted = 0;  // within 4 mm of the margin
   int rejected = 0;
   for_each_case(5, count, [&](Rng& rng) {
-    Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
+    Case c{.vehicle = any_body(rng), .obstacles = {}, .path = any_edge(around, rng)};
     const double margin = any_size(1e-3, 5, rng);
-    const Footprint body = footprint(c.vehicle);
+    const OracleBody body(c.vehicle);
     const Pose near = pose_at(c.path, uniform(0, length(c.path.segments), rng));
     Polygon polygon =
         moved(any_polygon(rng), near.x + uniform(-20, 20, rng), near.y + uniform(-20, 20, rng));
@@ -231,7 +235,7 @@ TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
 }
 
 /// The least clearance beyond what is wanted, at poses that are two centimetres apart [m].
-double least_excess(const Margin& margin, const Footprint& body, const Case& c) {
+double least_excess(const Margin& margin, const OracleBody& body, const Case& c) {
   double least = std::numeric_limits<double>::infinity();
   const double whole = length(c.path.segments);
   for (int i = 0; i <= 1000; ++i) {
@@ -252,10 +256,10 @@ TEST(CollisionLaw, ARampOfTheMarginIsKeptAndNoMoreThanThat) {
   int accepted_by_ramp = 0;  // and not with the whole margin
   int rejected = 0;
   for_each_case(6, count, [&](Rng& rng) {
-    Case c{.vehicle = any_vehicle(rng), .obstacles = {}, .path = any_edge(around, rng)};
+    Case c{.vehicle = any_body(rng), .obstacles = {}, .path = any_edge(around, rng)};
     const double whole = length(c.path.segments);
     if (whole > 20) return;
-    const Footprint body = footprint(c.vehicle);
+    const OracleBody body(c.vehicle);
     Margin margin{.wanted = any_size(0.05, 2, rng)};
     for (const Pose& end : {c.path.start, end_pose(c.path)}) {
       margin.ramps.push_back(
@@ -282,8 +286,7 @@ TEST(CollisionLaw, ARampOfTheMarginIsKeptAndNoMoreThanThat) {
       for (const Segment& segment : c.path.segments) {
         steepest = std::max(steepest, std::abs(segment.curvature));
       }
-      const double reach = std::hypot(std::max(body.front, body.rear), body.half_width);
-      const double moved_between_looks = 0.02 * (1 + steepest * reach);
+      const double moved_between_looks = 0.02 * (1 + steepest * body.reach());
       EXPECT_LE(least_excess(margin, body, c), CollisionChecker::tolerance + moved_between_looks)
           << described(c);
       ++rejected;
@@ -299,8 +302,8 @@ TEST(CollisionLaw, TheClearanceIsTheDistanceOfTheOracle) {
   int apart = 0;
   for_each_case(7, count, [&](Rng& rng) {
     const Case c = any_case(rng);
-    const Footprint body = footprint(c.vehicle);
-    const CollisionChecker checker(body, c.bounds, c.obstacles);
+    const OracleBody body(c.vehicle);
+    const CollisionChecker checker(c.vehicle, yard_of(c));
     const double most = any_size(0.01, 100, rng);
     const double expected = std::min(gap_at(body, c.obstacles, c.path.start).distance, most);
     EXPECT_NEAR(checker.clearance(c.path.start, most), expected, 1e-9) << most << described(c);
@@ -327,7 +330,7 @@ TEST(CollisionLaw, TheRearAxleIsKeptInTheBoundsToAMicrometre) {
     const auto room = [&] { return chance(0.3, rng) ? 100 : any_size(1e-5, 0.1, rng); };
     const Bounds bounds{box.x_min - room(), box.x_max + room(), box.y_min - room(),
                         box.y_max + room()};
-    const CollisionChecker checker(footprint({}), bounds, {});
+    const CollisionChecker checker(footprint(Vehicle{}), bounds, {});
     const auto inflated = [&](double by) {
       return Bounds{bounds.x_min - by, bounds.x_max + by, bounds.y_min - by, bounds.y_max + by};
     };

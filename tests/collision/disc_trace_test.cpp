@@ -69,7 +69,7 @@ TEST(DiscTrace, WhatIsNotInDoubtIsSo) {
     const geometry::DistanceField distances(geometry::BlockedCells(c.grid), 1);
     const collision::PlacedSegment placed(collision::placement_of(c.from), c.segment);
     const collision::DiscTrace trace =
-        collision::trace_discs(distances, c.grid.resolution, collision::DiscRows(c.body), placed);
+        collision::trace_discs(distances, c.grid.resolution, collision::DiscRows({c.body}), placed);
     const std::vector<Polygon> squares = squares_of(c.grid);
     const double length = std::abs(c.segment.length);
     const auto expect = [&](bool touched, double begin, double end) {
@@ -99,7 +99,7 @@ TEST(DiscTrace, OpenGroundIsClearFurtherThanTheFieldKnowsCells) {
   OccupancyGrid grid = grid_of(rows, 0.1, {0.1, 0.1, 0});
   grid.unknown_is_free = true;
   const geometry::DistanceField distances(geometry::BlockedCells(grid), 3);
-  const collision::DiscRows discs(footprint({}));
+  const collision::DiscRows discs({footprint(Vehicle{})});
   const auto is_clear = [&](const collision::Placement& from) {
     const collision::DiscTrace trace =
         collision::trace_discs(distances, 0.1, discs, {from, {0, 45}});

@@ -32,7 +32,7 @@ struct Counts {
 
 void expect_law(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& path,
                 Counts& counts) {
-  const Footprint body = footprint(vehicle);
+  const OracleBody body(vehicle);
   const Problem problem = problem_of_path({.bounds = wide, .map = grid}, path, vehicle);
   const auto described = [&] {
     return as_code(path) + " on cells of " + as_code(grid.resolution) + " m at " +
@@ -56,10 +56,10 @@ TEST(MapLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
   constexpr int count = 34000;
   Counts counts;
   for_each_case(1, count, [&](Rng& rng) {
-    const Vehicle vehicle = any_vehicle(rng);
+    const Vehicle vehicle = any_body(rng);
     const Path grazing = any_edge(rng);
     OccupancyGrid grid = any_grid(rng);
-    graze(grid, footprint(vehicle), grazing, rng);
+    graze(grid, vehicle, grazing, rng);
     expect_law(vehicle, grid, grazing, counts);
     for (int i = 0; i < 2; ++i) expect_law(vehicle, grid, any_edge(rng), counts);
   });
@@ -78,7 +78,7 @@ TEST(MapLaw, CrowdedAndEnclosedMapsKeepItToo) {
     grid.unknown_is_free = chance(0.3, rng);
     grid.resolution = any_size(0.2, 2, rng);
     grid.origin = {uniform(-20, 0, rng), uniform(-20, 0, rng), uniform(-0.5, 0.5, rng)};
-    const Vehicle vehicle = any_vehicle(rng);
+    const Vehicle vehicle = any_body(rng);
     for (int i = 0; i < 10; ++i) expect_law(vehicle, grid, any_edge(rng), counts);
   });
   EXPECT_GT(counts.accepted, cases(count) / 2);
@@ -89,12 +89,12 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracle) {
   constexpr int count = 4000;
   int apart = 0;
   for_each_case(5, count, [&](Rng& rng) {
-    const Vehicle vehicle = any_vehicle(rng);
+    const Vehicle vehicle = any_body(rng);
     const OccupancyGrid grid = any_grid(rng);
     const CollisionChecker checker(vehicle, Surroundings{.bounds = wide, .map = grid});
     const double most = any_size(0.01, 100, rng);
     const Pose pose = any_edge(rng).start;
-    const double gap = gap_at(footprint(vehicle), squares_of(grid), pose).distance;
+    const double gap = gap_at(vehicle, squares_of(grid), pose).distance;
     EXPECT_NEAR(checker.clearance(pose, most), std::min(gap, most), 1e-9)
         << most << " at " << as_code(pose) << " on cells of " << as_code(grid.resolution);
     const double enough = uniform(0, 1.5, rng) * most;
@@ -111,8 +111,8 @@ TEST(MapLaw, AMarginIsKeptAndNoMoreThanThat) {
   int accepted = 0;
   int rejected = 0;
   for_each_case(4, count, [&](Rng& rng) {
-    const Vehicle vehicle = any_vehicle(rng);
-    const Footprint body = footprint(vehicle);
+    const Vehicle vehicle = any_body(rng);
+    const OracleBody body(vehicle);
     const Path grazing = any_edge(rng);
     const double margin = any_size(1e-3, 5, rng);
     OccupancyGrid grid = any_grid(rng);
@@ -139,7 +139,7 @@ TEST(MapLaw, TheJudgeSeesCellsAsItSeesSquares) {
   int valid = 0;
   int invalid = 0;
   for_each_case(3, count, [&](Rng& rng) {
-    const Vehicle vehicle = any_vehicle(rng);
+    const Vehicle vehicle = any_body(rng);
     const Path path = any_edge(rng);
     const OccupancyGrid grid = any_grid(rng);
     const auto judged = [&](const Surroundings& surroundings) {

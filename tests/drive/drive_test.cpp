@@ -51,7 +51,7 @@ DriveResult driven(const Path& path, const DriveOptions& options = {}, Surroundi
 class EveryController : public testing::TestWithParam<std::string> {};
 
 TEST(Outline, TheFurthestCornerCounts) {
-  const Footprint body{.rear = 1, .front = 4, .half_width = 1};
+  const Polygon body{{-1, -1}, {4, -1}, {4, 1}, {-1, 1}};
   EXPECT_EQ(driving::deviation_of(body, {0, 0, 0}), 0);
   EXPECT_DOUBLE_EQ(driving::deviation_of(body, {0.3, 0.4, 0}), 0.5);
   // Turned on the spot the corner at (4, 1) comes to (-1, 4), the one at (-1, -1) to (1, -1).

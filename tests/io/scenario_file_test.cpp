@@ -336,7 +336,7 @@ std::vector<BadFile> bad_files() {
              "3: vehicle: unknown key \"widht\", expected one of wheelbase, front_overhang, "
              "rear_overhang, width, min_turning_radius, max_steering_angle, track_width, "
              "max_steering_rate, max_curvature_rate, max_speed, max_acceleration, max_braking, "
-             "max_lateral_acceleration, max_jerk, hitch, max_hitch_angle, trailers"),
+             "max_lateral_acceleration, max_jerk, hitch, max_hitch_angle, trailers, outline"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
              "goal, goals, obstacles, kerbs, map, unknown, moving, options"),

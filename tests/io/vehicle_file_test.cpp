@@ -113,6 +113,20 @@ TEST(VehicleFile, TheLengthsOfAVehicleOfTheCatalogueBringItsLimits) {
   EXPECT_EQ(read(written(slow)), slow);
 }
 
+TEST(VehicleFile, AnOutlineReadsBackAndBringsTheLengthsOfItsBox) {
+  const Vehicle vehicle = read(
+      "{wheelbase: 3.6, min_turning_radius: 6, outline: [[5, -0.5], [5, 0.7], [-0.9, 1.2], [-0.9, "
+      "-1]]}");
+  EXPECT_EQ(vehicle.outline, (Polygon{{5, -0.5}, {5, 0.7}, {-0.9, 1.2}, {-0.9, -1}}));
+  EXPECT_DOUBLE_EQ(vehicle.front_overhang, 1.4);
+  EXPECT_EQ(vehicle.rear_overhang, 0.9);
+  EXPECT_EQ(vehicle.width, 2.4);
+  EXPECT_EQ(read(written(vehicle)), vehicle);
+  Vehicle rig = vehicle_named("tractor-semitrailer");
+  rig.trailer->outline = {{9, -1}, {9, 1}, {-4, 1.2}, {-4, -1.2}};
+  EXPECT_EQ(read(written(rig)), rig);
+}
+
 TEST(VehicleFile, AnyLimitsReadBackUnchanged) {
   for_each_case(1, 300, [](Rng& rng) {
     const auto size = [&] { return uniform(0.01, 10, rng); };
@@ -133,11 +147,13 @@ TEST(VehicleFile, AnyLimitsReadBackUnchanged) {
 /// The lines that vehicle and footprint files are refused with, without their folder.
 class FilesOfVehicles : public ReaderTest {
  protected:
-  FootprintVehicle around(const std::string& text, double wheelbase = 0.3, double rear_axle = 0) {
+  FootprintVehicle around(const std::string& text, double wheelbase = 0.3, double rear_axle = 0,
+                          bool rectangle = true) {
     return read_footprint({.file = folder_.put("a.yaml", text),
                            .wheelbase = wheelbase,
                            .min_turning_radius = 0.5,
-                           .rear_axle = rear_axle});
+                           .rear_axle = rear_axle,
+                           .rectangle = rectangle});
   }
   std::string refusal(const std::string& text, double wheelbase = 0.3) {
     return message_of([&] { return around(text, wheelbase); });
@@ -154,6 +170,16 @@ TEST_F(FilesOfVehicles, AVehicleFileReadsBackExactly) {
     return message_of([&] { return read_vehicle(folder_.put("v.yaml", text)); });
   };
   EXPECT_EQ(refused("coach"), "v.yaml:1: is no vehicle, expected a map of lengths");
+  const auto outlined = [&](const std::string& outline) {
+    return refused("wheelbase: 4.5\nmin_turning_radius: 7\noutline: " + outline + "\n");
+  };
+  EXPECT_EQ(outlined("[]"), "v.yaml:3: outline: has 0 corners, expected at least 3");
+  EXPECT_EQ(outlined("[[5, 1], [-1, 0]]"), "v.yaml:3: outline: has 2 corners, expected at least 3");
+  EXPECT_EQ(outlined("[[5, 1], [-1, 1], [2, 0], [-1, -1], [5, -1]]"),
+            "v.yaml:3: outline: is not convex, expected a convex polygon");
+  EXPECT_EQ(outlined("[[5, 1], [1, 1], [1, -1], [5, -1]]"),
+            "v.yaml:3: outline: does not hold [0, 0], expected a body around the midpoint of its "
+            "axle");
   EXPECT_EQ(refused("wheelbase: 4.5\nfront_overhang: 1\nrear_overhang: 1\nwidth: -2\n"
                     "min_turning_radius: 7\n"),
             "v.yaml:4: width: is -2, expected more than 0 m");
@@ -179,6 +205,19 @@ TEST_F(FilesOfVehicles, ARectangleIsPutAroundAFootprint) {
   const Vehicle moved = around(corners, 0.3, 0.05).vehicle;  // the axle is 5 cm ahead of the origin
   EXPECT_EQ(moved.rear_overhang, 0.15);
   EXPECT_EQ(moved.front_overhang, 0.05);
+}
+
+TEST_F(FilesOfVehicles, AConvexFootprintIsTheOutline) {
+  const FootprintVehicle made = around(corners, 0.3, 0.05, false);
+  EXPECT_EQ(made.vehicle.outline,
+            (Polygon{{0.35, 0.2}, {0.35, -0.2}, {-0.15, -0.2}, {-0.15, 0.25}}));
+  EXPECT_EQ(made.vehicle.rear_overhang, 0.15);
+  EXPECT_EQ(made.added_area, 0);
+  const std::string concave = "[[0.4, 0.2], [0.4, -0.2], [-0.1, -0.2], [0.1, 0], [-0.1, 0.2]]";
+  EXPECT_TRUE(around(concave, 0.3, 0, false).vehicle.outline.empty());
+  EXPECT_NEAR(around(concave, 0.3, 0, false).added_area, 0.04, 1e-12);
+  const std::string box = "[[0.4, 0.2], [0.4, -0.2], [-0.1, -0.2], [-0.1, 0.2]]";
+  EXPECT_TRUE(around(box, 0.3, 0, false).vehicle.outline.empty());
 }
 
 TEST_F(FilesOfVehicles, FootprintsThatCannotBeUsedHaveOneLineEach) {

@@ -176,7 +176,7 @@ Path any_path(Rng& rng) {
 
 // ---- One look ----
 
-judge::Rectangle rectangle_of(const Footprint& body) {
+judge::Outline rectangle_of(const Footprint& body) {
   return {-body.rear, body.front, -body.half_width, body.half_width};
 }
 
@@ -198,7 +198,7 @@ TEST(JudgeCrowdLaw, ATreeOfManyPolygonsIsAsGoodAsEachOnItsOwn) {
     const auto polygons = any_polygons(any_count(1, 200, rng), vehicle, any_path(rng), rng);
     const Surroundings all{.obstacles = polygons};
     const judge::Ground ground(all);
-    const judge::Rectangle body = rectangle_of(footprint(vehicle));
+    const judge::Outline body = rectangle_of(footprint(vehicle));
     for (int i = 0; i < 5; ++i) {
       const judge::Passage passage = any_passage(rng);
       const double most = chance(0.5, rng) ? infinity : any_size(1e-3, 100, rng);
@@ -290,13 +290,13 @@ Exact distance_to(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b)
 }
 
 /// Between the vehicle and a side that does not touch it.
-Exact exact_distance(const judge::Rectangle& body, const judge::Position& p, const Polygon& side) {
+Exact exact_distance(const judge::Outline& body, const judge::Position& p, const Polygon& side) {
   const Exact cos = std::cos(p.heading);
   const Exact sin = std::sin(p.heading);
   std::vector<ExactPoint> corners;
-  for (const Point& c : judge::corners_of(body)) {
+  judge::for_each_corner(body, [&](const Point& c) {
     corners.push_back({p.x + c.x * cos - c.y * sin, p.y + c.x * sin + c.y * cos});
-  }
+  });
   const ExactPoint a{side[0].x, side[0].y};
   const ExactPoint b{side[1].x, side[1].y};
   Exact least = infinity;
@@ -320,7 +320,7 @@ TEST(JudgeCrowdLaw, SidesWithFarEndsAreAsFarAwayAsTheyAre) {
     const Point a = towards(near, angle, uniform(1, 4e6, rng));
     const Point b = towards(near, angle + pi, uniform(1, 4e6, rng));
     const Surroundings side{.obstacles = {{a, b, b}}};
-    const judge::Rectangle body = rectangle_of(footprint({}));
+    const judge::Outline body = rectangle_of(footprint(Vehicle{}));
     judge::Effort effort;
     const double seen = judge::Ground(side).clearance({position}, {body, body}, infinity, effort);
     const double furthest_end =

@@ -43,7 +43,7 @@ OccupancyGrid crowded_grid(Rng& rng) {
 
 judge::Position position_of(const Pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
-judge::Rectangle rectangle_of(const Footprint& body) {
+judge::Outline rectangle_of(const Footprint& body) {
   return {-body.rear, body.front, -body.half_width, body.half_width};
 }
 
@@ -98,7 +98,7 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
     const auto clearance_in = [&](const judge::Ground& ground) {
       return [&](const judge::Passage& passage, double most) {
         judge::Effort effort;
-        const judge::Rectangle outline = rectangle_of(body);
+        const judge::Outline outline = rectangle_of(body);
         return ground.clearance(passage, {outline, outline}, most, effort);
       };
     };

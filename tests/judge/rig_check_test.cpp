@@ -28,17 +28,25 @@ Vehicle semitrailer() {
   return vehicle;
 }
 
+/// A body that is narrower at one end than its box.
+Polygon tapered(const Footprint& box, Rng& rng) {
+  const double front = chance(0.5, rng) ? uniform(0.1, 1, rng) : 1;
+  const double rear = front < 1 ? 1 : uniform(0.1, 1, rng);
+  return {{box.front, front * box.half_width},
+          {-box.rear, rear * box.half_width},
+          {-box.rear, -rear * box.half_width},
+          {box.front, -front * box.half_width}};
+}
+
 Vehicle any_rig(Rng& rng) {
   Vehicle vehicle{3.6, 1.4, 0.9, 2.4, 1.0};
   vehicle.hitch = chance(0.3, rng) ? 0.0 : uniform(-2, 1, rng);
   vehicle.max_hitch_angle = 3.1;
   vehicle.trailer = Trailer{uniform(2, 9, rng), uniform(-1.5, 1.5, rng), uniform(0, 4, rng),
                             uniform(1, 2.6, rng)};
+  if (chance(0.3, rng)) vehicle.outline = tapered(footprint(vehicle), rng);
+  if (chance(0.3, rng)) vehicle.trailer->outline = tapered(footprint(*vehicle.trailer), rng);
   return vehicle;
-}
-
-Footprint trailer_outline(const Trailer& trailer) {
-  return {trailer.rear_overhang, trailer.wheelbase + trailer.front_overhang, trailer.width / 2};
 }
 
 Segment any_part(Rng& rng) {
@@ -50,15 +58,16 @@ Segment any_part(Rng& rng) {
 /// The least distance of both bodies from an obstacle at many states of a segment.
 double sampled_distance(const Vehicle& vehicle, const RigState& from, const Segment& segment,
                         const Polygon& obstacle) {
+  const OracleBody tractor(vehicle);
+  OracleBody trailer(footprint(*vehicle.trailer));
+  trailer.corners = body_outline(*vehicle.trailer);
   double least = 1e9;
   const double length = std::abs(segment.length);
   const int count = 1 + static_cast<int>(length / 0.02);
   for (int i = 0; i <= count; ++i) {
     const RigState state = advance(vehicle, from, part_of(segment, 0, length * i / count));
-    const auto tractor = corners(footprint(vehicle), state.pose);
-    const auto trailer = corners(trailer_outline(*vehicle.trailer), trailer_pose(vehicle, state));
-    least = std::min(
-        {least, gap_between(tractor, obstacle).distance, gap_between(trailer, obstacle).distance});
+    least = std::min({least, gap_between(tractor.at(state.pose), obstacle).distance,
+                      gap_between(trailer.at(trailer_pose(vehicle, state)), obstacle).distance});
   }
   return least;
 }
@@ -70,7 +79,7 @@ Polygon any_triangle(const Vehicle& vehicle, const RigState& from, const Segment
   const RigState state = advance(vehicle, from, part_of(segment, 0, uniform(0, length, rng)));
   const Trailer& trailer = *vehicle.trailer;
   const Pose frame = chance(0.3, rng) ? state.pose : trailer_pose(vehicle, state);
-  const Footprint body = frame == state.pose ? footprint(vehicle) : trailer_outline(trailer);
+  const Footprint body = frame == state.pose ? footprint(vehicle) : footprint(trailer);
   const double off = any_sign(any_size(1e-4, 2, rng), rng);
   const double side = any_sign(1, rng);
   const Pose tip =

@@ -24,6 +24,61 @@ struct Rectangle {
   Real x_min, x_max, y_min, y_max;
 };
 
+/// A convex body: what is to the left of all its sides, each moved outwards by a margin.
+struct Body {
+  struct Line {
+    Vector outwards;  // unit vector
+    Real offset;      // of the line from the origin, that way
+    [[nodiscard]] Real beyond(const Vector& p) const {
+      return outwards.x * p.x + outwards.y * p.y - offset;
+    }
+  };
+  std::vector<Line> sides;
+  std::vector<Vector> corners;  // where neighbouring sides meet
+  Vector middle;
+  Real reach = 0;
+};
+
+/// The corners in either order.
+Body body_with(const Polygon& given, Real margin) {
+  Body body;
+  Real area = 0;
+  for (std::size_t i = 0, j = given.size() - 1; i < given.size(); j = i++) {
+    area += Real{given[j].x} * given[i].y - Real{given[j].y} * given[i].x;
+    body.middle.x += Real{given[i].x} / given.size();
+    body.middle.y += Real{given[i].y} / given.size();
+  }
+  for (std::size_t i = 0, j = given.size() - 1; i < given.size(); j = i++) {
+    const Real dx = Real{given[i].x} - given[j].x;
+    const Real dy = Real{given[i].y} - given[j].y;
+    const Real length = area > 0 ? std::hypot(dx, dy) : -std::hypot(dx, dy);
+    const Vector outwards{dy / length, -dx / length};
+    body.sides.push_back({outwards, outwards.x * given[i].x + outwards.y * given[i].y + margin});
+  }
+  for (std::size_t i = 0, j = body.sides.size() - 1; i < body.sides.size(); j = i++) {
+    const auto& [n, c] = body.sides[j];
+    const auto& [m, d] = body.sides[i];
+    const Real sine = n.x * m.y - n.y * m.x;
+    body.corners.push_back({(c * m.y - d * n.y) / sine, (d * n.x - c * m.x) / sine});
+  }
+  for (const Vector& c : body.corners) body.reach = std::max(body.reach, std::hypot(c.x, c.y));
+  return body;
+}
+
+Polygon rectangle(double rear, double front, double half_width) {
+  return {{rear, -half_width}, {front, -half_width}, {front, half_width}, {rear, half_width}};
+}
+
+Body body_of(const Vehicle& v, Real margin) {
+  if (!v.outline.empty()) return body_with(v.outline, margin);
+  return body_with(rectangle(-v.rear_overhang, v.wheelbase + v.front_overhang, v.width / 2),
+                   margin);
+}
+
+Body wheels_of(const Vehicle& v, Real margin) {
+  return body_with(rectangle(0, v.wheelbase, v.track_width.value_or(v.width) / 2), margin);
+}
+
 /// Where something is in a frame of somebody else: in the vehicle's or in the map's.
 struct Frame {
   Vector origin;
@@ -43,23 +98,22 @@ Frame frame_at(const Vector& origin, Real heading) {
   return {origin, std::cos(heading), std::sin(heading)};
 }
 
-/// Whether a part of the side lies inside the open rectangle (Liang and Barsky 1984).
-bool runs_through(const Vector& a, const Vector& b, const Rectangle& body) {
+/// Whether a part of the side lies inside the open body (Cyrus and Beck 1978).
+bool runs_through(const Vector& a, const Vector& b, const Body& body) {
   Real begin = 0;
   Real end = 1;
-  const auto cut = [&](Real from, Real step, Real low, Real high) {
-    if (step == 0) return from > low && from < high;
-    const Real at_low = (low - from) / step;
-    const Real at_high = (high - from) / step;
-    begin = std::max(begin, std::min(at_low, at_high));
-    end = std::min(end, std::max(at_low, at_high));
-    return begin <= end;
-  };
-  if (!cut(a.x, b.x - a.x, body.x_min, body.x_max)) return false;
-  if (!cut(a.y, b.y - a.y, body.y_min, body.y_max)) return false;
+  for (const Body::Line& side : body.sides) {
+    const Real first = side.beyond(a);
+    const Real last = side.beyond(b);
+    if (first >= 0 && last >= 0) return false;
+    if (first < 0 && last < 0) continue;
+    const Real crossing = first / (first - last);
+    (first > 0 ? begin : end) = first > 0 ? std::max(begin, crossing) : std::min(end, crossing);
+  }
+  if (begin > end) return false;
   const Real middle = (begin + end) / 2;
   const Vector p{a.x + middle * (b.x - a.x), a.y + middle * (b.y - a.y)};
-  return p.x > body.x_min && p.x < body.x_max && p.y > body.y_min && p.y < body.y_max;
+  return std::ranges::all_of(body.sides, [&](const auto& side) { return side.beyond(p) < 0; });
 }
 
 bool holds(const std::vector<Vector>& polygon, const Vector& p) {
@@ -92,13 +146,13 @@ Thing thing_of(const std::string& name, const Polygon& polygon, const Pose& star
   return thing;
 }
 
-bool hits(const Thing& thing, const Rectangle& body, const Frame& vehicle) {
+bool hits(const Thing& thing, const Body& body, const Frame& vehicle) {
   std::vector<Vector> seen;
   for (const Vector& corner : thing.corners) seen.push_back(vehicle.seen(corner));
   for (std::size_t i = 0, j = seen.size() - 1; i < seen.size(); j = i++) {
     if (runs_through(seen[j], seen[i], body)) return true;
   }
-  return holds(seen, {(body.x_min + body.x_max) / 2, (body.y_min + body.y_max) / 2});
+  return holds(seen, body.middle);
 }
 
 /// A scenario as the naive judge sees it.
@@ -106,15 +160,9 @@ class Look {
  public:
   Look(const Scenario& scenario, double margin)
       : scenario_(scenario),
-        body_{-Real{scenario.vehicle.rear_overhang} - margin,
-              Real{scenario.vehicle.wheelbase} + scenario.vehicle.front_overhang + margin,
-              -Real{scenario.vehicle.width} / 2 - margin,
-              Real{scenario.vehicle.width} / 2 + margin},
-        wheels_(body_) {
-    const double track = scenario.vehicle.track_width.value_or(scenario.vehicle.width);
-    wheels_ = {-Real{margin}, Real{scenario.vehicle.wheelbase} + margin, -Real{track} / 2 - margin,
-               Real{track} / 2 + margin};
-    reach_ = std::hypot(std::max(-body_.x_min, body_.x_max), body_.y_max);
+        body_(body_of(scenario.vehicle, margin)),
+        wheels_(wheels_of(scenario.vehicle, margin)),
+        reach_(std::max(body_.reach, wheels_.reach)) {
     add(scenario.obstacles, "obstacle", obstacles_);
     add(scenario.kerbs, "kerb", kerbs_);
     if (!scenario.map) return;
@@ -164,9 +212,7 @@ class Look {
     const OccupancyGrid& grid = *scenario_.map;
     const Real side = grid.resolution;
     Rectangle near{1e300L, -1e300L, 1e300L, -1e300L};
-    for (const Vector& corner :
-         {Vector{body_.x_min, body_.y_min}, Vector{body_.x_max, body_.y_min},
-          Vector{body_.x_max, body_.y_max}, Vector{body_.x_min, body_.y_max}}) {
+    for (const Vector& corner : body_.corners) {
       const Vector p = map_.seen(vehicle.placed(corner));
       near = {std::min(near.x_min, p.x), std::max(near.x_max, p.x), std::min(near.y_min, p.y),
               std::max(near.y_max, p.y)};
@@ -197,9 +243,9 @@ class Look {
   }
 
   const Scenario& scenario_;
-  Rectangle body_;
-  Rectangle wheels_;
-  Real reach_ = 0;
+  Body body_;
+  Body wheels_;
+  Real reach_;
   std::vector<Thing> obstacles_;
   std::vector<Thing> kerbs_;
   Frame map_{};

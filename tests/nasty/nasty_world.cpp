@@ -36,7 +36,7 @@ struct Site {
 double whole_length(const Vehicle& v) { return v.rear_overhang + v.wheelbase + v.front_overhang; }
 
 Vehicle nasty_vehicle(Rng& rng) {
-  Vehicle v = any_vehicle(rng);
+  Vehicle v = chance(0.6, rng) ? any_vehicle(rng) : any_body(rng);
   v.min_turning_radius = chance(0.5, rng) ? 7.0 : any_size(0.3, 6, rng) * v.wheelbase;
   const double kind = uniform01(rng);
   const double scale = kind < 0.1 ? any_size(0.02, 0.3, rng) : kind > 0.9 ? uniform(3, 12, rng) : 1;
@@ -44,6 +44,7 @@ Vehicle nasty_vehicle(Rng& rng) {
        {&v.wheelbase, &v.front_overhang, &v.rear_overhang, &v.width, &v.min_turning_radius}) {
     *length *= scale;
   }
+  for (Point& corner : v.outline) corner = {corner.x * scale, corner.y * scale};
   if (chance(0.2, rng)) v.track_width = v.width * any_size(0.2, 1, rng);
   return v;
 }

@@ -51,6 +51,37 @@ def test_a_vehicle_is_a_value_with_the_names_of_files():
     assert scenario.vehicle.wheelbase == 3
 
 
+def test_a_vehicle_may_have_an_outline_and_a_trailer():
+    rig = vp.Vehicle(
+        outline=[(5, -0.5), (5, 0.5), (-1, 1.2), (-1, -1.2)],
+        hitch=-0.5,
+        trailers=[{"wheelbase": 8.0, "width": 2.5, "front_overhang": 1, "rear_overhang": 4}],
+    )
+    assert np.array_equal(rig.outline, [(5, -0.5), (5, 0.5), (-1, 1.2), (-1, -1.2)])
+    assert rig.trailers[0]["wheelbase"] == 8
+    assert vp.Vehicle().trailers == []
+    assert vp.Vehicle().outline.shape == (4, 2)
+    for same in (vp.Vehicle(**rig.as_dict()), pickle.loads(pickle.dumps(rig))):
+        assert same == rig
+    named = vp.Vehicle.named("tractor-semitrailer")
+    assert vp.Vehicle(**named.as_dict()) == named
+    scenario = vp.Scenario(
+        (0, 0, 0), (20, 3, 0), bounds=(-60, 60, -60, 60), vehicle=rig, start_hitch_angle=0.2
+    )
+    assert scenario.start_hitch_angle == 0.2
+    result = vp.plan(scenario, max_iterations=2000)
+    assert result.status == "solved"
+    assert vp.check(scenario, result).valid
+    for wrong, message in (
+        ({"outline": [(1, 1), (2, 2)]}, "vehicle.outline: has 2 corners"),
+        ({"trailers": [{"length": 3}]}, r"trailers\[0\].length: unknown key"),
+        ({"trailers": "one"}, "vehicle.trailers: expected a list"),
+        ({"trailers": [{}, {}]}, "vehicle.trailers: expected a list"),
+    ):
+        with pytest.raises(vp.InputError, match=message):
+            vp.Vehicle(**wrong)
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [

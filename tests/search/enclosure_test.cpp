@@ -11,8 +11,10 @@
 #include <numbers>
 
 #include "../support/cases.h"
+#include "../support/collision_oracle.h"
 #include "../support/draws.h"
 #include "../support/problems.h"
+#include "search/open_rows.h"
 #include "vandplan/planner.h"
 
 namespace vandplan {
@@ -37,6 +39,29 @@ std::vector<Polygon> room(const Point& middle, double half, double gap = 0.0) {
           box(x + half - w, y - half, x + half, y + half - gap),
           box(x - half + gap, y + half - w, x + half, y + half),
           box(x - half, y - half + gap, x - half + w, y + half)};
+}
+
+TEST(Disc, OfAnOutlineItIsTheWidestOneWithinIt) {
+  for_each_case(9, 300, [](Rng& rng) {
+    const Vehicle vehicle = any_body(rng);
+    if (vehicle.outline.empty()) return;
+    const search::Disc disc = search::widest_disc(vehicle);
+    const auto room = [&, body = OracleBody(vehicle).at({})](double ahead) {
+      const Point p{ahead, 0};
+      double least = 1e9;
+      for (std::size_t i = 0, j = body.size() - 1; i < body.size(); j = i++) {
+        const Point q = nearest_on_side(p, body[j], body[i]);
+        least = std::min(least, std::hypot(p.x - q.x, p.y - q.y));
+      }
+      return contains(body, p) ? least : 0.0;
+    };
+    EXPECT_NEAR(room(disc.ahead), disc.radius, 1e-9);
+    const Footprint box = footprint(vehicle);
+    for (int i = 0; i <= 50; ++i) {
+      const double ahead = -box.rear + i * (box.front + box.rear) / 50;
+      EXPECT_LE(room(ahead), disc.radius * (1 + 2e-6)) << ahead;
+    }
+  });
 }
 
 TEST(Enclosure, ProvesThatARoomIsClosed) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is the footprint from the obstacles, at a pose and along an edge?
+// How far is the body from the obstacles, at a pose and along an edge?
 //
 // Slow and obvious: distances are those of points to sides, and motion is bounded by
 // ds * (1 + |curvature| * reach), so that halving intervals finds the least distance of an edge.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -85,11 +84,38 @@ inline Gap gap_between(std::span<const Point> body, std::span<const Point> obsta
   return gap;
 }
 
-inline Gap gap_at(const Footprint& footprint, std::span<const Polygon> obstacles,
-                  const Pose& pose) {
-  const std::array<Point, 4> body = corners(footprint, pose);
+/// What moves: the corners of a footprint, or of whatever outline a vehicle has.
+struct OracleBody {
+  OracleBody(const Footprint& footprint) {
+    for (const Point& corner : vandplan::corners(footprint, {})) corners.push_back(corner);
+  }
+  OracleBody(const Vehicle& vehicle) : OracleBody(footprint(vehicle)) {
+    if (!vehicle.outline.empty()) corners = vehicle.outline;
+  }
+
+  [[nodiscard]] Polygon at(const Pose& pose) const {
+    Polygon there;
+    const double cos = std::cos(pose.heading);
+    const double sin = std::sin(pose.heading);
+    for (const auto& [x, y] : corners) {
+      there.push_back({pose.x + x * cos - y * sin, pose.y + x * sin + y * cos});
+    }
+    return there;
+  }
+
+  [[nodiscard]] double reach() const {
+    double most = 0;
+    for (const auto& [x, y] : corners) most = std::max(most, std::hypot(x, y));
+    return most;
+  }
+
+  Polygon corners;
+};
+
+inline Gap gap_at(const OracleBody& body, std::span<const Polygon> obstacles, const Pose& pose) {
+  const Polygon there = body.at(pose);
   Gap gap;
-  for (const Polygon& obstacle : obstacles) keep_nearer(gap, gap_between(body, obstacle));
+  for (const Polygon& obstacle : obstacles) keep_nearer(gap, gap_between(there, obstacle));
   return gap;
 }
 
@@ -104,19 +130,18 @@ struct Stretch {
   }
 };
 
-/// How fast points of the footprint may move, with the rear axle at speed 1.
-inline double top_speed(const Footprint& footprint, const Segment& segment) {
-  const double reach = std::hypot(std::max(footprint.rear, footprint.front), footprint.half_width);
+/// How fast points of the body may move, with the rear axle at speed 1.
+inline double top_speed(const OracleBody& body, const Segment& segment) {
   const double last = curvature_at(segment, std::abs(segment.length));
-  return 1 + std::max(std::abs(segment.curvature), std::abs(last)) * reach;
+  return 1 + std::max(std::abs(segment.curvature), std::abs(last)) * body.reach();
 }
 
 /// The least gap along a segment, its distance at most `error` above the truth.
-inline Gap least_gap(const Footprint& footprint, std::span<const Polygon> obstacles,
-                     const Pose& from, const Segment& segment, double error) {
-  const double speed = top_speed(footprint, segment);
+inline Gap least_gap(const OracleBody& body, std::span<const Polygon> obstacles, const Pose& from,
+                     const Segment& segment, double error) {
+  const double speed = top_speed(body, segment);
   const auto at = [&](double s) {
-    return gap_at(footprint, obstacles, advance(from, part_of(segment, 0, std::abs(s))));
+    return gap_at(body, obstacles, advance(from, part_of(segment, 0, std::abs(s))));
   };
   Gap least = at(0);
   const Gap last = at(segment.length);
@@ -135,24 +160,24 @@ inline Gap least_gap(const Footprint& footprint, std::span<const Polygon> obstac
   return least;
 }
 
-inline Gap least_gap(const Footprint& footprint, std::span<const Polygon> obstacles,
-                     const Path& path, double error) {
-  Gap least = gap_at(footprint, obstacles, path.start);
+inline Gap least_gap(const OracleBody& body, std::span<const Polygon> obstacles, const Path& path,
+                     double error) {
+  Gap least = gap_at(body, obstacles, path.start);
   Pose pose = path.start;
   for (const Segment& segment : path.segments) {
-    keep_nearer(least, least_gap(footprint, obstacles, pose, segment, error));
+    keep_nearer(least, least_gap(body, obstacles, pose, segment, error));
     pose = advance(pose, segment);
   }
   return least;
 }
 
 /// Whether the gap is anywhere along a segment at most `distance`.
-inline bool comes_within(double distance, const Footprint& footprint,
+inline bool comes_within(double distance, const OracleBody& body,
                          std::span<const Polygon> obstacles, const Pose& from,
                          const Segment& segment) {
-  const double speed = top_speed(footprint, segment);
+  const double speed = top_speed(body, segment);
   const auto at = [&](double s) {
-    return gap_at(footprint, obstacles, advance(from, part_of(segment, 0, std::abs(s)))).distance;
+    return gap_at(body, obstacles, advance(from, part_of(segment, 0, std::abs(s)))).distance;
   };
   std::vector<Stretch> open = {{0, segment.length, at(0), at(segment.length)}};
   while (!open.empty()) {
@@ -168,11 +193,11 @@ inline bool comes_within(double distance, const Footprint& footprint,
   return false;
 }
 
-inline bool comes_within(double distance, const Footprint& footprint,
+inline bool comes_within(double distance, const OracleBody& body,
                          std::span<const Polygon> obstacles, const Path& path) {
   Pose pose = path.start;
   for (const Segment& segment : path.segments) {
-    if (comes_within(distance, footprint, obstacles, pose, segment)) return true;
+    if (comes_within(distance, body, obstacles, pose, segment)) return true;
     pose = advance(pose, segment);
   }
   return false;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 
 #include "vandplan/path.h"
 #include "vandplan/random.h"
@@ -31,6 +33,31 @@ inline Vehicle any_vehicle(Rng& rng) {
                .width = any_size(0.2, 4, rng)};
   }
   vehicle.min_turning_radius = 1e-3;
+  return vehicle;
+}
+
+/// As it is, or with an outline of 3 to 8 corners around the rear axle, in either orientation.
+inline Vehicle any_body(Rng& rng) {
+  constexpr double pi = std::numbers::pi;
+  Vehicle vehicle = any_vehicle(rng);
+  const Footprint box = footprint(vehicle);
+  const int count = static_cast<int>(uniform(2, 9, rng));
+  if (count == 2 || chance(0.5, rng)) return vehicle;
+  const double middle = (box.front - box.rear) / 2;
+  const double turn = chance(0.5, rng) ? pi / count : uniform(0, pi, rng);
+  for (int i = 0; i < count; ++i) {  // on an ellipse about the middle
+    const double angle = turn + 2 * pi * (i + uniform(-0.3, 0.3, rng)) / count;
+    vehicle.outline.push_back(
+        {middle + (box.front + box.rear) * std::cos(angle), 2 * box.half_width * std::sin(angle)});
+  }
+  if (chance(0.5, rng)) std::reverse(vehicle.outline.begin(), vehicle.outline.end());
+  const auto left_of = [](const Point& a, const Point& b) { return a.x * b.y - a.y * b.x > 0; };
+  for (std::size_t i = 0, j = vehicle.outline.size() - 1; i < vehicle.outline.size(); j = i++) {
+    const bool is_left = left_of(vehicle.outline[j], vehicle.outline[i]);
+    if (is_left != left_of(vehicle.outline.back(), vehicle.outline[0])) {  // axle outside
+      vehicle.outline.clear();
+    }
+  }
   return vehicle;
 }
 

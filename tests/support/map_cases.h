@@ -32,7 +32,7 @@ inline OccupancyGrid any_grid(Rng& rng) {
 }
 
 /// Moves the map so that the edge just touches or just misses what is nearest.
-inline void graze(OccupancyGrid& grid, const Footprint& body, const Path& path, Rng& rng,
+inline void graze(OccupancyGrid& grid, const OracleBody& body, const Path& path, Rng& rng,
                   double margin = 0.0) {
   const Gap gap = least_gap(body, squares_of(grid), path, 1e-3);
   if (gap.distance == 0 || std::isinf(gap.distance)) return;

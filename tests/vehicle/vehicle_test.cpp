@@ -11,12 +11,26 @@
 namespace vandplan {
 namespace {
 
-constexpr Vehicle truck{.wheelbase = 4,
-                        .front_overhang = 1,
-                        .rear_overhang = 2,
-                        .width = 3,
-                        .min_turning_radius = 7,
-                        .track_width = 2.5};
+const Vehicle truck{.wheelbase = 4,
+                    .front_overhang = 1,
+                    .rear_overhang = 2,
+                    .width = 3,
+                    .min_turning_radius = 7,
+                    .track_width = 2.5};
+
+TEST(Vehicle, AnOutlineTakesThePlaceOfTheLengths) {
+  Vehicle lift = truck;
+  lift.outline = {{-1, 1}, {4, 0.5}, {4, -1.2}, {-1, -1}};  // clockwise
+  EXPECT_EQ(footprint(lift), (Footprint{.rear = 1, .front = 4, .half_width = 1.2}));
+  EXPECT_EQ(body_outline(lift), (Polygon{{-1, -1}, {4, -1.2}, {4, 0.5}, {-1, 1}}));
+  EXPECT_NEAR(inner_radius(lift), 0.9 / std::hypot(1, 0.1), 1e-12);
+  EXPECT_FALSE(same_lengths(truck, lift));
+  EXPECT_EQ(body_outline(truck), (Polygon{{-2, -1.5}, {5, -1.5}, {5, 1.5}, {-2, 1.5}}));
+  Trailer drawbar{.wheelbase = 5, .front_overhang = -2, .rear_overhang = 3, .width = 2};
+  EXPECT_EQ(footprint(drawbar), (Footprint{.rear = 3, .front = 3, .half_width = 1}));
+  drawbar.outline = {{2, 0}, {-1, 0.5}, {-1, -0.5}};
+  EXPECT_EQ(footprint(drawbar), (Footprint{.rear = 1, .front = 2, .half_width = 0.5}));
+}
 
 TEST(Vehicle, ItsOutlineCountsFromTheRearAxle) {
   EXPECT_EQ(footprint(truck), (Footprint{.rear = 2, .front = 5, .half_width = 1.5}));
@@ -43,10 +57,10 @@ TEST(Vehicle, ItsCornersAreCounterClockwiseFromTheRearRight) {
 
 // Whatever is nearest to the axle: a side, the rear or the front.
 TEST(Vehicle, TheInnerRadiusIsTheLeastDistanceToTheOutline) {
-  EXPECT_EQ(inner_radius({.rear = 2, .front = 5, .half_width = 1.5}), 1.5);
-  EXPECT_EQ(inner_radius({.rear = 0.2, .front = 5, .half_width = 1.5}), 0.2);
-  EXPECT_EQ(inner_radius({.rear = 2, .front = 0.7, .half_width = 1.5}), 0.7);
-  EXPECT_EQ(inner_radius({.rear = 0, .front = 5, .half_width = 1.5}), 0);
+  EXPECT_EQ(inner_radius(Footprint{.rear = 2, .front = 5, .half_width = 1.5}), 1.5);
+  EXPECT_EQ(inner_radius(Footprint{.rear = 0.2, .front = 5, .half_width = 1.5}), 0.2);
+  EXPECT_EQ(inner_radius(Footprint{.rear = 2, .front = 0.7, .half_width = 1.5}), 0.7);
+  EXPECT_EQ(inner_radius(Footprint{.rear = 0, .front = 5, .half_width = 1.5}), 0);
 }
 
 }  // namespace

@@ -162,13 +162,15 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                               const py::iterable& kerbs, const py::object& grid,
                               const py::object& resolution, const py::object& origin,
                               const py::object& vehicle, double start_curvature,
-                              double goal_curvature, const std::string& name,
+                              double goal_curvature, double start_hitch_angle,
+                              double goal_hitch_angle, const std::string& name,
                               const py::dict& options) {
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
                     .start = pose_from(start, "start"),
                     .goal = pose_from(goal, "goal"),
                     .curvatures = {start_curvature, goal_curvature},
+                    .hitch_angles = {start_hitch_angle, goal_hitch_angle},
                     .obstacles = polygons_from(obstacles, "obstacles"),
                     .kerbs = polygons_from(kerbs, "kerbs"),
                     .map = map_from(grid, resolution, origin)};
@@ -257,6 +259,12 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       "goal_curvature", [](const Scenario& s) { return s.curvatures.goal; },
       "How far the wheels are turned at the goal [1/m].");
   property(
+      "start_hitch_angle", [](const Scenario& s) { return s.hitch_angles.start; },
+      "Heading of the vehicle less that of its trailer at the start [rad].");
+  property(
+      "goal_hitch_angle", [](const Scenario& s) { return s.hitch_angles.goal; },
+      "Heading of the vehicle less that of its trailer at the goal [rad].");
+  property(
       "obstacles", [](const Scenario& s) { return arrays_of(s.obstacles); },
       "Polygons, each an array of the shape (N, 2).");
   property(
@@ -277,20 +285,22 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
 void bind_scenario_class(py::module_& module) {
   py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
     obstacles=(), kerbs=(), grid=None, resolution=None, origin=None, vehicle=None,
-    start_curvature=0, goal_curvature=0, name="scenario", options={})
+    start_curvature=0, goal_curvature=0, start_hitch_angle=0, goal_hitch_angle=0, name="scenario",
+    options={})
 
 What is to be planned, checked and unchangeable; metres and radians, counter-clockwise. `start` and
 `goal` are poses [x, y, heading] of the midpoint of the rear axle, which has to stay in `bounds`
 (x_min, x_max, y_min, y_max); with a grid these are those of the grid unless given. `obstacles` and
 `kerbs` are simple polygons, arrays of the shape (N, 2); only the wheels keep off kerbs. `grid` is an
 `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
-or a dict; None is a truck. `options` are what this scenario wants of planners: {"margin": 0.3}.)");
+or a dict; None is a truck. With a trailer the hitch angles are the heading of the vehicle less that
+of its trailer. `options` are what this scenario wants of planners: {"margin": 0.3}.)");
   scenario
       .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
            "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
            "resolution"_a = py::none(), "origin"_a = py::none(), "vehicle"_a = py::none(),
-           "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "name"_a = "scenario",
-           "options"_a = py::dict())
+           "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "start_hitch_angle"_a = 0.0,
+           "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict())
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
 
@@ -337,7 +347,8 @@ CheckedScenario CheckedScenario::with_poses(const Pose& start, const Pose& goal,
                                             const EndCurvatures& curvatures) const {
   CheckedScenario other = *this;
   other.problem_ = std::make_shared<const Problem>(
-      with_moving(make_problem(problem().world(), scenario_->vehicle, start, goal, curvatures),
+      with_moving(make_problem(problem().world(), scenario_->vehicle, start, goal, curvatures,
+                               scenario_->hitch_angles),
                   scenario_->moving));
   Scenario changed = *scenario_;
   changed.start = start;

@@ -9,6 +9,7 @@
 #include <array>
 #include <string_view>
 
+#include "bindings/python/core/arrays.h"
 #include "bindings/python/core/bind.h"
 #include "bindings/python/core/scenario.h"
 #include "vandplan/input_error.h"
@@ -66,7 +67,7 @@ constexpr std::array fields = {
           "Change of the acceleration [m/s^3]; None: any."},
 };
 
-constexpr std::string_view speed_key = "max_speed";
+constexpr std::array others = {"max_speed", "hitch", "max_hitch_angle", "outline", "trailers"};
 
 double number_of(const std::string& name, const py::handle& value) {
   try {
@@ -90,11 +91,64 @@ GearSpeeds speeds_from(const py::handle& value) {
   throw InputError("vehicle.max_speed", "expected two numbers, forward and reverse");
 }
 
-void set_field(Vehicle& vehicle, const std::string& name, const py::handle& value) {
-  if (name == speed_key) {
-    vehicle.limits.max_speed = speeds_from(value);
-    return;
+Polygon outline_from(const py::handle& value, const std::string& where) {
+  return value.is_none() ? Polygon{} : polygon_from(value, where);
+}
+
+Trailer trailer_from(const py::handle& value) {
+  const std::string where = "vehicle.trailers[0]";
+  if (!py::isinstance<py::dict>(value)) throw InputError(where, "expected a dict of its lengths");
+  Trailer trailer;
+  for (const auto& [key, given] : py::reinterpret_borrow<py::dict>(value)) {
+    const std::string name = py::str(key);
+    const auto number = [&, &item = given] { return number_of("trailers[0]." + name, item); };
+    if (name == "wheelbase") {
+      trailer.wheelbase = number();
+    } else if (name == "front_overhang") {
+      trailer.front_overhang = number();
+    } else if (name == "rear_overhang") {
+      trailer.rear_overhang = number();
+    } else if (name == "width") {
+      trailer.width = number();
+    } else if (name == "outline") {
+      trailer.outline = outline_from(given, where + ".outline");
+    } else {
+      throw InputError(where + "." + name,
+                       "unknown key, expected one of wheelbase, front_overhang, rear_overhang, "
+                       "width, outline");
+    }
   }
+  return trailer;
+}
+
+std::optional<Trailer> trailers_from(const py::handle& value) {
+  const auto list = py::reinterpret_borrow<py::sequence>(value);
+  if (py::isinstance<py::str>(value) || !py::isinstance<py::sequence>(value) || list.size() > 1) {
+    throw InputError("vehicle.trailers", "expected a list with one trailer, or an empty one");
+  }
+  return list.size() == 0 ? std::nullopt : std::optional(trailer_from(list[0]));
+}
+
+/// Takes over a value that is no number, or belongs to a trailer; false if the name is unknown.
+bool set_other(Vehicle& vehicle, const std::string& name, const py::handle& value) {
+  if (name == "max_speed") {
+    vehicle.limits.max_speed = speeds_from(value);
+  } else if (name == "hitch") {
+    vehicle.hitch = number_of(name, value);
+  } else if (name == "max_hitch_angle") {
+    vehicle.max_hitch_angle = number_of(name, value);
+  } else if (name == "outline") {
+    vehicle.outline = outline_from(value, "vehicle.outline");
+  } else if (name == "trailers") {
+    vehicle.trailer = trailers_from(value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void set_field(Vehicle& vehicle, const std::string& name, const py::handle& value) {
+  if (set_other(vehicle, name, value)) return;
   std::string names;
   for (const Field& field : fields) {
     if (name != field.name) {
@@ -105,7 +159,8 @@ void set_field(Vehicle& vehicle, const std::string& name, const py::handle& valu
     if (!is_standard) field.set(vehicle, number_of(name, value));
     return;
   }
-  throw InputError("vehicle." + name, "unknown key, expected one of " + names + "max_speed");
+  throw InputError("vehicle." + name, fmt::format("unknown key, expected one of {}{}", names,
+                                                  fmt::join(others, ", ")));
 }
 
 Vehicle vehicle_of(const py::dict& values) {
@@ -115,18 +170,45 @@ Vehicle vehicle_of(const py::dict& values) {
   return vehicle;
 }
 
+/// The corners as pairs; None if there are none.
+py::object list_of(const Polygon& outline) {
+  if (outline.empty()) return py::none();
+  py::list corners;
+  for (const auto& [x, y] : outline) corners.append(py::make_tuple(x, y));
+  return corners;
+}
+
+py::list trailers_of(const Vehicle& vehicle) {
+  py::list trailers;
+  if (!vehicle.trailer) return trailers;
+  const Trailer& trailer = *vehicle.trailer;
+  py::dict values;
+  values["wheelbase"] = trailer.wheelbase;
+  values["front_overhang"] = trailer.front_overhang;
+  values["rear_overhang"] = trailer.rear_overhang;
+  values["width"] = trailer.width;
+  values["outline"] = list_of(trailer.outline);
+  trailers.append(values);
+  return trailers;
+}
+
 py::dict dict_of_vehicle(const Vehicle& vehicle) {
   py::dict values;
   for (const Field& field : fields) values[field.name] = field.get(vehicle);
   const GearSpeeds& speeds = vehicle.limits.max_speed;
   values["max_speed"] = py::make_tuple(speeds.forward, speeds.reverse);
+  values["hitch"] = vehicle.hitch;
+  values["max_hitch_angle"] = vehicle.max_hitch_angle;
+  values["outline"] = list_of(vehicle.outline);
+  values["trailers"] = trailers_of(vehicle);
   return values;
 }
 
 std::string vehicle_text(const Vehicle& vehicle) {
-  return fmt::format("<vandplan.Vehicle: {} m by {} m, turning radius {} m>",
+  return fmt::format("<vandplan.Vehicle: {} m by {} m, turning radius {} m{}>",
                      vehicle.rear_overhang + vehicle.wheelbase + vehicle.front_overhang,
-                     vehicle.width, vehicle.min_turning_radius);
+                     vehicle.width, vehicle.min_turning_radius,
+                     vehicle.trailer ? ", with a trailer" : "");
 }
 
 }  // namespace
@@ -146,7 +228,10 @@ The lengths of a rigid vehicle that steers at the front [m], and how fast it may
 are those of scenario files: wheelbase, front_overhang, rear_overhang, width, min_turning_radius,
 track_width; max_steering_rate [rad/s], max_curvature_rate [1/m^2], max_speed (forward, reverse)
 [m/s], max_acceleration, max_braking, max_lateral_acceleration [m/s^2], max_jerk [m/s^3]. What is
-not given is that of a truck.)");
+not given is that of a truck. outline: corners (N, 2) of a convex body around the midpoint of the
+rear axle, in place of the rectangle of the lengths. trailers: a list with one dict of wheelbase
+(hitch to axle), front_overhang, rear_overhang, width and, if it has one, outline; beside it hitch,
+its x in the vehicle frame [m], and max_hitch_angle [rad].)");
   vehicle.def(py::init([](const py::kwargs& values) { return vehicle_of(values); }))
       .def_static("named", &vehicle_named, py::arg("name"),
                   "named(name) -> Vehicle\n\nA vehicle of the catalogue, such as \"city-bus\".")
@@ -168,6 +253,16 @@ Every value by its keyword: `Vehicle(**{**vehicle.as_dict(), "width": 2.4})` is 
         return py::make_tuple(self.limits.max_speed.forward, self.limits.max_speed.reverse);
       },
       "Largest speeds, forward and in reverse [m/s].");
+  vehicle.def_readonly("hitch", &Vehicle::hitch,
+                       "x of the hitch in the vehicle frame [m]; negative behind the rear axle.");
+  vehicle.def_readonly("max_hitch_angle", &Vehicle::max_hitch_angle,
+                       "Largest angle between the vehicle and its trailer [rad].");
+  vehicle.def_property_readonly(
+      "outline",
+      [](const Vehicle& self) { return array_of(std::span<const Point>(body_outline(self))); },
+      "Corners of the body in the vehicle frame, counter-clockwise; shape (N, 2).");
+  vehicle.def_property_readonly("trailers", &trailers_of,
+                                "A list with a dict of the trailer, or an empty one.");
   vehicle.attr("__hash__") = py::none();
 }
 

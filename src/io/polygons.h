@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How are polygons read and written?
+
+#include <string>
+
+#include "io/document.h"
+#include "vandplan/geometry.h"
+
+namespace vandplan::io {
+
+/// A list of exactly two numbers; `expected` says what they are.
+[[nodiscard]] Point pair_from(const Document& file, const Node& node, const std::string& expected);
+
+/// A list [[x, y], ...].
+[[nodiscard]] Polygon polygon_from(const Document& file, const Node& node);
+
+/// That list, on one line.
+[[nodiscard]] std::string yaml_of(const Polygon& polygon);
+
+}  // namespace vandplan::io
