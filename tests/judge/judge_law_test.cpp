@@ -43,10 +43,6 @@ OccupancyGrid crowded_grid(Rng& rng) {
 
 judge::Position position_of(const Pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
-judge::Outline rectangle_of(const Footprint& body) {
-  return {-body.rear, body.front, -body.half_width, body.half_width};
-}
-
 struct Counts {
   int proven = 0;  // what is said of a passage is not 0, ...
   int close = 0;   // and nearly what is true
@@ -56,7 +52,7 @@ struct Counts {
 
 /// What the judge says of one passage, of cells or of polygons.
 template <typename Clearance>
-void expect_passage(const Clearance& clearance, const Footprint& body,
+void expect_passage(const Clearance& clearance, const OracleBody& body,
                     const std::vector<Polygon>& squares, Rng& rng, Counts& counts) {
   const Pose pose = uniform_pose({-8, 8, -8, 8}, rng);
   const double curvature = chance(0.3, rng) ? 0 : any_sign(any_size(1e-6, 5, rng), rng);
@@ -92,13 +88,14 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
   Counts cells;
   Counts polygons;
   for_each_case(1, count, [&](Rng& rng) {
-    const Footprint body = footprint(any_vehicle(rng));
+    const Vehicle vehicle = any_body(rng);
+    const OracleBody body(vehicle);
+    const judge::Outline outline = judge::outlines_of(vehicle).body;
     const OccupancyGrid grid = chance(0.8, rng) ? any_grid(rng) : crowded_grid(rng);
     const std::vector<Polygon> squares = squares_of(grid);
     const auto clearance_in = [&](const judge::Ground& ground) {
       return [&](const judge::Passage& passage, double most) {
         judge::Effort effort;
-        const judge::Outline outline = rectangle_of(body);
         return ground.clearance(passage, {outline, outline}, most, effort);
       };
     };
