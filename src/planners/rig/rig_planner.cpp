@@ -3,6 +3,7 @@
 #include "planners/rig/rig_planner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -29,17 +30,28 @@ class Run {
         options_(options),
         budget_(options.budget),
         rule_(cost_rule(options.cost)),
-        unit_(0.3 * std::sqrt(task.vehicle.min_turning_radius * task.vehicle.trailer->wheelbase)),
+        unit_(0.3 * std::sqrt(turning_radius(task.vehicle) * task.vehicle.trailer->wheelbase)),
+        guides_(task),
         bound_(Connector(task, rule_).least_cost(task.start, task.goal, {rule_.initial_gear, {}})) {
   }
 
-  /// Searches for a drive, coarsely at first. False when the budget is spent.
-  bool search(int round);
+  /// Searches for a drive, in several ways by turns. False when the budget is spent.
+  bool search();
   /// Makes a drive cheaper until that brings next to nothing. False when the budget is spent.
   bool shorten();
   [[nodiscard]] PlannerAnswer answer();
 
  private:
+  static constexpr std::size_t kinds = 4;
+  static constexpr int first_share = 128, most_share = 1 << 14;
+  /// One of the ways to search.
+  struct Search {
+    std::optional<RigSearch> now;
+    int rounds = 0;
+  };
+
+  void begin(Search& search);
+  void end(Search& search);
   void keep(const std::vector<Segment>& segments, double cost);
   [[nodiscard]] bool is_good_enough() const {
     const auto& gap = options_.budget.target_gap;
@@ -51,33 +63,68 @@ class Run {
   const PlanOptions& options_;
   Budget budget_;
   CostRule rule_;
-  double unit_;   // of the steps of a search [m]
+  double unit_;  // of the steps of a search [m]
+  Guides guides_;
+  std::array<Search, kinds> searches_;
+  std::size_t turn_ = 0;     // of a search
+  int share_ = first_share;  // of expansions, which grows
+  int left_ = first_share;
   double bound_;  // no drive costs less [m]
   std::optional<std::vector<Segment>> found_;
   std::optional<std::vector<Segment>> best_;
   double best_cost_ = 0.0;
   std::vector<CostSample> trace_;
-  std::int64_t nodes_ = 0, checks_ = 0, closings_ = 0, trials_ = 0;
+  std::int64_t nodes_ = 0, checks_ = 0, closings_ = 0, bridges_ = 0, trials_ = 0;
   std::uint64_t shortened_ = 0;
 };
 
-bool Run::search(int round) {
-  // Each round looks more finely, then coarsely again with another weight.
-  constexpr double steps[] = {1.0, 0.6, 0.35, 0.2};
-  constexpr double weights[] = {2.5, 1.6, 4.0, 1.2};
-  const Fineness fineness{
-      .step = unit_ * steps[round % 4],
-      .weight = weights[(round / 4) % 4],
-      .most_nodes = static_cast<std::size_t>(40000 * std::exp2(0.5 * std::min(round, 16)))};
-  RigSearch search(task_, rule_, fineness);
-  bool goes_on = true;
-  while (!found_ && goes_on && budget_.next()) {
-    goes_on = search.step();
-    found_ = search.take_found();
+/// Ways to look, for what is open, narrow or full of turns. One that is at its end, or has found
+/// something, makes way for a finer one of its kind.
+void Run::begin(Search& search) {
+  struct Kind {
+    double step, weight;
+    int levels;
+  };
+  constexpr std::array<Kind, kinds> all = {{{3, 8, 1}, {2.2, 8, 2}, {1.5, 8, 4}, {1, 1.7, 1}}};
+  const auto& [step, weight, levels] = all[static_cast<std::size_t>(&search - searches_.data())];
+  const int round = search.rounds++;
+  constexpr int most_rounds = 16;
+  constexpr double finer = 0.7;
+  const int finest = std::min(round, most_rounds);
+  search.now.emplace(
+      task_, rule_, guides_,
+      Fineness{.step = unit_ * step * std::pow(finer, finest % 6),
+               .weight = round % 2 == 0 ? weight : 1 + weight / 4,
+               .levels = levels,
+               .most_nodes = static_cast<std::size_t>(40000 * std::exp2(0.5 * finest))});
+}
+
+void Run::end(Search& search) {
+  if (!search.now) return;
+  nodes_ += search.now->nodes();
+  checks_ += search.now->checks();
+  closings_ += search.now->closings();
+  bridges_ += search.now->bridges();
+  search.now.reset();
+}
+
+bool Run::search() {
+  while (!found_) {
+    Search& search = searches_[turn_];
+    if (!search.now) begin(search);
+    if (best_) search.now->set_cutoff(best_cost_);
+    bool goes_on = true;
+    for (; left_ > 0 && goes_on && !found_ && budget_.next(); --left_) {
+      goes_on = search.now->step();
+      found_ = search.now->take_found();
+    }
+    if (!goes_on || found_) end(search);
+    if (budget_.exhausted()) break;
+    if (left_ > 0 && !found_) continue;
+    turn_ = (turn_ + 1) % kinds;
+    if (turn_ == 0) share_ = std::min(2 * share_, most_share);
+    left_ = share_;
   }
-  nodes_ += search.nodes();
-  checks_ += search.checks();
-  closings_ += search.closings();
   return !budget_.exhausted();
 }
 
@@ -102,14 +149,18 @@ bool Run::shorten() {
 }
 
 PlannerAnswer Run::answer() {
+  for (Search& search : searches_) end(search);
   PlannerAnswer answer;
   answer.status = best_ ? PlanStatus::solved : budget_.reason();
   answer.segments = std::move(best_);
   answer.lower_bound = answer.segments ? std::min(bound_ * (1 - rounding), best_cost_) : 0.0;
   answer.iterations = budget_.iterations();
   answer.anytime = std::move(trace_);
-  answer.counters = {
-      {"nodes", nodes_}, {"edge_checks", checks_}, {"closings", closings_}, {"trials", trials_}};
+  answer.counters = {{"nodes", nodes_},
+                     {"edge_checks", checks_},
+                     {"closings", closings_},
+                     {"bridges", bridges_},
+                     {"trials", trials_}};
   return answer;
 }
 
@@ -126,7 +177,7 @@ PlannerAnswer plan_rig(const Task& task, const PlanOptions& options) {
     throw InputError("min_stroke", "is for a vehicle without a trailer");
   }
   Run run(task, options);
-  for (int round = 0; run.search(round) && run.shorten(); ++round) {
+  while (run.search() && run.shorten()) {
   }
   return run.answer();
 }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "base/trigonometry.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan::rig {
@@ -13,6 +15,8 @@ namespace {
 
 constexpr double usual_angle = 0.7;  // between tractor and trailer in a turn [rad]
 constexpr double near_steps = 3;     // from the other end of the drive, about
+constexpr int expansions_per_bridge = 16;
+constexpr int most_halvings = 2;  // of a step that would fold the rig up
 
 Bounds around(const Task& task) {
   const Bounds& b = task.world->local().bounds;
@@ -25,6 +29,13 @@ Bounds around(const Task& task) {
           std::max(b.y_min, low - margin), std::min(b.y_max, high + margin)};
 }
 
+std::optional<RigSteering> steering_of(const Vehicle& vehicle) {
+  const bool is_known = std::abs(vehicle.hitch) < vehicle.trailer->wheelbase &&
+                        vehicle.max_hitch_angle >= 0.05 && vehicle.max_hitch_angle <= 3.0;
+  if (!is_known) return std::nullopt;
+  return RigSteering(vehicle);
+}
+
 /// Prices of metres and gear changes alone: the arcs of a search say little of others.
 CostRule priced(CostRule rule) {
   rule.curvature_change_cost = 0.0;
@@ -32,6 +43,13 @@ CostRule priced(CostRule rule) {
 }
 
 }  // namespace
+
+double turning_radius(const Vehicle& vehicle) {
+  const double most = std::min(vehicle.max_hitch_angle, std::numbers::pi / 2);
+  const auto [sin, cos] = base::sin_cos(most);
+  return std::max(vehicle.min_turning_radius,
+                  (vehicle.trailer->wheelbase - vehicle.hitch * cos) / sin);
+}
 
 std::vector<Segment> tidied(std::span<const Segment> segments) {
   std::vector<Segment> result;
@@ -42,33 +60,42 @@ std::vector<Segment> tidied(std::span<const Segment> segments) {
   return merged(result);
 }
 
-RigSearch::RigSearch(const Task& task, const CostRule& rule, const Fineness& fineness)
+Guides::Guides(const Task& task)
+    : to_goal(task, around(task), 0.5, task.goal, task.start),
+      to_start(task, around(task), 0.5, task.start, task.goal) {
+  while (to_goal.step()) {
+  }
+  while (to_start.step()) {
+  }
+}
+
+RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guides,
+                     const Fineness& fineness)
     : task_(task),
       closer_(task.vehicle),
+      steering_(steering_of(task.vehicle)),
       fineness_(fineness),
       trailer_radius_(task.vehicle.trailer->wheelbase /
                       std::tan(std::min(usual_angle, 0.8 * task.vehicle.max_hitch_angle))),
       cell_(0.7 * fineness.step),
-      heading_cell_(0.5 * fineness.step / task.vehicle.min_turning_radius),
+      heading_cell_(0.5 * fineness.step / turning_radius(task.vehicle)),
       angle_cell_(0.5 * fineness.step / task.vehicle.trailer->wheelbase),
       sides_{side_from({task.start, task.hitch_angles.start}, {task.goal, task.hitch_angles.goal},
-                       priced(rule)),
+                       priced(rule), guides.to_goal),
              side_from({task.goal, task.hitch_angles.goal}, {task.start, task.hitch_angles.start},
-                       search::reversed(priced(rule), 0))} {}
+                       search::reversed(priced(rule), 0), guides.to_start)} {}
 
 RigSearch::Side RigSearch::side_from(const RigState& root, const RigState& target,
-                                     const CostRule& rule) {
+                                     const CostRule& rule, const search::GridDistance& grid) const {
   Side side{.rule = rule,
             .root = root,
             .target = target,
             .target_trailer = trailer_pose(task_.vehicle, target),
-            .grid = {},
-            .nodes = {{root, {}, 0.0, 0.0, -1, true}},
+            .grid = &grid,
+            .nodes = {{root, {}, 0.0, 0.0, -1, true, 0}},
             .open = {{0.0, 0}}};
-  side.grid.emplace(task_, around(task_), 0.5, target.pose, root.pose);
-  while (side.grid->step()) {
-  }
-  side.reached[key_of(root)] = 0;
+  side.nodes.front().to_go = to_go(side, root).guess;
+  side.reached[key_of(root, 0)] = 0;
   return side;
 }
 
@@ -76,19 +103,32 @@ std::int64_t RigSearch::nodes() const {
   return static_cast<std::int64_t>(sides_[0].nodes.size() + sides_[1].nodes.size());
 }
 
-std::uint64_t RigSearch::key_of(const RigState& state) const {
+/// How often the step is halved there: once where less than the width of the vehicle is left, and
+/// again for each half of that.
+int RigSearch::level_at(const RigState& state) const {
+  if (fineness_.levels <= 1) return 0;
+  double least = task_.vehicle.width;
+  const double room = task_.checker->rig_clearance(state, least, least);
+  int level = 0;
+  for (; room < least && level + 1 < fineness_.levels; least /= 2) ++level;
+  return level;
+}
+
+std::uint64_t RigSearch::key_of(const RigState& state, int level) const {
   const auto index = [](double value) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)));
   };
   const double heading = wrap_angle(state.pose.heading) + 4.0;
-  std::uint64_t key = index(state.pose.x / cell_) & 0x3fffffU;
-  key = (key << 22) | (index(state.pose.y / cell_) & 0x3fffffU);
-  key = (key << 10) | (index(heading / heading_cell_) & 0x3ffU);
-  return (key << 10) | (index(state.hitch_angle / angle_cell_ + 0.5) & 0x3ffU);
+  const double finer = std::ldexp(1.0, level);
+  std::uint64_t key = index(state.pose.x / cell_ * finer) & 0x1fffffU;
+  key = (key << 21) | (index(state.pose.y / cell_ * finer) & 0x1fffffU);
+  key = (key << 10) | (index(heading / heading_cell_ * finer) & 0x3ffU);
+  key = (key << 10) | (index(state.hitch_angle / angle_cell_ * finer + 0.5) & 0x3ffU);
+  return (key << 2) | static_cast<std::uint64_t>(level);
 }
 
-/// A guide, no bound: of the tractor and of the trailer on open ground, and around obstacles.
-double RigSearch::to_go(const Side& side, const RigState& state, GearSign gear) const {
+/// A guide: the ways of the tractor and of the trailer on open ground, and around obstacles.
+RigSearch::ToGo RigSearch::to_go(const Side& side, const RigState& state) const {
   const CostRule& rule = side.rule;
   const double cheapest = std::min(rule.forward_weight, rule.reverse_weight);
   const double tractor =
@@ -98,8 +138,7 @@ double RigSearch::to_go(const Side& side, const RigState& state, GearSign gear) 
   const double folded =
       task_.vehicle.trailer->wheelbase * std::abs(state.hitch_angle - side.target.hitch_angle);
   const double grid = side.grid->at(state.pose.x, state.pose.y);
-  (void)gear;
-  return cheapest * (std::max({tractor, behind, grid}) + 0.3 * folded);
+  return {cheapest * (std::max({tractor, behind, grid}) + 0.3 * folded), cheapest * tractor};
 }
 
 bool RigSearch::step() {
@@ -118,7 +157,7 @@ bool RigSearch::expand(std::size_t which) {
     const std::int32_t id = side.open.back().node;
     side.open.pop_back();
     const Node node = side.nodes[static_cast<std::size_t>(id)];
-    const std::uint64_t key = key_of(node.state);
+    const std::uint64_t key = key_of(node.state, node.level);
     if (node.parent >= 0) {
       if (side.reached.contains(key)) continue;
       const RigState& from = side.nodes[static_cast<std::size_t>(node.parent)].state;
@@ -126,7 +165,11 @@ bool RigSearch::expand(std::size_t which) {
       side.nodes[static_cast<std::size_t>(id)].is_reached = true;
       side.reached[key] = id;
     }
+    side.nodes[static_cast<std::size_t>(id)].level = level_at(node.state);
+    side.latest = id;
     meet(which, id);
+    bridge(which, id);
+    if (node.to_go < side.nodes[static_cast<std::size_t>(side.nearest)].to_go) side.nearest = id;
     add_children(side, id);
     return true;
   }
@@ -135,10 +178,13 @@ bool RigSearch::expand(std::size_t which) {
 
 void RigSearch::add_children(Side& side, std::int32_t parent) {
   const double sharpest = 1 / task_.vehicle.min_turning_radius;
-  const double angle = side.nodes[static_cast<std::size_t>(parent)].state.hitch_angle;
-  const double step = fineness_.step;
-  for (const double part : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-    for (const double length : {step, -step}) add(side, parent, {part * sharpest, length});
+  const auto& [state, segment, cost, left, before, is_reached, level] =
+      side.nodes[static_cast<std::size_t>(parent)];
+  const double angle = state.hitch_angle;
+  const double step = std::ldexp(fineness_.step, -level);
+  const double gentle = 0.5 / turning_radius(task_.vehicle);
+  for (const double curvature : {-sharpest, -gentle, 0.0, gentle, sharpest}) {
+    for (const double length : {step, -step}) add(side, parent, {curvature, length});
   }
   // The circle on which the trailer keeps its angle.
   const double lever = task_.vehicle.trailer->wheelbase - task_.vehicle.hitch * std::cos(angle);
@@ -147,11 +193,15 @@ void RigSearch::add_children(Side& side, std::int32_t parent) {
   for (const double length : {step, -step}) add(side, parent, {holding, length});
 }
 
-void RigSearch::add(Side& side, std::int32_t parent, const Segment& segment) {
+void RigSearch::add(Side& side, std::int32_t parent, Segment segment) {
   const Node from = side.nodes[static_cast<std::size_t>(parent)];
-  const RigState state = advance(task_.vehicle, from.state, segment);
-  if (std::abs(state.hitch_angle) > task_.vehicle.max_hitch_angle) return;
-  const std::uint64_t key = key_of(state);
+  RigState state = advance(task_.vehicle, from.state, segment);
+  for (int i = 0; std::abs(state.hitch_angle) > task_.vehicle.max_hitch_angle; ++i) {
+    if (i == most_halvings) return;
+    segment.length /= 2;
+    state = advance(task_.vehicle, from.state, segment);
+  }
+  const std::uint64_t key = key_of(state, from.level);
   if (side.reached.contains(key)) return;
   search::Driven driven =
       from.parent < 0 ? search::Driven{side.rule.initial_gear} : search::last_driven(from.segment);
@@ -159,11 +209,12 @@ void RigSearch::add(Side& side, std::int32_t parent, const Segment& segment) {
   double& least = side.least.try_emplace(key, 1e300).first->second;
   if (cost >= least) return;
   least = cost;
-  const double left = to_go(side, state, search::gear_of(segment));
+  const auto [left, at_least] = to_go(side, state);
+  if (cost + at_least >= cutoff_) return;
   side.open.push_back(
       {cost + fineness_.weight * left, static_cast<std::int32_t>(side.nodes.size())});
   std::push_heap(side.open.begin(), side.open.end());
-  side.nodes.push_back({state, segment, cost, left, parent, false});
+  side.nodes.push_back({state, segment, cost, left, parent, false, from.level});
 }
 
 /// [5] The root of the other search is near, or a state of it in the same cell or beside it: is
@@ -171,7 +222,7 @@ void RigSearch::add(Side& side, std::int32_t parent, const Segment& segment) {
 void RigSearch::meet(std::size_t which, std::int32_t id) {
   if (found_) return;
   const Side& other = sides_[1 - which];
-  const auto& [state, segment, cost, left, parent, is_reached] =
+  const auto& [state, segment, cost, left, parent, is_reached, level] =
       sides_[which].nodes[static_cast<std::size_t>(id)];
   if (id > 0 && left < near_steps * fineness_.step) {
     which == 0 ? join(id, 0) : join(0, id);
@@ -180,9 +231,9 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
   for (const double angle : {0.0, -0.7, 0.7}) {
     for (const double heading : {0.0, -0.7, 0.7}) {
       RigState beside = state;
-      beside.pose.heading += heading * heading_cell_;
-      beside.hitch_angle += angle * angle_cell_;
-      const auto there = other.reached.find(key_of(beside));
+      beside.pose.heading += heading * std::ldexp(heading_cell_, -level);
+      beside.hitch_angle += angle * std::ldexp(angle_cell_, -level);
+      const auto there = other.reached.find(key_of(beside, level));
       if (there == other.reached.end()) continue;
       which == 0 ? join(id, there->second) : join(there->second, id);
       if (found_) return;
@@ -198,10 +249,30 @@ std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t id) const 
   return segments;  // the last one first
 }
 
-void RigSearch::join(std::int32_t forward, std::int32_t backward) {
+/// [6] Now and then: does exact steering lead to the state that the other search came to last, or
+/// to the one that is nearest to where this search began?
+void RigSearch::bridge(std::size_t which, std::int32_t id) {
+  if (found_ || !steering_ || ++expansions_ % expansions_per_bridge != 0) return;
+  const Side& other = sides_[1 - which];
+  for (const std::int32_t partner : {other.latest, other.nearest}) {
+    const std::int32_t from = which == 0 ? id : partner;
+    const std::int32_t to = which == 0 ? partner : id;
+    const RigState& begin = sides_[0].nodes[static_cast<std::size_t>(from)].state;
+    const RigState& end = sides_[1].nodes[static_cast<std::size_t>(to)].state;
+    ++bridges_;
+    const auto piece = steering_->steer(begin, end);
+    if (!piece || !is_free(begin, piece->view())) continue;
+    join(from, to, piece->view());
+    if (found_) return;
+  }
+}
+
+void RigSearch::join(std::int32_t forward, std::int32_t backward,
+                     std::span<const Segment> between) {
   ++closings_;
   std::vector<Segment> segments = branch(sides_[0], forward);
   std::ranges::reverse(segments);
+  segments.insert(segments.end(), between.begin(), between.end());
   for (Segment segment : branch(sides_[1], backward)) {
     segment.length = -segment.length;
     segments.push_back(segment);

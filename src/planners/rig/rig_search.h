@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -15,24 +16,36 @@
 #include "search/grid_distance.h"
 #include "vandplan/random.h"
 #include "vandplan/rig.h"
+#include "vandplan/rig_steering.h"
 #include "vandplan/search.h"
 
 namespace vandplan::rig {
 
 using search::Connector, search::CostRule, search::GearSign;
 
-/// How finely a search looks.
+/// How a search looks.
 struct Fineness {
-  double step = 1.0;    ///< from state to state [m]
+  double step = 1.0;    ///< from state to state where there is room [m]
   double weight = 2.0;  ///< of what is still to go
+  int levels = 1;       ///< at most 4; with each the step is halved where half as much room is left
   std::size_t most_nodes = 100000;
+};
+
+/// Ways around the obstacles, for all searches of a task.
+struct Guides {
+  explicit Guides(const Task& task);
+
+  search::GridDistance to_goal, to_start;
 };
 
 /// Two searches, one from the start and one back from the goal, that look for each other.
 class RigSearch {
  public:
-  /// The task has a vehicle with a trailer; task and rule outlive the search.
-  RigSearch(const Task& task, const CostRule& rule, const Fineness& fineness);
+  /// The task has a vehicle with a trailer; task, rule and guides outlive the search.
+  RigSearch(const Task& task, const CostRule& rule, const Guides& guides, const Fineness& fineness);
+
+  /// From now on drives that cost as much are of no interest [m].
+  void set_cutoff(double cost) { cutoff_ = cost; }
 
   /// Expands one state. False when there is nothing left to expand.
   bool step();
@@ -43,6 +56,7 @@ class RigSearch {
   [[nodiscard]] std::int64_t nodes() const;
   [[nodiscard]] std::int64_t checks() const { return checks_; }
   [[nodiscard]] std::int64_t closings() const { return closings_; }
+  [[nodiscard]] std::int64_t bridges() const { return bridges_; }
 
  private:
   struct Node {
@@ -52,6 +66,7 @@ class RigSearch {
     double to_go;
     std::int32_t parent;  // -1 for the root
     bool is_reached;      // the way from the parent is free
+    int level;            // of the cell, and then of the steps from here
   };
   struct Entry {
     double rank;
@@ -65,35 +80,51 @@ class RigSearch {
     CostRule rule;  // of driving from its root
     RigState root, target;
     Pose target_trailer;
-    std::optional<search::GridDistance> grid;
+    const search::GridDistance* grid;
     std::vector<Node> nodes;
     std::vector<Entry> open;
     std::unordered_map<std::uint64_t, double> least = {};          // cost of a cell; -1: closed
     std::unordered_map<std::uint64_t, std::int32_t> reached = {};  // node of a cell
+    std::int32_t nearest = 0;  // reached node with the least to go
+    std::int32_t latest = 0;   // reached node that was expanded last
   };
 
-  [[nodiscard]] Side side_from(const RigState& root, const RigState& target, const CostRule& rule);
-  [[nodiscard]] std::uint64_t key_of(const RigState& state) const;
-  [[nodiscard]] double to_go(const Side& side, const RigState& state, GearSign gear) const;
+  [[nodiscard]] Side side_from(const RigState& root, const RigState& target, const CostRule& rule,
+                               const search::GridDistance& grid) const;
+  [[nodiscard]] std::uint64_t key_of(const RigState& state, int level) const;
+  [[nodiscard]] int level_at(const RigState& state) const;
+  /// What is left to drive, about, and at least [m].
+  struct ToGo {
+    double guess, least;
+  };
+  [[nodiscard]] ToGo to_go(const Side& side, const RigState& state) const;
   bool expand(std::size_t which);
   void add_children(Side& side, std::int32_t parent);
-  void add(Side& side, std::int32_t parent, const Segment& segment);
+  void add(Side& side, std::int32_t parent, Segment segment);
   void meet(std::size_t which, std::int32_t id);
   [[nodiscard]] std::vector<Segment> branch(const Side& side, std::int32_t id) const;
-  void join(std::int32_t forward, std::int32_t backward);
+  void bridge(std::size_t which, std::int32_t id);
+  void join(std::int32_t forward, std::int32_t backward, std::span<const Segment> between = {});
   [[nodiscard]] bool is_free(const RigState& from, std::span<const Segment> segments);
 
   const Task& task_;
   Closer closer_;
+  std::optional<RigSteering> steering_;  // none for vehicles that it does not know
   Fineness fineness_;
   double trailer_radius_;  // that a trailer turns with in ease [m]
   double cell_, heading_cell_, angle_cell_;
   std::array<Side, 2> sides_;
   std::size_t turn_ = 0;
+  double cutoff_ = std::numeric_limits<double>::infinity();
   std::optional<std::vector<Segment>> found_;
   std::int64_t checks_ = 0;
   std::int64_t closings_ = 0;
+  std::int64_t expansions_ = 0;
+  std::int64_t bridges_ = 0;
 };
+
+/// Of the sharpest circle that the rig can go on driving, of its tractor [m].
+[[nodiscard]] double turning_radius(const Vehicle& vehicle);
 
 /// Neighbouring segments of nearly no length left out, and alike ones joined.
 [[nodiscard]] std::vector<Segment> tidied(std::span<const Segment> segments);
