@@ -19,14 +19,9 @@ constexpr std::size_t most_segments_of_window = 10;
 
 RigShortener::RigShortener(const Task& task, const search::CostRule& rule,
                            std::vector<Segment> segments, std::uint64_t seed)
-    : task_(task),
-      rule_(rule),
-      closer_(task.vehicle),
-      segments_(std::move(segments)),
-      cost_(cost_of(segments_, 1e300)),
-      rng_(seed),
-      progress_cost_(cost_) {
+    : task_(task), rule_(rule), closer_(task.vehicle), segments_(std::move(segments)), rng_(seed) {
   drive();
+  progress_cost_ = cost_;
 }
 
 bool RigShortener::is_stalled() const { return idle_ > patience; }
@@ -40,14 +35,19 @@ void RigShortener::drive() {
   }
   // So that small errors do not add up.
   states_.back() = {task_.goal, task_.hitch_angles.goal};
+  search::Driven driven = rule_.initial_gear;
+  cost_ = search::drive_cost(rule_, segments_, driven);
+  near_.clear();
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    near_.push_back(near_cost(states_[i], std::span(&segments_[i], 1), 1e300));
+    cost_ += near_.back();
+  }
 }
 
-double RigShortener::cost_of(std::span<const Segment> segments, double cutoff) const {
-  search::Driven driven = rule_.initial_gear;
-  const double cost = search::drive_cost(rule_, segments, driven);
-  if (rule_.clearance_weight == 0.0 || cost >= cutoff) return cost;
-  return cost + search::rig_clearance_cost(task_, rule_, {task_.start, task_.hitch_angles.start},
-                                           segments, search::Looks::search, cutoff - cost);
+/// What being near things adds, at most `cutoff` or something above it.
+double RigShortener::near_cost(const RigState& from, std::span<const Segment> segments,
+                               double cutoff) const {
+  return search::rig_clearance_cost(task_, rule_, from, segments, search::Looks::search, cutoff);
 }
 
 RigShortener::Window RigShortener::any_window() {
@@ -97,7 +97,7 @@ void RigShortener::split(const Window& window) {
   trial_.insert(trial_.begin() + static_cast<std::ptrdiff_t>(at) + 1, second);
 }
 
-/// Puts the trial in place of the window if it is free and cheaper.
+/// Puts the trial in place of the window if it is free and cheaper. What is near elsewhere stays.
 bool RigShortener::replace(const Window& window) {
   std::vector<Segment> whole(segments_.begin(),
                              segments_.begin() + static_cast<std::ptrdiff_t>(window.first));
@@ -105,18 +105,20 @@ bool RigShortener::replace(const Window& window) {
   whole.insert(whole.end(), segments_.begin() + static_cast<std::ptrdiff_t>(window.last),
                segments_.end());
   search::Driven driven = rule_.initial_gear;
-  if (search::drive_cost(rule_, whole, driven) >= cost_) return false;
+  double left = cost_ - search::drive_cost(rule_, whole, driven);
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (i < window.first || i >= window.last) left -= near_[i];
+  }
+  if (!(left > 0.0)) return false;
   checks_ += static_cast<std::int64_t>(trial_.size());
   if (!task_.checker->rig_is_free(states_[window.first], trial_)) return false;
-  const double cost = cost_of(whole, cost_);
-  if (!(cost < cost_)) return false;
+  if (!(near_cost(states_[window.first], trial_, left) < left)) return false;
   whole = tidied(whole);
   const RigState from{task_.start, task_.hitch_angles.start};
   const RigState to{task_.goal, task_.hitch_angles.goal};
   if (!closer_.close(from, whole, to)) return false;
   if (!task_.checker->rig_is_free(from, whole)) return false;
   segments_ = std::move(whole);
-  cost_ = cost_of(segments_, 1e300);
   drive();
   return true;
 }

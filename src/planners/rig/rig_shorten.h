@@ -41,7 +41,8 @@ class RigShortener {
   void shake(const Window& window);
   void leave_out(const Window& window);
   void split(const Window& window);
-  [[nodiscard]] double cost_of(std::span<const Segment> segments, double cutoff) const;
+  [[nodiscard]] double near_cost(const RigState& from, std::span<const Segment> segments,
+                                 double cutoff) const;
   bool replace(const Window& window);
   void drive();
 
@@ -51,11 +52,12 @@ class RigShortener {
   std::vector<Segment> segments_;
   std::vector<RigState> states_;  // before each segment, and the goal
   std::vector<Segment> trial_;    // instead of a window
-  double cost_;
+  std::vector<double> near_;      // what being near things adds on each segment
+  double cost_ = 0.0;
   Rng rng_;
   double size_ = 0.1;  // of what a trial changes
   int idle_ = 0;       // trials since the last progress worth the name
-  double progress_cost_;
+  double progress_cost_ = 0.0;
   std::int64_t checks_ = 0;
 };
 
