@@ -13,10 +13,10 @@
 namespace vandplan::rig {
 namespace {
 
-constexpr double usual_angle = 0.7;  // between tractor and trailer in a turn [rad]
-constexpr double near_steps = 3;     // from the other end of the drive, about
-constexpr int expansions_per_bridge = 16;
-constexpr int most_halvings = 2;  // of a step that would fold the rig up
+constexpr double usual_angle = 0.7;        // between tractor and trailer in a turn [rad]
+constexpr double near_steps = 3;           // from the other end of the drive, about
+constexpr int expansions_per_bridge = 11;  // odd: both searches get their turn
+constexpr int most_halvings = 2;           // of a step that would fold the rig up
 
 Bounds around(const Task& task) {
   const Bounds& b = task.world->local().bounds;
@@ -254,17 +254,13 @@ std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t id) const 
 void RigSearch::bridge(std::size_t which, std::int32_t id) {
   if (found_ || !steering_ || ++expansions_ % expansions_per_bridge != 0) return;
   const Side& other = sides_[1 - which];
-  for (const std::int32_t partner : {other.latest, other.nearest}) {
-    const std::int32_t from = which == 0 ? id : partner;
-    const std::int32_t to = which == 0 ? partner : id;
-    const RigState& begin = sides_[0].nodes[static_cast<std::size_t>(from)].state;
-    const RigState& end = sides_[1].nodes[static_cast<std::size_t>(to)].state;
-    ++bridges_;
-    const auto piece = steering_->steer(begin, end);
-    if (!piece || !is_free(begin, piece->view())) continue;
-    join(from, to, piece->view());
-    if (found_) return;
-  }
+  const std::int32_t partner = bridges_++ / 2 % 2 == 0 ? other.latest : other.nearest;
+  const std::int32_t from = which == 0 ? id : partner;
+  const std::int32_t to = which == 0 ? partner : id;
+  const RigState& begin = sides_[0].nodes[static_cast<std::size_t>(from)].state;
+  const RigState& end = sides_[1].nodes[static_cast<std::size_t>(to)].state;
+  const auto piece = steering_->steer(begin, end);
+  if (piece && is_free(begin, piece->view())) join(from, to, piece->view());
 }
 
 void RigSearch::join(std::int32_t forward, std::int32_t backward,
