@@ -6,11 +6,14 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "planners/rig/rig_search.h"
 #include "planners/rig/rig_shorten.h"
+#include "planners/rig/towed.h"
+#include "search/enclosure.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
 #include "vandplan/search.h"
@@ -32,11 +35,13 @@ class Run {
         rule_(cost_rule(options.cost)),
         unit_(0.3 * std::sqrt(turning_radius(task.vehicle) * task.vehicle.trailer->wheelbase)),
         guides_(task),
-        bound_(Connector(task, rule_).least_cost(task.start, task.goal, {rule_.initial_gear, {}})) {
-  }
+        towed_(towed_task(task)),
+        bound_(least_cost(task, rule_)) {}
 
   /// Searches for a drive, in several ways by turns. False when the budget is spent.
   bool search();
+  /// Proven: the tractor or the trailer cannot get from the start to the goal.
+  [[nodiscard]] bool is_walled_in() const { return tractor_.is_proven() || trailer_.is_proven(); }
   /// Makes a drive cheaper until that brings next to nothing. False when the budget is spent.
   bool shorten();
   [[nodiscard]] PlannerAnswer answer();
@@ -50,6 +55,7 @@ class Run {
     int rounds = 0;
   };
 
+  void look_for_walls();
   void begin(Search& search);
   void end(Search& search);
   void keep(const std::vector<Segment>& segments, double cost);
@@ -69,6 +75,8 @@ class Run {
   std::size_t turn_ = 0;     // of a search
   int share_ = first_share;  // of expansions, which grows
   int left_ = first_share;
+  Task towed_;
+  Enclosure tractor_{task_}, trailer_{towed_};
   double bound_;  // no drive costs less [m]
   std::optional<std::vector<Segment>> found_;
   std::optional<std::vector<Segment>> best_;
@@ -108,6 +116,15 @@ void Run::end(Search& search) {
   search.now.reset();
 }
 
+/// A while for each of both bodies; whoever has a path needs no proof that there is none.
+void Run::look_for_walls() {
+  if (best_) return;
+  for (Enclosure* enclosure : {&tractor_, &trailer_}) {
+    for (int i = 0; i < share_ && !budget_.is_interrupted() && enclosure->step(); ++i) {
+    }
+  }
+}
+
 bool Run::search() {
   while (!found_) {
     Search& search = searches_[turn_];
@@ -122,10 +139,14 @@ bool Run::search() {
     if (budget_.exhausted()) break;
     if (left_ > 0 && !found_) continue;
     turn_ = (turn_ + 1) % kinds;
-    if (turn_ == 0) share_ = std::min(2 * share_, most_share);
+    if (turn_ == 0) {
+      look_for_walls();
+      if (is_walled_in()) break;
+      share_ = std::min(2 * share_, most_share);
+    }
     left_ = share_;
   }
-  return !budget_.exhausted();
+  return !budget_.exhausted() && !is_walled_in();
 }
 
 void Run::keep(const std::vector<Segment>& segments, double cost) {
@@ -152,6 +173,12 @@ PlannerAnswer Run::answer() {
   for (Search& search : searches_) end(search);
   PlannerAnswer answer;
   answer.status = best_ ? PlanStatus::solved : budget_.reason();
+  if (!best_ && is_walled_in()) {
+    answer.status = PlanStatus::no_path;
+    answer.reason = std::string("proven: nothing as wide as the ") +
+                    (tractor_.is_proven() ? "vehicle" : "trailer") +
+                    " gets from the start to the goal";
+  }
   answer.segments = std::move(best_);
   answer.lower_bound = answer.segments ? std::min(bound_ * (1 - rounding), best_cost_) : 0.0;
   answer.iterations = budget_.iterations();
@@ -166,11 +193,11 @@ PlannerAnswer Run::answer() {
 
 }  // namespace
 
-// Two searches look for each other, and what they find is made exact and then cheaper:
+// Searches from both ends look for each other, and what they find is made exact and then cheaper:
 //
-//   until the budget is spent:
-//   [1]   search, forward from the start and back from the goal, until two states are near: a drive
-//         by way of both is bent until it ends exactly at the goal
+//   until the budget is spent, or it is proven that there is no path:
+//   [1]   search, forward from the start and back from the goal, until exact steering joins two
+//         states or two of them are near: a drive by way of both is bent until it ends at the goal
 //   [2]   change a few segments at random and close the gap; keep what is cheaper and free
 PlannerAnswer plan_rig(const Task& task, const PlanOptions& options) {
   if (options.planner.number("min_stroke") > 0.0) {
