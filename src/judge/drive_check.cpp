@@ -24,13 +24,13 @@ using judge::Stretch;
 using judge::text;
 using judge::Track;
 
-constexpr Real time_slack = 1e-6L;      // [s]
-constexpr Real distance_slack = 1e-6L;  // [m]
-constexpr Real speed_slack = 1e-6L;     // [m/s]
-constexpr Real limit_slack = 1e-6L;     // relative
-constexpr Real look_step = 1e-2L;       // [m]
-constexpr Real steering_slack = 1e-6L;  // [rad]: jumps that are rounding
-constexpr Real least_motion = 1e-9L;    // [m]
+constexpr Real time_slack = 1e-6;      // [s]
+constexpr Real distance_slack = 1e-6;  // [m]
+constexpr Real speed_slack = 1e-6;     // [m/s]
+constexpr Real limit_slack = 1e-6;     // relative
+constexpr Real look_step = 1e-2;       // [m]
+constexpr Real steering_slack = 1e-6;  // [rad]: jumps that are rounding
+constexpr Real least_motion = 1e-9;    // [m]
 
 struct DriveFault {
   std::string reason;
@@ -163,9 +163,9 @@ std::optional<DriveFault> broken_limit(const SpeedProfile& speeds, const Track& 
     // At both ends the vehicle is inside of what it drives, not at the joint.
     const Real way = std::abs(static_cast<Real>(speeds.knots[i + 1].s) - knot.s);
     if (way <= least_motion || lasts <= 0) continue;
-    const auto count = static_cast<int>(std::min<Real>(std::ceil(way / look_step), 1e7L)) + 2;
+    const auto count = static_cast<int>(std::min<Real>(std::ceil(way / look_step), 1e7)) + 2;
     for (int k = 0; k <= count; ++k) {
-      const Real share = std::clamp<Real>(static_cast<Real>(k) / count, 1e-6L, 1 - 1e-6L);
+      const Real share = std::clamp<Real>(static_cast<Real>(k) / count, 1e-6, 1 - 1e-6);
       if (auto fault = check.at(knot, lasts * share)) return fault;
     }
   }
