@@ -15,32 +15,44 @@ constexpr Real most_at_once = 1000.0;  // metres that one look may show to be fa
 
 class Integral {
  public:
-  Integral(std::span<const Body> bodies, double distance, Real step)
-      : bodies_(bodies), distance_(distance), step_(step) {}
+  /// No point of the bodies moves further than `swing` for each metre driven.
+  Integral(std::span<const Body> bodies, double distance, double swing, Real step)
+      : bodies_(bodies), distance_(distance), swing_(swing), step_(step) {}
 
   /// Of max(0, 1 - clearance / distance), from `begin` to `end` of a stretch [m].
   [[nodiscard]] Real over(std::size_t stretch, Real begin, Real end) {
     const Real middle = (begin + end) / 2;
+    if (end - begin <= step_) return at(stretch, middle) * (end - begin);
     const Real half = (end - begin) / 2;
-    if (half <= most_at_once && clearance(stretch, middle, half) >= distance_) return 0;
-    if (end - begin <= step_) {
-      const double here = clearance(stretch, middle, 0);
-      return (end - begin) * std::max(0.0, 1 - here / distance_);
-    }
+    if (half > most_at_once) return over(stretch, begin, middle) + over(stretch, middle, end);
+    // What is seen from the middle tells of all the rest: nothing comes nearer than it moves.
+    const double moved = swing_ * static_cast<double>(half);
+    const double here = clearance(stretch, middle, distance_ + moved);
+    if (here >= distance_ + moved) return 0;
+    if (here + moved < distance_) return near(stretch, begin, end);
     return over(stretch, begin, middle) + over(stretch, middle, end);
   }
 
  private:
-  [[nodiscard]] double clearance(std::size_t stretch, Real t, Real half) {
-    double least = distance_;
-    for (const Body& body : bodies_) {
-      least = clearance_of(body, {stretch, t}, static_cast<double>(half), least, effort_);
-    }
-    return least;
+  /// As `over`, where no place is so far from everything that it does not count.
+  [[nodiscard]] Real near(std::size_t stretch, Real begin, Real end) {
+    const Real middle = (begin + end) / 2;
+    if (end - begin <= step_) return at(stretch, middle) * (end - begin);
+    return near(stretch, begin, middle) + near(stretch, middle, end);
+  }
+
+  [[nodiscard]] double at(std::size_t stretch, Real t) {
+    return std::max(0.0, 1 - clearance(stretch, t, distance_) / distance_);
+  }
+
+  [[nodiscard]] double clearance(std::size_t stretch, Real t, double most) {
+    for (const Body& body : bodies_) most = clearance_of(body, {stretch, t}, 0, most, effort_);
+    return most;
   }
 
   std::span<const Body> bodies_;
   double distance_;
+  double swing_;
   Real step_;
   Effort effort_;
 };
@@ -55,11 +67,11 @@ double near_cost(std::span<const Body> bodies, const CostOptions& rule) {
   Real sum = 0;
   for (std::size_t i = 0; i < track.stretches.size(); ++i) {
     const Stretch& stretch = track.stretches[i];
-    Real swing = 0;
-    for (const Body& body : bodies) swing = std::max<Real>(swing, speed_of(body, stretch));
-    const Real step = std::max<Real>(distance / looks / std::max<Real>(1, swing / usual_swing),
+    double swing = 0;
+    for (const Body& body : bodies) swing = std::max(swing, speed_of(body, stretch));
+    const Real step = std::max<Real>(distance / looks / std::max(1.0, swing / usual_swing),
                                      track.length / most_looks);
-    Integral integral(bodies, distance, step);
+    Integral integral(bodies, distance, swing, step);
     const Real weight = stretch.direction > 0 ? 1.0 : rule.reverse_weight;
     sum += weight * integral.over(i, 0, stretch.length);
   }
