@@ -3,12 +3,8 @@
 
 // The kernels of a build without vectors: the scalar functions.
 
-#include <algorithm>
-#include <limits>
-
 #include "simd/bound_kernels.h"
 #include "simd/length_kernels.h"
-#include "simd/pair_kernels.h"
 #include "simd/table_kernels.h"
 #include "simd/target.h"
 
@@ -32,11 +28,6 @@ void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
                          std::span<const float> heading, const LengthSample& sample, float radius,
                          std::span<float> out) noexcept {
   scalar::reeds_shepp_lengths(x, y, heading, sample, radius, out);
-}
-
-void exact_lengths(std::span<const double> /*from*/, std::span<const double> /*to*/,
-                   double /*radius*/, std::span<double> out) noexcept {
-  std::ranges::fill(out, std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace vandplan::simd

@@ -20,10 +20,15 @@ add_library(
   base/trigonometry.cpp)
 if(VANDPLAN_SIMD)
   target_sources(vandplan_tables PRIVATE simd/kernels_highway_lengths.cpp
-                                         simd/kernels_highway_pairs.cpp
                                          simd/kernels_highway_tables.cpp)
 else()
   target_sources(vandplan_tables PRIVATE simd/kernels_plain.cpp)
+endif()
+# Highway 1.0 has no vectors of double for WebAssembly.
+if(VANDPLAN_SIMD AND NOT EMSCRIPTEN)
+  target_sources(vandplan_tables PRIVATE simd/kernels_highway_pairs.cpp)
+else()
+  target_sources(vandplan_tables PRIVATE simd/pair_kernels_plain.cpp)
 endif()
 vandplan_core_target(vandplan_tables)
 target_include_directories(vandplan_tables PRIVATE ${PROJECT_SOURCE_DIR}/include)
