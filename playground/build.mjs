@@ -26,10 +26,12 @@ function catalogue() {
   const scenarios = ['docks', 'street', 'dead-end'].map((name) => ({
     label: titled(name), name: `${name}.yaml`, text: readFileSync(join(here, 'yards', `${name}.yaml`), 'utf8'),
   }));
-  for (const file of filesOf('scenarios/thesis')) {
-    const name = basename(file, '.yaml');
-    const text = readFileSync(file, 'utf8');
-    scenarios.push({label: `Thesis ${name.replaceAll('-', ' ')}`, name: `${name}.yaml`, text, ...(/^goals:/m.test(text) ? {goal: 2} : {})});
+  for (const [folder, label] of [['thesis', 'Thesis'], ['trailer', 'Trailer'], ['moving', 'Moving']]) {
+    for (const file of filesOf(`scenarios/${folder}`)) {
+      const name = basename(file, '.yaml');
+      const text = readFileSync(file, 'utf8');
+      scenarios.push({label: `${label}: ${name.replaceAll('-', ' ')}`, name: `${name}.yaml`, text, ...(/^goals:/m.test(text) ? {goal: 2} : {})});
+    }
   }
   return `export const vehicles = ${JSON.stringify(vehicles)};\nexport const scenarios = ${JSON.stringify(scenarios)};\n`;
 }

@@ -3,7 +3,7 @@
 
 // Mouse, touch and keyboard on the yard.
 
-import {contains, distance, fromSide, outline} from './geometry.js';
+import {contains, distance, fromSide, outlines} from './geometry.js';
 import {turnHandle} from './paint.js';
 import {centreAt, copyOf, moveItem, polygonAt, removeItem, turnItem} from './scene.js';
 
@@ -69,7 +69,7 @@ export class Editor {
     const polygon = this.selected && polygonAt(scene, this.selected);
     if (polygon && near(polygon)) return {kind: 'move', item: this.selected};
     for (const kind of ['goal', 'start']) {
-      if (near(outline(scene.vehicle, scene[kind]))) return {kind: 'move', item: {kind}};
+      if (outlines(scene.vehicle, scene[kind]).some(near)) return {kind: 'move', item: {kind}};
     }
     for (const kind of ['obstacles', 'kerbs']) {
       const index = scene[kind].findLastIndex(near);

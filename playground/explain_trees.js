@@ -91,7 +91,7 @@ function paintSide(own, scene, shown, colours) {
 export function trees(root, vandplan) {
   const state = {on: false, colours: null, shown: 0, playing: true, frame: 0, scene: null, yard: null};
   const sides = [side(vandplan, 0, 'rrt-bsc-euc', () => again()), side(vandplan, 1, 'rrt-bsc-hlut-4', () => again())];
-  const yards = scenarios.map((one, i) => ({...one, i})).filter(({label}) => /^Thesis [2-7]/.test(label));
+  const yards = scenarios.map((one, i) => ({...one, i})).filter(({label}) => /^Thesis: [2-7]/.test(label));
   const yard = element('select', {ariaLabel: 'Yard', id: 'tree-yard'}, ...yards.map(({label, i}) => element('option', {value: i, textContent: label})));
   yard.value = yards.find(({label}) => label.includes('5'))?.i ?? yards[0].i;
   const play = element('button', {textContent: 'Pause', id: 'tree-play'});

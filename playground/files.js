@@ -25,7 +25,7 @@ export const scenesFrom = (text, name, map) => scenesOf(parsed(text, name), map)
 
 /** What a scenario file says of a scene, as plain keys. */
 function documentOf(scene) {
-  const {name, description, vehicle, bounds, start, goal, obstacles, kerbs, map, options} = scene;
+  const {name, description, vehicle, bounds, start, goal, obstacles, kerbs, moving, map, options} = scene;
   return {
     name,
     ...(description ? {description} : {}),
@@ -35,6 +35,7 @@ function documentOf(scene) {
     goal,
     ...(obstacles.length || !map ? {obstacles} : {}),
     ...(kerbs.length ? {kerbs} : {}),
+    ...(moving.length ? {moving} : {}),
     ...(map ? {map: map.name, ...(map.grid.unknown === 'free' ? {unknown: 'free'} : {})} : {}),
     ...(Object.keys(options ?? {}).length ? {options} : {}),
   };
@@ -166,7 +167,7 @@ export function sceneOnMap(map, vehicle, isFree) {
   const {grid} = map;
   const free = [];
   const step = Math.max(1, Math.round(2 / grid.resolution));
-  const scene = {name: map.name, description: '', vehicle, bounds: map.bounds, obstacles: [], kerbs: [], map, options: {}};
+  const scene = {name: map.name, description: '', vehicle, bounds: map.bounds, obstacles: [], kerbs: [], moving: [], map, options: {}};
   for (let row = 0; row < grid.rows; row += step) {
     for (let column = 0; column < grid.columns; column += step) {
       if (grid.cells[row * grid.columns + column] === 0) free.push([column, row]);

@@ -29,6 +29,29 @@ export function outline(vehicle, pose) {
   return [[rear, -half], [front, -half], [front, half], [rear, half]].map(([x, y]) => placed(pose, x, y));
 }
 
+/** Where the trailer of a vehicle stands: the midpoint of its axle. */
+export function trailerPose(vehicle, pose, hitch = pose.hitch_angles?.[0] ?? 0) {
+  const [x, y] = placed(pose, vehicle.hitch ?? 0, 0);
+  const heading = pose.heading - hitch;
+  const [{wheelbase}] = vehicle.trailers;
+  return {x: x - wheelbase * Math.cos(heading), y: y - wheelbase * Math.sin(heading), heading};
+}
+
+/** Where the vehicle stands whose trailer stands there. */
+export function tractorPose(vehicle, trailer, hitch) {
+  const [x, y] = placed(trailer, vehicle.trailers[0].wheelbase, 0);
+  const heading = wrap(trailer.heading + hitch);
+  const at = vehicle.hitch ?? 0;
+  return {x: x - at * Math.cos(heading), y: y - at * Math.sin(heading), heading};
+}
+
+/** The corners of the body of a trailer. */
+export const trailerOutline = ({trailers: [trailer]}, pose) => outline(trailer, pose);
+
+/** The outlines of the vehicle and of what it pulls. */
+export const outlines = (vehicle, pose) =>
+  vehicle.trailers ? [outline(vehicle, pose), trailerOutline(vehicle, trailerPose(vehicle, pose))] : [outline(vehicle, pose)];
+
 /** The middle of the body. */
 export const middle = (vehicle, pose) =>
   placed(pose, (vehicle.wheelbase + vehicle.front_overhang - vehicle.rear_overhang) / 2, 0);

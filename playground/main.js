@@ -11,7 +11,7 @@ import {linkOf, mapFrom, parsed, sceneFromLink, sceneOnMap, scenesFrom, yamlOf} 
 import {Page} from './page.js';
 import * as panel from './panel.js';
 import {work} from './planning.js';
-import {ReadError} from './reading.js';
+import {ReadError, vehicle} from './reading.js';
 import {scenarioOf} from './scene.js';
 
 const byId = (id) => document.getElementById(id);
@@ -48,7 +48,7 @@ async function openFiles(page, list) {
     const yard = page.vandplan.yard(scenarioOf(scene));
     return (pose) => yard.isFree({pose, vehicle: scene.vehicle});
   };
-  page.open(sceneOnMap(map, vehicles['tpcap-car'], free), {keep: true});
+  page.open(sceneOnMap(map, vehicle('tpcap-car'), free), {keep: true});
 }
 
 /** Runs `act`; what it throws is shown. */

@@ -6,11 +6,13 @@
 import {vehicles} from 'catalogue';
 
 import {Editor} from './edit.js';
+import {wrap} from './geometry.js';
 import * as paint from './paint.js';
 import * as panel from './panel.js';
 import {Parking} from './parking.js';
-import {frameBudget, Planning} from './planning.js';
-import {addBox, centreAt, History, polygonAt, sceneBox} from './scene.js';
+import {Planning} from './planning.js';
+import {vehicle} from './reading.js';
+import {addBox, centreAt, changeVehicle, History, polygonAt, sceneBox} from './scene.js';
 import {View} from './view.js';
 
 const byId = (id) => document.getElementById(id);
@@ -20,7 +22,7 @@ export class Page {
   history = new History();
   settings = {...panel.driver};
   result = null;
-  rows = null; // of the path: s, x, y, heading, curvature, direction
+  shown = null; // of the path: {rows: s, x, y, heading, curvature, direction; trail: x, y, heading of the trailer, or null}
   dirty = false; // a plan is wanted in the next frame
   drive = null; // {rows, begin}: an animated drive
   parked = null; // somebody who parks by hand
@@ -52,8 +54,9 @@ export class Page {
       if (scene.options?.[key] !== undefined) this.settings[key] = scene.options[key];
     }
     panel.fillSettings(this.settings);
-    const same = Object.entries(vehicles).find(([, one]) => one.wheelbase === scene.vehicle.wheelbase && one.width === scene.vehicle.width && one.min_turning_radius === scene.vehicle.min_turning_radius);
-    byId('vehicle').value = same ? same[0] : '';
+    const lengths = ({wheelbase, width, min_turning_radius: radius, trailers}) => JSON.stringify([wheelbase, width, radius, trailers]);
+    const same = Object.keys(vehicles).find((name) => lengths(vehicle(name)) === lengths(scene.vehicle));
+    byId('vehicle').value = same ?? '';
     this.changed('ground');
     this.fit();
   }
@@ -123,23 +126,42 @@ export class Page {
   plan() {
     this.dirty = false;
     try {
-      this.take(this.planning.now(this.scene, this.settings, this.info, this.editor.dragging ? frameBudget : 5 * frameBudget));
+      const result = this.planning.now(this.scene, this.settings, this.info, this.editor.dragging ? 1 : 3);
+      this.take(result ?? {status: 'searching', path: null, anytime: []});
     } catch (error) {
-      this.result = null;
-      this.rows = null;
-      panel.showError(error.message);
+      this.failed(error.message);
     }
+  }
+
+  failed(message) {
+    this.result = null;
+    this.shown = null;
+    panel.showError(message);
   }
 
   take(result) {
     this.result = result;
-    this.rows = result.path ? this.vandplan.sample(result.path, 0.2) : null;
+    this.shown = result.path ? this.placesOf(result.path) : null;
     panel.showResult(result, result.path && !this.editor.dragging ? this.vandplan.hash(result.path) : '');
     panel.paintTrace(this.#colours, result);
   }
 
-  /** A longer run found something for the scene that is shown. */
+  placesOf(path) {
+    const {vehicle: driven, start} = this.scene;
+    const step = 0.2;
+    return {
+      rows: this.vandplan.sample(path, step),
+      trail: driven.trailers ? this.vandplan.trailer(path, driven, start.hitch_angles?.[0] ?? 0, step) : null,
+    };
+  }
+
+  /** A longer run found something for the scene that is shown, or has an error to tell. */
   improved(result) {
+    if (result.status === 'error') {
+      this.failed(result.reason);
+      this.drawn();
+      return;
+    }
     const better = result.path && (!this.result?.path || result.cost <= this.result.cost + 1e-9);
     if (!better && this.result?.path) return;
     if (this.drive && result.path) return;
@@ -182,7 +204,7 @@ export class Page {
     } else if (key === 'vehicle') {
       if (!vehicles[value]) return;
       this.history.remember(this.scene);
-      this.scene.vehicle = {...vehicles[value]};
+      changeVehicle(this.scene, vehicle(value));
     } else {
       this.settings[key] = value;
     }
@@ -230,7 +252,7 @@ export class Page {
     if (this.drive) this.stopDriving();
     else if (this.result?.path) {
       this.stopParking();
-      const rows = this.vandplan.drive(this.result.path, this.scene.vehicle, 0.05);
+      const rows = this.result.drive ?? this.vandplan.drive(this.result.path, this.scene.vehicle, 0.05);
       this.drive = {rows, begin: performance.now(), at: 0};
       byId('play').textContent = '\u25A0\uFE0E Stop';
     }
@@ -249,7 +271,25 @@ export class Page {
     while (this.drive.at + 7 < rows.length && rows[this.drive.at + 7] <= t) this.drive.at += 7;
     const at = this.drive.at;
     if (t > rows[rows.length - 7] + 3) this.stopDriving();
-    return {pose: {x: rows[at + 2], y: rows[at + 3], heading: rows[at + 4]}, curvature: rows[at + 5]};
+    const pose = {x: rows[at + 2], y: rows[at + 3], heading: rows[at + 4]};
+    const {trail} = this.shown;
+    if (trail) {
+      const heading = trail[3 * this.rowAt(rows[at + 1]) + 2];
+      pose.hitch_angles = [wrap(pose.heading - heading)];
+    }
+    return {pose, curvature: rows[at + 5], t: rows[at]};
+  }
+
+  /** The number of the row of the path that is shown at so many metres. */
+  rowAt(s) {
+    const {rows} = this.shown;
+    let low = 0;
+    for (let high = rows.length / 6 - 1; low < high; ) {
+      const middle = (low + high) >> 1;
+      if (rows[6 * middle] < s) low = middle + 1;
+      else high = middle;
+    }
+    return low;
   }
 
   togglePark() {
@@ -260,7 +300,8 @@ export class Page {
     }
     this.stopDriving();
     const yard = this.planning.yard(this.scene);
-    this.parked = new Parking(this.scene, (pose) => yard.isFree({pose, vehicle: this.scene.vehicle}));
+    const driven = this.scene.vehicle;
+    this.parked = new Parking(this.scene, (pose) => yard.isFree({pose, vehicle: driven}), (pose, segment) => this.vandplan.advance(pose, driven, segment));
     this.parkedAt = performance.now();
     byId('park').setAttribute('aria-pressed', 'true');
     this.canvas.focus({preventScroll: true});
@@ -303,11 +344,11 @@ export class Page {
     paint.paintGrid(context, view, colours);
     paint.paintBounds(context, view, scene.bounds, colours);
     if (scene.map) paint.paintMap(context, scene.map, colours);
-    if (this.rows) paint.paintSwept(context, view, scene.vehicle, this.rows, colours);
+    if (this.shown) paint.paintSwept(context, view, scene.vehicle, this.shown, colours);
     paint.paintPolygons(context, view, scene, colours);
-    if (this.rows) {
-      paint.paintFootprints(context, view, scene.vehicle, this.rows, colours, 2.5);
-      paint.paintPath(context, view, this.rows, colours);
+    if (this.shown) {
+      paint.paintFootprints(context, view, scene.vehicle, this.shown, colours, scene.vehicle.trailers ? 5 : 2.5);
+      paint.paintPath(context, view, this.shown.rows, colours);
     }
     this.paintTrucks(time);
     if (!this.clean) this.paintSelection();
@@ -328,7 +369,8 @@ export class Page {
       return;
     }
     const driven = this.drive ? this.driven(time) : null;
-    const curvature = driven?.curvature ?? this.rows?.[4] ?? 0;
+    const curvature = driven?.curvature ?? this.shown?.rows[4] ?? 0;
+    paint.paintMovers(context, view, scene.moving, driven?.t ?? 0, colours);
     paint.paintTruck(context, view, scene.vehicle, driven?.pose ?? scene.start, colours, {curvature, bad: bad === 'start_in_collision'});
   }
 

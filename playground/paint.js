@@ -3,7 +3,7 @@
 
 // Draws the yard. Colours come from the style sheet, so that dark and light are decided there.
 
-import {mapCorners, outline, placed} from './geometry.js';
+import {mapCorners, outline, placed, trailerOutline, trailerPose} from './geometry.js';
 
 const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'body', 'glass', 'bad'];
 
@@ -106,12 +106,46 @@ function wheel(context, x, y, angle, size) {
   context.restore();
 }
 
-/** A vehicle seen from above, its front wheels turned to a curvature. */
+/** A trailer seen from above, and its drawbar. */
+function paintTrailer(context, view, vehicle, pose, colours, {ghost, bad}) {
+  const [trailer] = vehicle.trailers;
+  const at = trailerPose(vehicle, pose);
+  const front = trailer.wheelbase + trailer.front_overhang;
+  context.save();
+  context.translate(at.x, at.y);
+  context.rotate(at.heading);
+  context.lineJoin = 'round';
+  if (!ghost) {
+    context.fillStyle = colours.ink;
+    for (const side of [-1, 1]) wheel(context, 0, side * (trailer.width / 2 - 0.12), 0, 1);
+  }
+  context.strokeStyle = bad ? colours.bad : ghost ? colours['accent-ink'] : colours.ink;
+  context.lineWidth = (ghost ? 1.75 : 1.5) / view.scale;
+  if (front < trailer.wheelbase) {
+    context.beginPath();
+    context.moveTo(front, 0);
+    context.lineTo(trailer.wheelbase, 0);
+    context.stroke();
+  }
+  context.beginPath();
+  context.roundRect(-trailer.rear_overhang, -trailer.width / 2, front + trailer.rear_overhang, trailer.width, 0.15);
+  context.fillStyle = bad ? colours.bad : ghost ? colours.accent : colours.body;
+  context.globalAlpha = ghost || bad ? 0.2 : 1;
+  context.fill();
+  context.globalAlpha = 1;
+  if (ghost) context.setLineDash([5 / view.scale, 4 / view.scale]);
+  context.stroke();
+  context.restore();
+}
+
+/** A vehicle seen from above, its front wheels turned to a curvature, and its trailer. */
 export function paintTruck(context, view, vehicle, pose, colours, {curvature = 0, ghost = false, bad = false} = {}) {
   const front = vehicle.wheelbase + vehicle.front_overhang;
   const length = front + vehicle.rear_overhang;
   const {width} = vehicle;
   const cab = Math.min(0.28 * length, 2.1);
+  const above = vehicle.trailers?.[0].front_overhang > 0; // a semitrailer lies on its tractor
+  if (vehicle.trailers && !above) paintTrailer(context, view, vehicle, pose, colours, {ghost, bad});
   context.save();
   context.translate(pose.x, pose.y);
   context.rotate(pose.heading);
@@ -148,14 +182,56 @@ export function paintTruck(context, view, vehicle, pose, colours, {curvature = 0
   context.globalAlpha = ghost ? 0.45 : 1;
   context.fill();
   context.restore();
+  if (above) paintTrailer(context, view, vehicle, pose, colours, {ghost, bad});
 }
 
-/** What the body sweeps along rows s, x, y, heading, curvature, direction. */
-export function paintSwept(context, view, vehicle, rows, colours) {
-  context.beginPath();
-  for (let i = 0; i < rows.length; i += 6) {
-    trace(context, outline(vehicle, {x: rows[i + 1], y: rows[i + 2], heading: rows[i + 3]}));
+/** Where something that moves is at a time, or null once it has left. */
+function moverPose({trajectory, after}, t) {
+  const next = trajectory.findIndex(([at]) => at > t);
+  const last = trajectory.at(-1);
+  if (next < 0) return after === 'leaves' && t > last[0] ? null : {x: last[1], y: last[2], heading: last[3]};
+  const [t1, x1, y1, h1] = trajectory[next];
+  const [t0, x0, y0, h0] = trajectory[Math.max(0, next - 1)];
+  const share = t1 > t0 ? Math.max(0, (t - t0) / (t1 - t0)) : 1;
+  const turn = h1 - h0 - 2 * Math.PI * Math.round((h1 - h0) / (2 * Math.PI));
+  return {x: x0 + share * (x1 - x0), y: y0 + share * (y1 - y0), heading: h0 + share * turn};
+}
+
+/** What moves, at a time, and the way it takes. */
+export function paintMovers(context, view, moving, t, colours) {
+  context.strokeStyle = colours.soft;
+  context.lineWidth = 1.25 / view.scale;
+  for (const mover of moving) {
+    context.beginPath();
+    mover.trajectory.forEach(([, x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
+    context.setLineDash([2 / view.scale, 6 / view.scale]);
+    context.stroke();
+    context.setLineDash([]);
+    const pose = moverPose(mover, t);
+    if (!pose) continue;
+    context.beginPath();
+    trace(context, mover.outline.map(([x, y]) => placed(pose, x, y)));
+    context.fillStyle = colours.glass;
+    context.fill();
+    context.stroke();
   }
+}
+
+/** Traces the bodies at row i of a path: {rows: s, x, y, heading, curvature, direction; trail: x, y, heading or null}. */
+function traceBodies(context, vehicle, {rows, trail}, i) {
+  const at = 6 * i;
+  trace(context, outline(vehicle, {x: rows[at + 1], y: rows[at + 2], heading: rows[at + 3]}));
+  if (trail) trace(context, trailerOutline(vehicle, {x: trail[3 * i], y: trail[3 * i + 1], heading: trail[3 * i + 2]}));
+}
+
+const sweptEvery = 3; // rows; in between the bodies reach no further than a line's width
+
+/** What the bodies sweep along a path. */
+export function paintSwept(context, view, vehicle, path, colours) {
+  const count = path.rows.length / 6;
+  context.beginPath();
+  for (let i = 0; i < count; i += sweptEvery) traceBodies(context, vehicle, path, i);
+  traceBodies(context, vehicle, path, count - 1);
   context.fillStyle = colours.accent;
   context.globalAlpha = 0.13;
   context.fill('nonzero');
@@ -163,13 +239,14 @@ export function paintSwept(context, view, vehicle, rows, colours) {
 }
 
 /** Outlines of the body every few metres. */
-export function paintFootprints(context, view, vehicle, rows, colours, spacing) {
+export function paintFootprints(context, view, vehicle, path, colours, spacing) {
+  const {rows} = path;
   context.beginPath();
   let next = spacing;
-  for (let i = 0; i < rows.length; i += 6) {
-    if (rows[i] < next) continue;
-    next = rows[i] + spacing;
-    trace(context, outline(vehicle, {x: rows[i + 1], y: rows[i + 2], heading: rows[i + 3]}));
+  for (let i = 0; 6 * i < rows.length; ++i) {
+    if (rows[6 * i] < next) continue;
+    next = rows[6 * i] + spacing;
+    traceBodies(context, vehicle, path, i);
   }
   context.strokeStyle = colours.accent;
   context.globalAlpha = 0.3;

@@ -16,7 +16,7 @@ const words = {
   iteration_limit: 'No way found yet',
   node_limit: 'No way found yet',
   time_limit: 'No way found yet',
-  stopped: 'Stopped',
+  searching: 'Searching \u2026',
   rejected: 'The judge rejects the path',
 };
 
@@ -28,7 +28,7 @@ const metres = (value) => (value === Infinity ? 'none near' : value === null ? '
 export function showResult(result, hash) {
   const status = byId('status');
   const {path, check} = result;
-  status.className = path ? 'good' : 'bad';
+  status.className = path ? 'good' : result.status === 'searching' ? '' : 'bad';
   status.textContent = path ? `Judged: nothing touches` : words[result.status] + (result.reason ? `: ${result.reason}` : '');
   const first = result.first ?? result.anytime[0];
   const gap = result.lower_bound > 0 && path ? result.cost / result.lower_bound - 1 : null;
@@ -60,9 +60,11 @@ export function paintTrace(colours, {anytime, time, path}) {
   const width = canvas.clientWidth;
   const height = canvas.clientHeight;
   if (!width) return;
-  Object.assign(canvas, {width: width * ratio, height: height * ratio});
+  const size = {width: Math.round(width * ratio), height: Math.round(height * ratio)};
+  if (canvas.width !== size.width || canvas.height !== size.height) Object.assign(canvas, size);
   const context = canvas.getContext('2d');
-  context.scale(ratio, ratio);
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, width, height);
   if (!path || !anytime.length) return;
   const least = Math.max(1e-5, anytime[0].time);
   const span = Math.log(Math.max(time, 2 * least) / least);

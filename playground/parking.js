@@ -7,17 +7,6 @@ import {clamp, wrap} from './geometry.js';
 
 const keys = {ArrowUp: 1, ArrowDown: -1, ArrowLeft: 1, ArrowRight: -1};
 
-/** Where a pose is after a metre-long or shorter arc. */
-function advanced(pose, curvature, way) {
-  const half = (curvature * way) / 2;
-  const chord = half === 0 ? way : (way * Math.sin(half)) / half;
-  return {
-    x: pose.x + chord * Math.cos(pose.heading + half),
-    y: pose.y + chord * Math.sin(pose.heading + half),
-    heading: wrap(pose.heading + 2 * half),
-  };
-}
-
 export class Parking {
   pose;
   curvature = 0;
@@ -29,8 +18,12 @@ export class Parking {
   #gear = 0;
   #held = new Set();
 
-  /** `isFree(pose)` says whether the vehicle touches nothing. */
-  constructor(scene, isFree) {
+  /**
+   * `isFree(pose)` says whether the vehicle touches nothing, `advance(pose, segment)` where it is after
+   * a segment.
+   */
+  constructor(scene, isFree, advance) {
+    this.advance = advance;
     this.pose = {...scene.start};
     this.vehicle = scene.vehicle;
     this.goal = scene.goal;
@@ -55,8 +48,9 @@ export class Parking {
     else if (drive) this.curvature -= clamp(this.curvature, -sharpest * seconds, sharpest * seconds);
     if (!drive) return this.curvature !== before;
     const way = drive * (drive > 0 ? 4.5 : 3) * seconds;
-    const next = advanced(this.pose, this.curvature, way);
-    this.touched = !this.isFree(next);
+    const next = this.advance(this.pose, {curvature: this.curvature, length: way});
+    const folded = Math.abs(next.hitch_angles?.[0] ?? 0) > (this.vehicle.max_hitch_angle ?? 1.2);
+    this.touched = folded || !this.isFree(next);
     if (this.touched) return true;
     this.pose = next;
     this.length += Math.abs(way);

@@ -7,9 +7,15 @@ import {load} from 'vandplan';
 
 import {scenarioOf} from './scene.js';
 
-/** How long a plan may take while something is dragged, and once it rests [s]. */
-export const frameBudget = 0.006;
+/** How long a plan may take while something is dragged, its judge included, and once it rests [s]. */
+const frameBudget = 0.009;
+const leastBudget = 0.002;
 const restBudgets = [0.2, 1.5];
+/** A trailer, or what moves, takes longer than a frame: all of it is left to the second thread. */
+const longBudgets = [0.3, 1.5, 6];
+
+export const isLong = (scene) => Boolean(scene.vehicle.trailers) || scene.moving.length > 0;
+const budgetsOf = (scene) => (isLong(scene) ? longBudgets : restBudgets);
 
 /** Keeps the world of the last ground, so that dragging the truck does not build it again. */
 export class Ground {
@@ -42,7 +48,7 @@ export function queryOf(scene, settings, info, time) {
   } else {
     for (const key of ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost', 'clearance_distance', 'style']) delete options[key];
   }
-  if (info.honours_steering) options.steering = settings.steering;
+  if (info.honours_steering && !scene.vehicle.trailers) options.steering = settings.steering;
   else delete options.steering;
   return {planner: info.name, options, start: scene.start, goal: scene.goal, vehicle: scene.vehicle};
 }
@@ -79,8 +85,8 @@ export class Planning {
   #timer = 0;
   #busy = false;
   #next = null;
+  #judged = 0; // seconds that the last plan took beside its budget
   groundVersion = 0;
-  runs = 0;
 
   /** `better(result)` is called with a better path of the scene that was asked for last. */
   constructor(vandplan, script, better) {
@@ -98,42 +104,53 @@ export class Planning {
     return this.#ground.at(scenarioOf(scene), this.groundVersion);
   }
 
-  /** A plan within the budget of a frame; longer ones follow once nothing is asked for a while. */
-  now(scene, settings, info, time = frameBudget) {
+  /**
+   * A plan within the budget of a frame, or so many times as much; longer ones follow once nothing is asked for a
+   * while. Null where the second thread alone plans.
+   */
+  now(scene, settings, info, times = 1) {
     const id = ++this.#id;
     this.#next = null;
     clearTimeout(this.#timer);
     const yard = this.yard(scene);
+    if (isLong(scene) && this.#worker) {
+      this.#improve(id, scene, settings, info, 0);
+      return null;
+    }
+    const time = times * Math.max(leastBudget, frameBudget - this.#judged);
+    const begin = performance.now();
     let result = yard.plan(queryOf(scene, settings, info, time));
     // Another program may have had the processor: better a late path than none.
     if (result.status === 'time_limit') result = yard.plan(queryOf(scene, settings, info, 3 * time));
-    ++this.runs;
+    else this.#judged = (performance.now() - begin) / 1000 - result.time;
     const ended = ['start_in_collision', 'goal_in_collision', 'no_path'].includes(result.status);
     if (!ended) this.#timer = setTimeout(() => this.#improve(id, scene, settings, info, 0), 140);
     return result;
   }
 
   #improve(id, scene, settings, info, step) {
-    if (id !== this.#id || step >= restBudgets.length) return;
+    if (id !== this.#id || step >= budgetsOf(scene).length) return;
     const ask = {id, step, scene, settings, info};
     if (this.#busy) this.#next = ask;
     else this.#send(ask);
   }
 
   #send({id, step, scene, settings, info}) {
-    const query = queryOf(scene, settings, info, restBudgets[step]);
+    const query = queryOf(scene, settings, info, budgetsOf(scene)[step]);
     this.asked = {id, step, scene, settings, info};
     if (!this.#worker) return;
     this.#busy = true;
     this.#worker.postMessage({id, version: this.groundVersion, scenario: scenarioOf(scene), query});
   }
 
-  #took({id, result}) {
+  #took({id, result, error}) {
     this.#busy = false;
+    if (id === this.#id && error) this.better({status: 'error', reason: error});
     if (id === this.#id && result) {
-      this.better(result);
       const {scene, settings, info, step} = this.asked;
-      this.#improve(id, scene, settings, info, step + 1);
+      const isLast = step + 1 === budgetsOf(scene).length || result.status !== 'time_limit';
+      this.better(result.path || isLast ? result : {...result, status: 'searching'});
+      if (result.path || !isLast) this.#improve(id, scene, settings, info, step + 1);
     }
     if (this.#next && !this.#busy) {
       const next = this.#next;

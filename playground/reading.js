@@ -8,13 +8,15 @@
 
 import {vehicles} from 'catalogue';
 
+import {tractorPose} from './geometry.js';
+
 export class ReadError extends Error {}
 
 const fail = (where, problem) => {
   throw new ReadError(`${where}: ${problem}`);
 };
 
-export const most = {polygons: 2000, corners: 20000, text: 2e6};
+export const most = {polygons: 2000, corners: 20000, movers: 40, rows: 2000, text: 2e6};
 
 function object(value, where, keys) {
   if (value === null || typeof value !== 'object' || Array.isArray(value)) fail(where, 'expected a map of keys');
@@ -41,10 +43,44 @@ function pair(value, where) {
 }
 
 function pose(value, where) {
-  object(value, where, ['x', 'y', 'heading', 'curvature']);
+  object(value, where, ['x', 'y', 'heading', 'curvature', 'hitch_angles']);
   const read = {x: number(value.x, `${where}.x`), y: number(value.y, `${where}.y`), heading: number(value.heading, `${where}.heading`)};
   if (value.curvature !== undefined) read.curvature = number(value.curvature, `${where}.curvature`);
   return read;
+}
+
+/** Where a path begins or ends: a pose, and how wheels and trailer stand there. */
+function end(value, where, driven) {
+  if (value === null || typeof value !== 'object') fail(where, 'expected a map of keys');
+  if (!driven.trailers) {
+    if (value.hitch_angles !== undefined || value.trailer !== undefined) fail(where, 'the vehicle has no trailer');
+    return pose(value, where);
+  }
+  const angles = value.hitch_angles ?? [0];
+  if (!Array.isArray(angles) || angles.length !== 1) fail(`${where}.hitch_angles`, 'expected a list with one angle');
+  const hitch = number(angles[0], `${where}.hitch_angles`, -3.2, 3.2);
+  if (value.trailer === undefined) return {...pose(value, where), hitch_angles: [hitch]};
+  object(value, where, ['trailer', 'curvature', 'hitch_angles']);
+  return {...tractorPose(driven, pose(value.trailer, `${where}.trailer`), hitch), hitch_angles: [hitch]};
+}
+
+/** What moves while the vehicle drives. */
+function movers(value) {
+  if (value === undefined) return [];
+  if (!Array.isArray(value) || value.length > most.movers) fail('moving', `expected a list of at most ${most.movers}`);
+  return value.map((one, i) => {
+    const where = `moving[${i}]`;
+    object(one, where, ['outline', 'trajectory', 'after', 'inflate']);
+    const [outline] = polygons([one.outline], `${where}.outline`);
+    if (!Array.isArray(one.trajectory) || one.trajectory.length < 1 || one.trajectory.length > most.rows) fail(`${where}.trajectory`, 'expected rows');
+    const trajectory = one.trajectory.map((row) => {
+      if (!Array.isArray(row) || row.length !== 4) fail(`${where}.trajectory`, 'expected rows of t, x, y, heading');
+      return row.map((part) => number(part, `${where}.trajectory`));
+    });
+    const after = one.after ?? 'stays';
+    if (after !== 'stays' && after !== 'leaves') fail(`${where}.after`, 'expected stays or leaves');
+    return {outline, trajectory, after, ...(one.inflate === undefined ? {} : {inflate: number(one.inflate, `${where}.inflate`, 0, 10)})};
+  });
 }
 
 function polygons(value, where) {
@@ -70,17 +106,26 @@ function usualLimits(vehicle) {
   return Object.fromEntries(Object.entries(known ?? {}).filter(([key]) => limits.includes(key) || key === 'max_speed'));
 }
 
-function vehicle(value) {
+/** A vehicle by its name in the catalogue, or by its lengths. */
+export function vehicle(value) {
   if (typeof value === 'string') {
-    return Object.hasOwn(vehicles, value) ? {...vehicles[value]} : fail('vehicle', `there is no "${value.slice(0, 40)}" in the catalogue`);
+    return Object.hasOwn(vehicles, value) ? vehicle(vehicles[value]) : fail('vehicle', `there is no "${value.slice(0, 40)}" in the catalogue`);
   }
-  object(value, 'vehicle', [...lengths, ...limits, 'min_turning_radius', 'max_steering_angle', 'track_width', 'max_speed']);
+  object(value, 'vehicle', [...lengths, ...limits, 'min_turning_radius', 'max_steering_angle', 'track_width', 'max_speed', 'hitch', 'max_hitch_angle', 'trailers']);
   const read = Object.fromEntries(lengths.map((key) => [key, number(value[key], `vehicle.${key}`, 0, 1000)]));
   if (value.max_steering_angle !== undefined) {
     const angle = number(value.max_steering_angle, 'vehicle.max_steering_angle', 1e-3, 1.57);
     read.min_turning_radius = (read.wheelbase * Math.cos(angle)) / Math.sin(angle);
   } else {
     read.min_turning_radius = number(value.min_turning_radius, 'vehicle.min_turning_radius', 0.01, 1e4);
+  }
+  if (value.trailers !== undefined) {
+    if (!Array.isArray(value.trailers) || value.trailers.length !== 1) fail('vehicle.trailers', 'expected a list with one trailer');
+    const [trailer] = value.trailers;
+    object(trailer, 'vehicle.trailers[0]', lengths);
+    read.trailers = [Object.fromEntries(lengths.map((key) => [key, number(trailer[key], `vehicle.trailers[0].${key}`, key === 'front_overhang' ? -100 : 0, 1000)]))];
+    if (value.hitch !== undefined) read.hitch = number(value.hitch, 'vehicle.hitch', -100, 100);
+    if (value.max_hitch_angle !== undefined) read.max_hitch_angle = number(value.max_hitch_angle, 'vehicle.max_hitch_angle', 0, 3.14);
   }
   if (value.track_width !== undefined) read.track_width = number(value.track_width, 'vehicle.track_width', 0, 1000);
   Object.assign(read, usualLimits(read));
@@ -107,20 +152,22 @@ function options(value) {
   );
 }
 
-const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'obstacles', 'kerbs', 'map', 'unknown', 'options'];
+const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'obstacles', 'kerbs', 'map', 'unknown', 'moving', 'options'];
 
 /** The problems that a parsed scenario file states, as scenes; a row of goals has one for each. */
 export function scenesOf(document, map = null) {
   object(document, 'the file', keys);
   if (document.map !== undefined && !map) fail('map', `drop ${JSON.stringify(String(document.map).slice(0, 60))} and its image together with the scenario`);
+  const driven = vehicle(document.vehicle ?? fail('vehicle', 'is missing'));
   const scene = {
     name: text(document.name, 'name') || 'yard',
     description: text(document.description, 'description'),
-    vehicle: vehicle(document.vehicle ?? fail('vehicle', 'is missing')),
-    start: pose(document.start, 'start'),
+    vehicle: driven,
+    start: end(document.start, 'start', driven),
     obstacles: polygons(document.obstacles, 'obstacles'),
     kerbs: polygons(document.kerbs, 'kerbs'),
     map: map && document.unknown === 'free' ? {...map, grid: {...map.grid, unknown: 'free'}} : map,
+    moving: movers(document.moving),
     options: options(document.options),
   };
   if (document.bounds !== undefined) {
@@ -131,11 +178,11 @@ export function scenesOf(document, map = null) {
   } else {
     fail('bounds', 'are missing');
   }
-  if (document.goals === undefined) return [{...scene, goal: pose(document.goal, 'goal')}];
+  if (document.goals === undefined) return [{...scene, goal: end(document.goal, 'goal', driven)}];
   if (!Array.isArray(document.goals) || document.goals.length < 1 || document.goals.length > 200) fail('goals', 'expected a list');
   return document.goals.map((one, i) => {
     object(one, `goals[${i}]`, ['distance', 'goal', 'obstacles']);
     const own = polygons(one.obstacles, `goals[${i}].obstacles`);
-    return {...scene, goal: pose(one.goal, `goals[${i}].goal`), obstacles: [...scene.obstacles, ...own]};
+    return {...scene, goal: end(one.goal, `goals[${i}].goal`, driven), obstacles: [...scene.obstacles, ...own]};
   });
 }

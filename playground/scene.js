@@ -3,11 +3,11 @@
 
 // What there is on the page: a scenario, and what was there before each change.
 
-import {boxOf, centreOf, mapCorners, middle, outline, placed, turned, wrap} from './geometry.js';
+import {boxOf, centreOf, mapCorners, middle, outlines, placed, turned, wrap} from './geometry.js';
 
 /** Everything that is drawn lies in this box. */
 export function sceneBox(scene) {
-  const points = [...outline(scene.vehicle, scene.start), ...outline(scene.vehicle, scene.goal)];
+  const points = [scene.start, scene.goal].flatMap((pose) => outlines(scene.vehicle, pose).flat());
   for (const polygon of [...scene.obstacles, ...scene.kerbs]) points.push(...polygon);
   if (scene.map) points.push(...mapCorners(scene.map.grid));
   return boxOf(points);
@@ -15,8 +15,8 @@ export function sceneBox(scene) {
 
 /** What the planner gets: the keys of a scenario file. */
 export function scenarioOf(scene) {
-  const {name, vehicle, bounds, start, goal, obstacles, kerbs, map} = scene;
-  return {name, vehicle, bounds, start, goal, obstacles, kerbs, ...(map ? {map: map.grid} : {})};
+  const {name, vehicle, bounds, start, goal, obstacles, kerbs, moving, map} = scene;
+  return {name, vehicle, bounds, start, goal, obstacles, kerbs, moving, ...(map ? {map: map.grid} : {})};
 }
 
 /** An object of the scene by its handle: {kind: 'start' | 'goal'} or {kind: 'obstacles' | 'kerbs', index}. */
@@ -71,6 +71,15 @@ export function addBox(scene, kind, [x, y], width, height) {
   const at = {x, y, heading: 0};
   scene[kind].push([[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u, v]) => placed(at, (u * width) / 2, (v * height) / 2)));
   return {kind, index: scene[kind].length - 1};
+}
+
+/** Lets another vehicle drive; a trailer that was not there before stands straight behind it. */
+export function changeVehicle(scene, vehicle) {
+  scene.vehicle = vehicle;
+  for (const kind of ['start', 'goal']) {
+    const {hitch_angles: angles = [0], ...pose} = scene[kind];
+    scene[kind] = vehicle.trailers ? {...pose, hitch_angles: angles} : pose;
+  }
 }
 
 /** A copy that later changes leave alone; the cells of a map are shared, as nobody changes them. */

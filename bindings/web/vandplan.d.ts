@@ -21,6 +21,32 @@ export interface Pose {
 export interface EndPose extends Pose {
   /** How far the wheels are turned [1/m]; of account for steering "continuous" alone. */
   curvature?: number;
+  /** Heading of the vehicle less that of its trailer [rad]. */
+  hitch_angles?: [number];
+}
+
+/** The axle of the trailer instead. */
+export interface TrailerEnd {
+  trailer: Pose;
+  curvature?: number;
+  hitch_angles?: [number];
+}
+
+/** Keys and units as in vehicle files: hitch to axle, hitch to the front of the body, axle to rear. */
+export interface Trailer {
+  wheelbase: number;
+  front_overhang: number;
+  rear_overhang: number;
+  width: number;
+}
+
+/** What moves while the vehicle drives: an outline in a frame of its own, and where that is when. */
+export interface MovingObstacle {
+  outline: Point[];
+  trajectory: [t: number, x: number, y: number, heading: number][];
+  after?: 'stays' | 'leaves';
+  /** [m/s] */
+  inflate?: number;
 }
 
 /** Keys and units as in vehicle files. */
@@ -38,6 +64,10 @@ export interface Vehicle {
   max_braking?: number;
   max_lateral_acceleration?: number;
   max_jerk?: number;
+  /** x of the hitch in the vehicle frame. */
+  hitch?: number;
+  max_hitch_angle?: number;
+  trailers?: [Trailer];
 }
 
 /** Square cells: 0 free, 1 occupied, 2 unknown, row by row from the corner at `origin`. */
@@ -59,7 +89,8 @@ export interface Scenario {
   /** Where the rear axle may be; without a map they have to be given. */
   bounds?: {x: Point; y: Point};
   start: EndPose;
-  goal: EndPose;
+  goal: EndPose | TrailerEnd;
+  moving?: MovingObstacle[];
   obstacles?: Point[][];
   kerbs?: Point[][];
   map?: OccupancyMap;
@@ -102,6 +133,8 @@ export interface Check {
   length: number;
   reverse_length: number;
   gear_changes: number;
+  /** 0 without a trailer [rad]. */
+  largest_hitch_angle: number;
   curvature_change: number;
   /** Least distance from anything [m]; Infinity on open ground. */
   clearance: number | null;
@@ -125,6 +158,10 @@ export interface Result {
   /** Rows x, y, heading, and the parent of each node (-1: a root), with the option keep_tree. */
   tree: {poses: Float64Array; parents: Int32Array} | null;
   check: Check | null;
+  /** Of the drive among what moves [s]; null where nothing does. */
+  duration: number | null;
+  /** Rows t, s, x, y, heading, curvature, speed of that drive, every 0.05 s. */
+  drive: Float64Array | null;
   steering: string;
 }
 
@@ -149,7 +186,7 @@ export interface Claims {
 /** Another start, goal or vehicle than the scenario's. */
 export interface Ends {
   start?: EndPose;
-  goal?: EndPose;
+  goal?: EndPose | TrailerEnd;
   vehicle?: Vehicle;
 }
 
@@ -157,7 +194,7 @@ export interface Ends {
 export interface Yard {
   plan(query?: Ends & {planner?: string; options?: PlanOptions}): Result;
   check(query: Ends & Claims & {path: Path}): Check;
-  isFree(query: {pose: Pose; vehicle?: Vehicle; margin?: number}): boolean;
+  isFree(query: {pose: EndPose; vehicle?: Vehicle; margin?: number}): boolean;
   close(): void;
 }
 
@@ -171,6 +208,10 @@ export interface Vandplan {
   sample(path: Path, step?: number): Float64Array;
   /** Rows t, s, x, y, heading, curvature, speed of the fastest drive, at most `step` seconds apart. */
   drive(path: Path, vehicle: Vehicle, step?: number): Float64Array;
+  /** Rows x, y, heading of the trailer for each row that `sample` has with that step. */
+  trailer(path: Path, vehicle: Vehicle, hitchAngle?: number, step?: number): Float64Array;
+  /** Where the vehicle is after a segment, and how its trailer stands. */
+  advance(pose: EndPose, vehicle: Vehicle, segment: {curvature: number; length: number}): EndPose;
   /** The shortest path on open ground, by Reeds and Shepp, or by Dubins without reverse. */
   steer(from: Pose, to: Pose, radius: number, options?: {reverse?: boolean}): Segment[];
   /** The path of every word that joins the poses, the shortest first. */

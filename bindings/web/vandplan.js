@@ -65,6 +65,8 @@ function functionsOf(core) {
     check: (scenario, path, claims = {}) => inYard(scenario, (yard) => yard.check({path, ...claims})),
     sample: (path, step = 0.1) => taken(core.sampledPath(path, step)),
     drive: (path, vehicle, step = 0.05) => taken(core.drivenPath(path, vehicle, step)),
+    trailer: (path, vehicle, hitchAngle = 0, step = 0.1) => taken(core.trailedPath(path, vehicle, hitchAngle, step)),
+    advance: (pose, vehicle, {curvature, length}) => taken(core.advanced(pose, vehicle, curvature, length)),
     steer: (from, to, radius, {reverse = true} = {}) => taken(core.steered(from, to, radius, reverse)),
     words: (from, to, radius, {reverse = true} = {}) => taken(core.wordsBetween(from, to, radius, reverse)),
     distances: (measure, nodes, sample, radius) => taken(core.distances(measure, nodes, sample, radius)),

@@ -88,7 +88,7 @@ async function edits(page) {
 }
 
 async function slides(page) {
-  await choose(page, 'scenario', 'Thesis 5 leave cage');
+  await choose(page, 'scenario', 'Thesis: 5 leave cage');
   await settled(page);
   const set = (id, value) => page.value(`(() => { const s = document.getElementById('${id}'); s.value = ${value}; s.dispatchEvent(new Event('input')); })()`);
   await set('margin', 0.5);

@@ -16,6 +16,7 @@
 #include "vandplan/heuristic_table.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/rig.h"
 #include "vandplan/speed.h"
 #include "vandplan/version.h"
 
@@ -57,6 +58,21 @@ PlanOptions options_from(const Planner& planner, const val& given, const Vehicle
   return complete(planner, options, vehicle);
 }
 
+val rows_of(std::span<const Motion> motions) {
+  std::vector<double> rows;
+  for (const Motion& motion : motions) {
+    rows.insert(rows.end(), {motion.t, motion.s, motion.pose.x, motion.pose.y, motion.pose.heading,
+                             motion.curvature, motion.v});
+  }
+  return array_of(std::span<const double>(rows));
+}
+
+/// Where the vehicle is when among what moves; null where nothing does.
+val drive_of(const PlanResult& result, const Vehicle& vehicle) {
+  if (!result.path || !result.speeds) return val::null();
+  return rows_of(sampled(*result.path, vehicle, *result.speeds, 0.05));
+}
+
 /// A scenario whose world is built once: start, goal and vehicle may then be others each time.
 class Yard {
  public:
@@ -73,7 +89,9 @@ class Yard {
                                 : default_planner();
     const Problem problem = problem_of(query);
     const PlanOptions options = options_from(planner, query["options"], problem.vehicle());
-    val object = object_of(vandplan::plan(problem, planner, options));
+    const PlanResult result = vandplan::plan(problem, planner, options);
+    val object = object_of(result);
+    object.set("drive", drive_of(result, problem.vehicle()));
     object.set("steering", std::string(name_of(options.steering.value_or(Steering::reeds_shepp))));
     return object;
   }
@@ -89,32 +107,32 @@ class Yard {
     return object_of(check_path(problem_of(query), path_from(query["path"]), claims));
   }
 
-  /// Whether the vehicle touches nothing at a pose and keeps its margin: {pose, vehicle, margin}.
+  /// Whether the vehicle touches nothing at a pose, its trailer neither, and keeps its margin:
+  /// {pose, vehicle, margin}.
   [[nodiscard]] val is_free(const val& query) const {
     allow_only(query, {"pose", "vehicle", "margin"}, "query");
     const Vehicle vehicle =
         has(query, "vehicle") ? vehicle_from(query["vehicle"]) : problem_.vehicle();
     const Margin margin{.wanted = number_at(query, "margin", "", 0.0)};
-    const Pose pose = pose_from(query["pose"], "pose");
-    return val(world_->checker(vehicle, margin)->is_free(to_local(*world_, pose)));
+    const End end = end_from(query["pose"], "pose", vehicle);
+    const RigState state{to_local(*world_, end.pose), end.hitch_angle};
+    return val(world_->checker(vehicle, margin)->rig_is_free(state));
   }
 
  private:
   [[nodiscard]] Problem problem_of(const val& query) const {
     const Vehicle vehicle =
         has(query, "vehicle") ? vehicle_from(query["vehicle"]) : scenario_.vehicle;
-    Pose start = scenario_.start;
-    Pose goal = scenario_.goal;
-    EndCurvatures curvatures = scenario_.curvatures;
-    if (has(query, "start")) {
-      start = pose_from(query["start"], "start");
-      curvatures.start = number_at(query["start"], "curvature", "start", 0.0);
-    }
-    if (has(query, "goal")) {
-      goal = pose_from(query["goal"], "goal");
-      curvatures.goal = number_at(query["goal"], "curvature", "goal", 0.0);
-    }
-    return make_problem(world_, vehicle, start, goal, curvatures);
+    const End start = has(query, "start") ? end_from(query["start"], "start", vehicle)
+                                          : End{scenario_.start, scenario_.curvatures.start,
+                                                scenario_.hitch_angles.start};
+    const End goal = has(query, "goal") ? end_from(query["goal"], "goal", vehicle)
+                                        : End{scenario_.goal, scenario_.curvatures.goal,
+                                              scenario_.hitch_angles.goal};
+    return with_moving(
+        make_problem(world_, vehicle, start.pose, goal.pose, {start.curvature, goal.curvature},
+                     {start.hitch_angle, goal.hitch_angle}),
+        scenario_.moving);
   }
 
   Scenario scenario_;
@@ -178,13 +196,40 @@ val driven_path(const val& given, const val& vehicle, double step) {
     if (!(step >= 1e-3)) throw InputError("step", "expected at least 0.001 s");
     const Path path = path_from(given);
     const Vehicle checked = vehicle_from(vehicle);
-    const SpeedProfile profile = speed_profile(path, checked);
+    return rows_of(sampled(path, checked, speed_profile(path, checked), step));
+  });
+}
+
+/// Rows of x, y, heading of the trailer at each place that `sampled_path` has with that step.
+val trailed_path(const val& given, const val& vehicle, double hitch_angle, double step) {
+  return guarded([&] {
+    if (!(step >= 1e-3)) throw InputError("step", "expected at least 0.001 m");
+    const Path path = path_from(given);
+    const Vehicle checked = vehicle_from(vehicle);
+    if (!checked.trailer) throw InputError("vehicle.trailers", "are missing");
+    const std::vector<double> angles = sampled_hitch_angles(checked, path, hitch_angle, step);
     std::vector<double> rows;
-    for (const Motion& motion : sampled(path, checked, profile, step)) {
-      rows.insert(rows.end(), {motion.t, motion.s, motion.pose.x, motion.pose.y,
-                               motion.pose.heading, motion.curvature, motion.v});
+    std::size_t i = 0;
+    for (const PathPoint& point : sampled(path, step)) {
+      const Pose trailer = trailer_pose(checked, {point.pose, angles[i++]});
+      rows.insert(rows.end(), {trailer.x, trailer.y, trailer.heading});
     }
     return array_of(std::span<const double>(rows));
+  });
+}
+
+/// Where the vehicle and its trailer are after a segment.
+val advanced(const val& given, const val& vehicle, double curvature, double length) {
+  return guarded([&] {
+    const Vehicle checked = vehicle_from(vehicle);
+    const End end = end_from(given, "pose", checked);
+    const Segment segment{curvature, length};
+    val object = object_of(advance(end.pose, segment));
+    if (!checked.trailer) return object;
+    val angles = val::array();
+    angles.set(0, hitch_angle_after(checked, end.hitch_angle, segment));
+    object.set("hitch_angles", angles);
+    return object;
   });
 }
 
@@ -305,6 +350,8 @@ EMSCRIPTEN_BINDINGS(vandplan) {
   function("isFreeIn", &is_free_in);
   function("sampledPath", &sampled_path);
   function("drivenPath", &driven_path);
+  function("trailedPath", &trailed_path);
+  function("advanced", &advanced);
   function("wordsBetween", &words_between);
   function("steered", &steered);
   function("distances", &distances);

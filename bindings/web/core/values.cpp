@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "vandplan/input_error.h"
+#include "vandplan/rig.h"
 
 namespace vandplan::web {
 namespace {
@@ -29,18 +30,19 @@ Point point_from(const val& given, const std::string& where) {
   return {number_from(given[0], where), number_from(given[1], where)};
 }
 
+Polygon polygon_from(const val& corners, const std::string& where) {
+  Polygon polygon(size_of(corners, where));
+  for (std::size_t i = 0; i < polygon.size(); ++i) polygon[i] = point_from(corners[i], where);
+  return polygon;
+}
+
 std::vector<Polygon> polygons_at(const val& object, const char* key) {
   std::vector<Polygon> polygons;
   if (!has(object, key)) return polygons;
   const val list = object[key];
   polygons.resize(size_of(list, key));
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    const std::string where = std::string(key) + "[" + std::to_string(i) + "]";
-    const val corners = list[i];
-    polygons[i].resize(size_of(corners, where));
-    for (std::size_t j = 0; j < polygons[i].size(); ++j) {
-      polygons[i][j] = point_from(corners[j], where);
-    }
+    polygons[i] = polygon_from(list[i], std::string(key) + "[" + std::to_string(i) + "]");
   }
   return polygons;
 }
@@ -117,6 +119,69 @@ void add_limits(const val& given, DrivingLimits& limits) {
   if (has(given, "max_jerk")) limits.max_jerk = number_at(given, "max_jerk", "vehicle");
 }
 
+Trailer trailer_from(const val& given) {
+  const std::string where = "vehicle.trailers[0]";
+  allow_only(given, {"wheelbase", "front_overhang", "rear_overhang", "width"}, where);
+  return {.wheelbase = number_at(given, "wheelbase", where),
+          .front_overhang = number_at(given, "front_overhang", where),
+          .rear_overhang = number_at(given, "rear_overhang", where),
+          .width = number_at(given, "width", where)};
+}
+
+void add_trailer(const val& given, Vehicle& vehicle) {
+  if (!has(given, "trailers")) return;
+  if (size_of(given["trailers"], "vehicle.trailers") != 1) {
+    throw InputError("vehicle.trailers", "expected a list with one trailer");
+  }
+  vehicle.trailer = trailer_from(given["trailers"][0]);
+  vehicle.hitch = number_at(given, "hitch", "vehicle", vehicle.hitch);
+  vehicle.max_hitch_angle = number_at(given, "max_hitch_angle", "vehicle", vehicle.max_hitch_angle);
+}
+
+double hitch_angle_at(const val& given, const std::string& where, const Vehicle& vehicle) {
+  if (!has(given, "hitch_angles")) return 0.0;
+  const std::string key = where + ".hitch_angles";
+  const std::size_t trailers = vehicle.trailer ? 1 : 0;
+  if (size_of(given["hitch_angles"], key) != trailers) {
+    throw InputError(key, "expected one angle for each trailer");
+  }
+  return trailers == 0 ? 0.0 : number_from(given["hitch_angles"][0], key);
+}
+
+MovingObstacle mover_from(const val& given, const std::string& where) {
+  allow_only(given, {"outline", "trajectory", "after", "inflate"}, where);
+  MovingObstacle mover{.outline = polygon_from(given["outline"], where + ".outline"),
+                       .inflate = number_at(given, "inflate", where, 0.0)};
+  const val rows = given["trajectory"];
+  mover.trajectory.resize(size_of(rows, where + ".trajectory"));
+  for (std::size_t i = 0; i < mover.trajectory.size(); ++i) {
+    const std::string row = where + ".trajectory[" + std::to_string(i) + "]";
+    if (size_of(rows[i], row) != 4) throw InputError(row, "expected [t, x, y, heading]");
+    const auto number = [&](int k) { return number_from(rows[i][k], row); };
+    mover.trajectory[i] = {number(0), {number(1), number(2), number(3)}};
+  }
+  if (has(given, "after")) {
+    const auto after = given["after"].as<std::string>();
+    if (after == name_of(Afterwards::leaves)) {
+      mover.after = Afterwards::leaves;
+    } else if (after != name_of(Afterwards::stays)) {
+      throw InputError(where + ".after", "expected stays or leaves");
+    }
+  }
+  return mover;
+}
+
+std::vector<MovingObstacle> moving_at(const val& object) {
+  std::vector<MovingObstacle> moving;
+  if (!has(object, "moving")) return moving;
+  const val list = object["moving"];
+  const std::size_t count = size_of(list, "moving");
+  for (std::size_t i = 0; i < count; ++i) {
+    moving.push_back(mover_from(list[i], "moving[" + std::to_string(i) + "]"));
+  }
+  return moving;
+}
+
 }  // namespace
 
 double number_from(const val& given, const std::string& where) {
@@ -153,17 +218,33 @@ void allow_only(const val& object, std::initializer_list<std::string_view> keys,
 }
 
 Pose pose_from(const val& given, const std::string& where) {
-  allow_only(given, {"x", "y", "heading", "curvature"}, where);
+  allow_only(given, {"x", "y", "heading", "curvature", "hitch_angles"}, where);
   return {number_at(given, "x", where), number_at(given, "y", where),
           number_at(given, "heading", where)};
 }
 
+End end_from(const val& given, const std::string& where, const Vehicle& vehicle) {
+  if (!is_object(given)) throw InputError(where, "expected an object");
+  End end{.curvature = number_at(given, "curvature", where, 0.0),
+          .hitch_angle = hitch_angle_at(given, where, vehicle)};
+  if (!has(given, "trailer")) {
+    end.pose = pose_from(given, where);
+    return end;
+  }
+  allow_only(given, {"trailer", "curvature", "hitch_angles"}, where);
+  if (!vehicle.trailer) throw InputError(where + ".trailer", "is given without a trailer");
+  const Pose trailer = pose_from(given["trailer"], where + ".trailer");
+  end.pose = tractor_pose(vehicle, trailer, end.hitch_angle);
+  return end;
+}
+
 Vehicle vehicle_from(const val& given) {
-  allow_only(given,
-             {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius",
-              "track_width", "max_steering_rate", "max_curvature_rate", "max_speed",
-              "max_acceleration", "max_braking", "max_lateral_acceleration", "max_jerk"},
-             "vehicle");
+  allow_only(
+      given,
+      {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius", "track_width",
+       "max_steering_rate", "max_curvature_rate", "max_speed", "max_acceleration", "max_braking",
+       "max_lateral_acceleration", "max_jerk", "hitch", "max_hitch_angle", "trailers"},
+      "vehicle");
   Vehicle vehicle{.wheelbase = number_at(given, "wheelbase", "vehicle"),
                   .front_overhang = number_at(given, "front_overhang", "vehicle"),
                   .rear_overhang = number_at(given, "rear_overhang", "vehicle"),
@@ -171,15 +252,16 @@ Vehicle vehicle_from(const val& given) {
                   .min_turning_radius = number_at(given, "min_turning_radius", "vehicle")};
   if (has(given, "track_width")) vehicle.track_width = number_at(given, "track_width", "vehicle");
   add_limits(given, vehicle.limits);
+  add_trailer(given, vehicle);
   check_vehicle(vehicle);
   return vehicle;
 }
 
 Scenario scenario_from(const val& given) {
-  allow_only(
-      given,
-      {"name", "description", "vehicle", "bounds", "start", "goal", "obstacles", "kerbs", "map"},
-      "");
+  allow_only(given,
+             {"name", "description", "vehicle", "bounds", "start", "goal", "obstacles", "kerbs",
+              "map", "moving"},
+             "");
   Scenario scenario;
   if (has(given, "vehicle")) scenario.vehicle = vehicle_from(given["vehicle"]);
   if (has(given, "map")) scenario.map = map_from(given["map"]);
@@ -194,12 +276,15 @@ Scenario scenario_from(const val& given) {
   } else {
     throw InputError("bounds", "is missing");
   }
-  scenario.start = pose_from(given["start"], "start");
-  scenario.goal = pose_from(given["goal"], "goal");
-  scenario.curvatures = {number_at(given["start"], "curvature", "start", 0.0),
-                         number_at(given["goal"], "curvature", "goal", 0.0)};
+  const End start = end_from(given["start"], "start", scenario.vehicle);
+  const End goal = end_from(given["goal"], "goal", scenario.vehicle);
+  scenario.start = start.pose;
+  scenario.goal = goal.pose;
+  scenario.curvatures = {start.curvature, goal.curvature};
+  scenario.hitch_angles = {start.hitch_angle, goal.hitch_angle};
   scenario.obstacles = polygons_at(given, "obstacles");
   scenario.kerbs = polygons_at(given, "kerbs");
+  scenario.moving = moving_at(given);
   return scenario;
 }
 
@@ -257,6 +342,7 @@ val object_of(const PathCheck& check) {
   object.set("length", check.length);
   object.set("reverse_length", check.reverse_length);
   object.set("gear_changes", check.gear_changes);
+  object.set("largest_hitch_angle", check.largest_hitch_angle);
   object.set("curvature_change", check.curvature_change);
   object.set("clearance", number_or_null(check.clearance));
   return object;
@@ -287,6 +373,7 @@ val object_of(const PlanResult& result) {
   object.set("counters", counters);
   object.set("tree", result.tree ? tree_of(*result.tree) : val::null());
   object.set("check", result.check ? object_of(*result.check) : val::null());
+  object.set("duration", result.speeds ? val(result.speeds->duration) : val::null());
   return object;
 }
 

@@ -37,7 +37,17 @@ void allow_only(const val& object, std::initializer_list<std::string_view> keys,
 /// Whether there is a value, neither undefined nor null, below that key.
 [[nodiscard]] bool has(const val& object, const char* key);
 
-/// {x, y, heading}, and `curvature` for those who read it.
+/// Where a path begins or ends, and how wheels and trailer stand there.
+struct End {
+  Pose pose = {};
+  double curvature = 0.0;    ///< [1/m]
+  double hitch_angle = 0.0;  ///< [rad]; 0 without a trailer
+};
+
+/// {x, y, heading, curvature, hitch_angles}, or {trailer: {x, y, heading}, ...}: the trailer's
+/// axle.
+[[nodiscard]] End end_from(const val& given, const std::string& where, const Vehicle& vehicle);
+/// {x, y, heading} of it, passing over the rest.
 [[nodiscard]] Pose pose_from(const val& given, const std::string& where);
 [[nodiscard]] Vehicle vehicle_from(const val& given);
 /// A scenario with the keys of a scenario file; its map is {origin, resolution, columns, rows,
