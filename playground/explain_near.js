@@ -15,6 +15,7 @@ const measures = [
 const span = 44; // metres across
 const cells = 88; // across
 const far = 42; // metres, the end of the scale
+const way = '#35e0c8'; // the colour of what is driven or flown, on all of the scale
 
 /** From the accent colour where it is near to the ground's where it is far. */
 function ramp(value) {
@@ -105,18 +106,18 @@ export function near(root, vandplan) {
       numbers[name] = vandplan.distances(name, here, goal, radius)[0];
       number.textContent = `${numbers[name].toFixed(1)} m`;
       const light = {...state.colours, accent: '#ffffff', 'accent-ink': '#ffffff', paper: '#1a1033', ink: '#1a1033', body: '#ffffff', glass: '#8d86b5'};
-      if (name === 'euclid') {
-        context.beginPath();
-        context.moveTo(from.x, from.y);
-        context.lineTo(0, 0);
-        context.strokeStyle = '#ffffff';
-        context.lineWidth = 2.5 / view.scale;
-        context.stroke();
-      } else {
-        paintPath(context, view, rows, light, 2.5);
-      }
       paintTruck(context, view, vehicle, goal, light, {ghost: true});
-      paintTruck(context, view, vehicle, from, light);
+      paintTruck(context, view, vehicle, from, {...light, body: '#ffffff90'});
+      if (name !== 'euclid') {
+        paintPath(context, view, rows, {...light, accent: way, 'accent-ink': way}, 3);
+        continue;
+      }
+      context.beginPath();
+      context.moveTo(from.x, from.y);
+      context.lineTo(0, 0);
+      context.strokeStyle = way;
+      context.lineWidth = 3 / view.scale;
+      context.stroke();
     }
     const times = numbers['reeds-shepp'] / Math.max(0.1, numbers.euclid);
     verdict.textContent = times > 1.5

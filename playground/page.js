@@ -7,12 +7,13 @@ import {vehicles} from 'catalogue';
 
 import {Editor} from './edit.js';
 import {wrap} from './geometry.js';
-import * as paint from './paint.js';
+import {paletteOf} from './paint.js';
 import * as panel from './panel.js';
 import {Parking} from './parking.js';
+import {paintPage} from './picture.js';
 import {Planning} from './planning.js';
 import {vehicle} from './reading.js';
-import {addBox, centreAt, changeVehicle, History, polygonAt, sceneBox} from './scene.js';
+import {addBox, changeVehicle, History, polygonAt, sceneBox} from './scene.js';
 import {View} from './view.js';
 
 const byId = (id) => document.getElementById(id);
@@ -21,11 +22,13 @@ export class Page {
   scene = null;
   history = new History();
   settings = {...panel.driver};
+  wanted = {...panel.driver}; // settings without those of the scenario
   result = null;
   shown = null; // of the path: {rows: s, x, y, heading, curvature, direction; trail: x, y, heading of the trailer, or null}
   dirty = false; // a plan is wanted in the next frame
   drive = null; // {rows, begin}: an animated drive
   parked = null; // somebody who parks by hand
+  bounds = []; // {time, bound}: what plans of this scene proved, and how long they took
   #frame = 0;
   #colours = null;
 
@@ -50,6 +53,7 @@ export class Page {
     this.scene = scene;
     this.editor.selected = null;
     this.stopDriving();
+    this.settings = {...this.wanted};
     for (const key of [...panel.sliders, 'steering']) {
       if (scene.options?.[key] !== undefined) this.settings[key] = scene.options[key];
     }
@@ -86,7 +90,7 @@ export class Page {
   }
 
   recolour() {
-    this.#colours = paint.paletteOf(document.documentElement);
+    this.#colours = paletteOf(document.documentElement);
     this.drawn();
   }
 
@@ -125,6 +129,8 @@ export class Page {
 
   plan() {
     this.dirty = false;
+    this.bounds = [];
+    this.moved ||= this.editor.dragging;
     try {
       const result = this.planning.now(this.scene, this.settings, this.info, this.editor.dragging ? 1 : 3);
       this.take(result ?? {status: 'searching', path: null, anytime: []});
@@ -141,9 +147,10 @@ export class Page {
 
   take(result) {
     this.result = result;
+    if (result.lower_bound > 0) this.bounds.push({time: result.time, bound: result.lower_bound});
     this.shown = result.path ? this.placesOf(result.path) : null;
     panel.showResult(result, result.path && !this.editor.dragging ? this.vandplan.hash(result.path) : '');
-    panel.paintTrace(this.#colours, result);
+    if (!this.editor.dragging) panel.paintTrace(this.#colours, result, this.bounds);
   }
 
   placesOf(path) {
@@ -207,12 +214,14 @@ export class Page {
       changeVehicle(this.scene, vehicle(value));
     } else {
       this.settings[key] = value;
+      this.wanted[key] = value;
     }
     this.changed('ends');
   }
 
   style(settings) {
     Object.assign(this.settings, settings);
+    Object.assign(this.wanted, settings);
     panel.fillSettings(this.settings);
     this.changed('ends');
   }
@@ -324,9 +333,13 @@ export class Page {
     this.parkedAt = time;
     this.parked.step(seconds);
     if (!this.parked.done) return;
-    const {length, gearChanges} = this.parked;
+    const {length, reverse, gearChanges} = this.parked;
     const own = this.result?.path ? this.result.check : null;
-    const planned = own ? ` The planner: ${own.length.toFixed(0)} m, gear changes: ${own.gear_changes}.` : '';
+    const {reverse_weight: weight, gear_change_cost: change} = this.settings;
+    const price = (metres, back, changes) => metres + (weight - 1) * back + change * changes;
+    const more = own ? price(length, reverse, gearChanges) / Math.max(1, price(own.length, own.reverse_length, own.gear_changes)) - 1 : 0;
+    const planned = own
+      ? ` The planner: ${own.length.toFixed(0)} m, gear changes: ${own.gear_changes}. Your way costs ${Math.abs(100 * more).toFixed(0)} % ${more < 0 ? 'less' : 'more'}.` : '';
     panel.note(`Parked! You: ${length.toFixed(0)} m, gear changes: ${gearChanges}.${planned}`);
     this.stopParking();
   }
@@ -334,71 +347,7 @@ export class Page {
   // ---- painting ----
 
   paint(time) {
-    const {context, view, scene} = this;
-    const colours = this.#colours;
-    view.resize();
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.fillStyle = colours.paper;
-    context.fillRect(0, 0, this.canvas.width, this.canvas.height);
-    view.enter(context);
-    paint.paintGrid(context, view, colours);
-    paint.paintBounds(context, view, scene.bounds, colours);
-    if (scene.map) paint.paintMap(context, scene.map, colours);
-    if (this.shown) paint.paintSwept(context, view, scene.vehicle, this.shown, colours);
-    paint.paintPolygons(context, view, scene, colours);
-    if (this.shown) {
-      paint.paintFootprints(context, view, scene.vehicle, this.shown, colours, scene.vehicle.trailers ? 5 : 2.5);
-      paint.paintPath(context, view, this.shown.rows, colours);
-    }
-    this.paintTrucks(time);
-    if (!this.clean) this.paintSelection();
-  }
-
-  paintTrucks(time) {
-    const {context, view, scene, result} = this;
-    const colours = this.#colours;
-    const bad = result?.status;
-    paint.paintTruck(context, view, scene.vehicle, scene.goal, colours, {ghost: true, bad: bad === 'goal_in_collision'});
-    if (this.parked) {
-      context.beginPath();
-      this.parked.trail.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
-      context.strokeStyle = colours.ink;
-      context.lineWidth = 2 / view.scale;
-      context.stroke();
-      paint.paintTruck(context, view, scene.vehicle, this.parked.pose, colours, {curvature: this.parked.curvature, bad: this.parked.touched});
-      return;
-    }
-    const driven = this.drive ? this.driven(time) : null;
-    const curvature = driven?.curvature ?? this.shown?.rows[4] ?? 0;
-    paint.paintMovers(context, view, scene.moving, driven?.t ?? 0, colours);
-    paint.paintTruck(context, view, scene.vehicle, driven?.pose ?? scene.start, colours, {curvature, bad: bad === 'start_in_collision'});
-  }
-
-  paintSelection() {
-    const {context, view, scene} = this;
-    const colours = this.#colours;
-    const {selected} = this.editor;
-    for (const item of [{kind: 'start'}, {kind: 'goal'}, ...(selected?.index !== undefined ? [selected] : [])]) {
-      paint.paintHandle(context, view, paint.turnHandle(view, scene, item, centreAt(scene, item)), colours);
-    }
-    const polygon = selected && polygonAt(scene, selected);
-    if (selected && !polygon) {
-      const [x, y] = centreAt(scene, selected);
-      context.beginPath();
-      context.arc(x, y, 0.75 * (scene.vehicle.wheelbase + 3), 0, 2 * Math.PI);
-      context.strokeStyle = colours.accent;
-      context.globalAlpha = 0.35;
-      context.lineWidth = 1.5 / view.scale;
-      context.stroke();
-      context.globalAlpha = 1;
-    }
-    if (!polygon) return;
-    context.beginPath();
-    paint.trace(context, polygon);
-    context.strokeStyle = colours.accent;
-    context.lineWidth = 2.5 / view.scale;
-    context.stroke();
-    if (polygon.length <= 40) for (const corner of polygon) paint.paintHandle(context, view, corner, colours, {square: true});
+    paintPage(this, this.#colours, this.drive ? this.driven(time) : null);
   }
 
   /** What is on the canvas, without handles, as an image. */

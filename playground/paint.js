@@ -224,13 +224,11 @@ function traceBodies(context, vehicle, {rows, trail}, i) {
   if (trail) trace(context, trailerOutline(vehicle, {x: trail[3 * i], y: trail[3 * i + 1], heading: trail[3 * i + 2]}));
 }
 
-const sweptEvery = 3; // rows; in between the bodies reach no further than a line's width
-
-/** What the bodies sweep along a path. */
-export function paintSwept(context, view, vehicle, path, colours) {
+/** What the bodies sweep along a path; of its rows each one, or the second, or third. */
+export function paintSwept(context, view, vehicle, path, colours, every) {
   const count = path.rows.length / 6;
   context.beginPath();
-  for (let i = 0; i < count; i += sweptEvery) traceBodies(context, vehicle, path, i);
+  for (let i = 0; i < count; i += every) traceBodies(context, vehicle, path, i);
   traceBodies(context, vehicle, path, count - 1);
   context.fillStyle = colours.accent;
   context.globalAlpha = 0.13;

@@ -53,41 +53,58 @@ export function showError(message) {
   byId('hash').textContent = '';
 }
 
-/** The cost of the best path over time, which is drawn logarithmically. */
-export function paintTrace(colours, {anytime, time, path}) {
-  const canvas = byId('trace');
+/** A canvas of the panel and its context in pixels of the page, empty; null while it is hidden. */
+function sheet(canvas) {
   const ratio = devicePixelRatio || 1;
-  const width = canvas.clientWidth;
-  const height = canvas.clientHeight;
-  if (!width) return;
+  const {clientWidth: width, clientHeight: height} = canvas;
+  if (!width) return null;
   const size = {width: Math.round(width * ratio), height: Math.round(height * ratio)};
   if (canvas.width !== size.width || canvas.height !== size.height) Object.assign(canvas, size);
   const context = canvas.getContext('2d');
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
-  if (!path || !anytime.length) return;
-  const least = Math.max(1e-5, anytime[0].time);
+  return {context, width, height};
+}
+
+/**
+ * The cost of the best path over time, which is drawn logarithmically, and below it what is proven that no path costs
+ * less than: {time, bound} of each plan.
+ */
+export function paintTrace(colours, {anytime, time, path}, bounds) {
+  const drawn = sheet(byId('trace'));
+  if (!drawn || !path || !anytime.length) return;
+  const {context, width, height} = drawn;
+  const least = Math.max(1e-5, Math.min(anytime[0].time, bounds[0]?.time ?? Infinity));
   const span = Math.log(Math.max(time, 2 * least) / least);
-  const low = anytime.at(-1).cost;
-  const high = Math.max(anytime[0].cost, 1.02 * low);
+  const best = anytime.at(-1).cost;
+  const low = Math.min(best, ...bounds.map(({bound}) => bound));
+  const high = Math.max(anytime[0].cost, 1.02 * best, 1.02 * low);
   const x = (t) => 4 + ((width - 8) * Math.log(Math.max(t, least) / least)) / span;
   const y = (cost) => 6 + (height - 14) * (1 - (cost - low) / (high - low));
-  context.beginPath();
-  context.moveTo(x(least), y(anytime[0].cost));
-  anytime.forEach((sample, i) => {
-    if (i) context.lineTo(x(sample.time), y(anytime[i - 1].cost));
-    context.lineTo(x(sample.time), y(sample.cost));
-  });
-  context.lineTo(width - 4, y(low));
-  context.strokeStyle = colours.accent;
-  context.lineWidth = 2;
-  context.lineJoin = 'round';
-  context.stroke();
+  const steps = (samples) => {
+    samples.forEach(([t, value], i) => {
+      if (i) context.lineTo(x(t), y(samples[i - 1][1]));
+      context.lineTo(x(t), y(value));
+    });
+    context.lineTo(width - 4, y(samples.at(-1)[1]));
+  };
+  const line = (samples, colour, wide) => {
+    context.beginPath();
+    steps(samples);
+    context.strokeStyle = colour;
+    context.lineWidth = wide;
+    context.lineJoin = 'round';
+    context.stroke();
+  };
+  const costs = anytime.map((sample) => [sample.time, sample.cost]);
+  line(costs, colours.accent, 2);
   context.lineTo(width - 4, height);
-  context.lineTo(x(least), height);
+  context.lineTo(x(anytime[0].time), height);
   context.globalAlpha = 0.12;
   context.fillStyle = colours.accent;
   context.fill();
+  context.globalAlpha = 1;
+  if (bounds.length) line(bounds.map(({time: t, bound}) => [t, bound]), colours.soft, 1.5);
 }
 
 function shown(slider) {

@@ -11,6 +11,7 @@ export class Parking {
   pose;
   curvature = 0;
   length = 0;
+  reverse = 0; // of it, metres in reverse
   gearChanges = 0;
   touched = false;
   trail = [];
@@ -54,6 +55,7 @@ export class Parking {
     if (this.touched) return true;
     this.pose = next;
     this.length += Math.abs(way);
+    this.reverse += Math.max(0, -way);
     if (this.#gear && this.#gear !== drive) ++this.gearChanges;
     this.#gear = drive;
     this.trail.push([next.x, next.y]);
