@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace evaluation;
 
+constexpr const char* default_output = "out/evaluation";
 constexpr const char* default_time = "0.1";  // [s], the thesis'
 // The thesis' claims are judged under its printed methods first: the others get fewer runs, so that
 // all of it takes at most 6 min 20 s on two cores, even if every run takes all of its time.
@@ -41,13 +42,22 @@ struct EvaluateArguments {
   std::optional<int> repeats_per_goal;
   std::uint64_t seed = 1;
   int jobs = 1;
-  std::string output = "out/evaluation";
+  std::optional<Shard> shard;
+  std::optional<std::string> output;
   bool resume = false;
   bool report_only = false;
   bool json = false;
   std::vector<std::string> merged;
   std::vector<std::string> exports;
 };
+
+// The folder of store and report: each shard has its own.
+std::string output_of(const EvaluateArguments& arguments) {
+  if (arguments.output) return *arguments.output;
+  if (!arguments.shard) return default_output;
+  const auto [number, of] = *arguments.shard;
+  return fmt::format("{}/shard-{}-of-{}", default_output, number, of);
+}
 
 // The YAML files of a folder in order of their names, or the file itself. Maps lie beside the
 // scenarios that name them.
@@ -110,7 +120,8 @@ Campaign campaign_of(const EvaluateArguments& arguments) {
                     .seed = arguments.seed,
                     .profile = true,
                     .settings = settings_of(arguments),
-                    .table = table_of_user(arguments.table)};
+                    .table = table_of_user(arguments.table),
+                    .shard = arguments.shard};
   set_repeats(arguments, campaign);
   for (const std::string& path : arguments.scenarios) {
     for (const std::string& file : scenario_files(path))
@@ -127,18 +138,19 @@ Campaign campaign_of(const EvaluateArguments& arguments) {
 
 // A store that is there is only touched by who says so.
 void expect_new_store(const EvaluateArguments& arguments) {
-  const std::string file = store_file(arguments.output);
+  const std::string file = store_file(output_of(arguments));
   if (fs::exists(file) && !arguments.resume)
     throw InputError(file, "exists already, expected --resume or another --output");
 }
 
 void write_exports(const EvaluateArguments& arguments) {
   if (arguments.exports.empty()) return;
-  Store store = store_in(arguments.output);
+  const std::string folder = output_of(arguments);
+  Store store = store_in(folder);
   for (const std::string& format : arguments.exports) {
-    if (format == "csv") write_file(arguments.output + "/runs.csv", runs_to_csv(store));
-    if (format == "json") write_file(arguments.output + "/runs.json", runs_to_json(store));
-    if (format == "ompl") write_ompl_database(store, arguments.output + "/plannerarena.db");
+    if (format == "csv") write_file(folder + "/runs.csv", runs_to_csv(store));
+    if (format == "json") write_file(folder + "/runs.json", runs_to_json(store));
+    if (format == "ompl") write_ompl_database(store, folder + "/plannerarena.db");
   }
 }
 
@@ -158,12 +170,15 @@ void show(const EvaluateArguments& arguments, const Comparison& comparison) {
 
 // Without a run: other stores' runs are added, and the report is written.
 Comparison report_again(const EvaluateArguments& arguments) {
-  Store store = store_in(arguments.output);
+  const std::string folder = output_of(arguments);
+  if (std::ranges::any_of(arguments.merged, is_shard))
+    return merge_shards(arguments.merged, folder);
+  Store store = store_in(folder);
   for (const std::string& file : arguments.merged) {
     Store other = Store::open(file);
     say(fmt::format("{}: {} new runs\n", printable(file), store.merge(other)));
   }
-  return write_report(make_report(store), arguments.output);
+  return write_report(make_report(store), folder);
 }
 
 Comparison run_and_report(const EvaluateArguments& arguments) {
@@ -172,11 +187,40 @@ Comparison run_and_report(const EvaluateArguments& arguments) {
   expect_new_store(arguments);
   ProgressBar bar;
   const auto report = [&](const Progress& now) { bar.show(now); };
-  return compare(campaign, arguments.output,
+  return compare(campaign, output_of(arguments),
                  {.jobs = arguments.jobs, .stop = stop_on_signal(), .report = report});
 }
 
+int run_part(const EvaluateArguments& arguments) {
+  const Campaign campaign = campaign_of(arguments);
+  const std::string folder = output_of(arguments), store = store_file(folder);
+  say(explain_runs(campaign));
+  expect_new_store(arguments);
+  Progress progress;
+  {
+    ProgressBar bar;
+    const auto report = [&](const Progress& now) { bar.show(now); };
+    progress = run_shard(campaign, folder,
+                         {.jobs = arguments.jobs, .stop = stop_on_signal(), .report = report});
+  }
+  const auto [number, of] = *arguments.shard;
+  const int missing = progress.total - progress.kept - progress.done;
+  if (arguments.json) {
+    print(nlohmann::ordered_json{{"shard", number},
+                                 {"of", of},
+                                 {"runs", progress.total},
+                                 {"missing", missing},
+                                 {"output", {{"store", store}}}});
+  } else {
+    fmt::print("Shard {}/{}: {} of {} runs in {}; {}\n", number, of, progress.total - missing,
+               progress.total, printable(store),
+               missing > 0 ? "--resume does the rest." : "--merge joins it with the others.");
+  }
+  return missing == 0 ? exit_status::done : exit_status::failed;
+}
+
 int run(const EvaluateArguments& arguments) {
+  if (arguments.shard) return run_part(arguments);
   const bool only_reports = arguments.report_only || !arguments.merged.empty();
   const Comparison comparison = only_reports ? report_again(arguments) : run_and_report(arguments);
   write_exports(arguments);
@@ -208,24 +252,36 @@ void add_options_of_runs(CLI::App& command, EvaluateArguments& arguments) {
 }
 
 void add_options_of_output(CLI::App& command, EvaluateArguments& arguments) {
-  command.add_option("--output", arguments.output, "Folder of the result store and the report")
+  command
+      .add_option("--output", arguments.output,
+                  fmt::format("Folder of the result store and the report [{}]; a shard's own: "
+                              "/shard-I-of-N in it",
+                              default_output))
       ->type_name("DIR")
-      ->take_last()
-      ->capture_default_str();
+      ->take_last();
   command.add_flag("--resume", arguments.resume, "Do what a store that exists does not hold yet");
   command.add_flag("--report-only", arguments.report_only,
                    "Run nothing, tell of the store's last comparison");
   command
       .add_option("--merge", arguments.merged,
-                  "Run nothing, add the runs of another store (runs.sqlite)")
-      ->type_name("STORE")
-      ->allow_extra_args(false);
+                  "Run nothing, add the runs of other stores (runs.sqlite); or join all shards of\n"
+                  "a campaign (also: the folders they lie in) into a new store")
+      ->type_name("STORE...");
   command
       .add_option("--export", arguments.exports,
                   "Write all runs of the store too: runs.csv, runs.json, plannerarena.db (OMPL)")
       ->delimiter(',')
       ->check(CLI::IsMember({"csv", "json", "ompl"}))
       ->type_name("csv|json|ompl");
+  const auto set_shard = [&arguments](const std::string& text) {
+    arguments.shard = shard_in(text);
+  };
+  command
+      .add_option_function<std::string>(
+          "--shard", set_shard,
+          "Run part I (1 to N) of the campaign alone, into a store of its own; no report")
+      ->type_name("I/N")
+      ->excludes("--merge", "--report-only", "--export");
   command.add_flag("--json", arguments.json, "Print one JSON object instead of a summary");
 }
 

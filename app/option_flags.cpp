@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "vandplan/input_error.h"
 
@@ -169,6 +170,18 @@ std::string help_on_own_options() {
     help += help_on_family(family);
   }
   return help;
+}
+
+evaluation::Shard shard_in(const std::string& text) {
+  evaluation::Shard shard{0, 0};
+  const char* const end = text.data() + text.size();
+  const auto [slash, first_error] = std::from_chars(text.data(), end, shard.number);
+  if (first_error == std::errc() && slash != end && *slash == '/') {
+    const auto [last, error] = std::from_chars(slash + 1, end, shard.of);
+    if (error == std::errc() && last == end && shard.number >= 1 && shard.number <= shard.of)
+      return shard;
+  }
+  throw InputError("--shard", "\"" + text + "\" is not I/N with I from 1 to N");
 }
 
 }  // namespace vandplan::app

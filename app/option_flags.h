@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "vandplan/evaluation.h"
 #include "vandplan/planner.h"
 
 namespace vandplan::app {
@@ -43,5 +44,8 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed);
 
 /// Lines for the own options of all planners, family by family.
 [[nodiscard]] std::string help_on_own_options();
+
+/// The part of the work that "2/8" means. Throws InputError for what is not I/N with I from 1 to N.
+[[nodiscard]] evaluation::Shard shard_in(const std::string& text);
 
 }  // namespace vandplan::app

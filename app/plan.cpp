@@ -31,6 +31,7 @@ struct PlanArguments {
   std::optional<std::string> output;
   PictureWish picture;
   std::optional<std::string> poses;
+  std::optional<evaluation::Shard> shard;
   int jobs = 0;  // as many as there are processors
   bool json = false;
 };
@@ -118,7 +119,7 @@ int run(const PlanArguments& arguments) {
     const auto processors = static_cast<int>(std::thread::hardware_concurrency());
     const int jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1, processors);
     return plan_poses(read, planner, options,
-                      {*arguments.poses, arguments.output, jobs, arguments.json});
+                      {*arguments.poses, arguments.output, jobs, arguments.shard, arguments.json});
   }
   const std::vector<ResultRecord> records = plan_goals(read, planner, options);
   if (arguments.output) write_results(*arguments.output, read.file, records);
@@ -180,6 +181,14 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->check(CLI::Range(0, 1024))
       ->needs("--poses")
       ->capture_default_str();
+  const auto set_shard = [arguments](const std::string& text) {
+    arguments->shard = shard_in(text);
+  };
+  command
+      ->add_option_function<std::string>(
+          "--shard", set_shard, "Plan part I (1 to N) of the pairs alone, by a hash of each")
+      ->type_name("I/N")
+      ->needs("--poses");
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->footer(help_on_keys());
   command->callback([arguments, &status] { status = run(*arguments); });

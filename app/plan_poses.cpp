@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <deque>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "commands.h"
 #include "progress_bar.h"
 #include "vandplan/files.h"
+#include "vandplan/random.h"
 #include "vandplan/result_file.h"
 #include "wording.h"
 
@@ -26,9 +28,33 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 // A problem and its result take many times the memory of a pair, of which there may be millions.
 constexpr std::size_t problems_at_once = 4096;
 
-std::vector<Problem> problems_of(const Problem& pattern, std::span<const PosePair> pairs) {
+/// A pair and its number in the file, counted from 1.
+struct NumberedPair {
+  std::size_t number;
+  PosePair pair;
+};
+
+/// Whether a pair falls into a shard: that depends on its six numbers alone.
+bool is_in(const evaluation::Shard& shard, const PosePair& pair) {
+  std::uint64_t key = 0;
+  for (const Pose& pose : {pair.start, pair.goal}) {
+    for (const double value : {pose.x, pose.y, pose.heading})
+      key = stream_seed(key, std::bit_cast<std::uint64_t>(value));
+  }
+  return key % static_cast<std::uint64_t>(shard.of) + 1 == static_cast<std::uint64_t>(shard.number);
+}
+
+std::vector<NumberedPair> pairs_of(const std::vector<PosePair>& all,
+                                   const std::optional<evaluation::Shard>& shard) {
+  std::vector<NumberedPair> pairs;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!shard || is_in(*shard, all[i])) pairs.push_back({i + 1, all[i]});
+  return pairs;
+}
+
+std::vector<Problem> problems_of(const Problem& pattern, std::span<const NumberedPair> pairs) {
   std::vector<Problem> problems;
-  for (const PosePair& pair : pairs) {
+  for (const auto& [number, pair] : pairs) {
     problems.push_back(with_poses(pattern, pair.start, pair.goal));
   }
   return problems;
@@ -43,16 +69,15 @@ struct Manner {
 
 using Take = std::function<void(std::size_t pair, const Problem& problem, PlanResult result)>;
 
-/// Plans all pairs in the world of `pattern`; hands results over in their order, pairs counted from
-/// 1.
-void plan_all(const Problem& pattern, std::span<const PosePair> pairs, const Manner& manner,
+/// Plans all pairs in the world of `pattern`; hands results over in their order.
+void plan_all(const Problem& pattern, std::span<const NumberedPair> pairs, const Manner& manner,
               const Take& take) {
   for (std::size_t first = 0; first < pairs.size(); first += problems_at_once) {
     const std::size_t count = std::min(problems_at_once, pairs.size() - first);
     const std::vector<Problem> problems = problems_of(pattern, pairs.subspan(first, count));
     plan_many(problems, manner.planner, manner.options, manner.jobs,
               [&](std::size_t i, PlanResult result) {
-                take(first + i + 1, problems[i], std::move(result));
+                take(pairs[first + i].number, problems[i], std::move(result));
               });
   }
 }
@@ -104,6 +129,7 @@ int plan_poses(const ScenarioProblems& read, const Planner& planner, const PlanO
                const PosesJob& job) {
   const PosePairs poses = read_pose_pairs(job.poses);
   warn(poses.warnings);
+  const std::vector<NumberedPair> pairs = pairs_of(poses.pairs, job.shard);
   ResultRecord pattern;
   pattern.scenario = read.file.scenario.name;
   pattern.planner = planner.name;
@@ -113,23 +139,23 @@ int plan_poses(const ScenarioProblems& read, const Planner& planner, const PlanO
   {
     ProgressBar bar;
     Progress progress;
-    progress.total = static_cast<int>(poses.pairs.size());
+    progress.total = static_cast<int>(pairs.size());
     const auto take = [&](std::size_t pair, const Problem& problem, PlanResult result) {
       results.take(pair, problem, std::move(result));
       ++progress.done;
       progress.elapsed = seconds_since(begin);
       bar.show(progress);
     };
-    plan_all(read.problems.front(), poses.pairs, {planner, options, job.jobs}, take);
+    plan_all(read.problems.front(), pairs, {planner, options, job.jobs}, take);
   }
   results.commit();
   const double elapsed = seconds_since(begin);
   if (!job.json) {
     fmt::print("{}{}, {}: {} of {} solved in {}, {:.1f} plans per second\n", results.summaries(),
-               printable(pattern.scenario), planner.name, results.solved(), poses.pairs.size(),
-               seconds_text(elapsed), static_cast<double>(poses.pairs.size()) / elapsed);
+               printable(pattern.scenario), planner.name, results.solved(), pairs.size(),
+               seconds_text(elapsed), static_cast<double>(pairs.size()) / elapsed);
   }
-  return results.solved() == poses.pairs.size() ? exit_status::done : exit_status::failed;
+  return results.solved() == pairs.size() ? exit_status::done : exit_status::failed;
 }
 
 }  // namespace vandplan::app

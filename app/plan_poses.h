@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "vandplan/evaluation.h"
 #include "vandplan/planner.h"
 #include "vandplan/scenario_file.h"
 
@@ -15,11 +16,14 @@ struct PosesJob {
   std::string poses;                  ///< file of starts and goals
   std::optional<std::string> output;  ///< for the results (JSON Lines)
   int jobs = 1;                       ///< plans at a time; >= 1
-  bool json = false;                  ///< print the results instead of a summary
+  /// Only those pairs that fall into it, by a hash of start and goal.
+  std::optional<evaluation::Shard> shard;
+  bool json = false;  ///< print the results instead of a summary
 };
 
-/// Plans all pairs in the world of a scenario, prints a line for each, in their order, and how many
-/// there were. Returns the exit status: 0 if all of them are solved.
+/// Plans all pairs in the world of a scenario, prints a line for each, in their order and with its
+/// number among all of them, and how many there were. Returns the exit status: 0 if all of them are
+/// solved.
 [[nodiscard]] int plan_poses(const ScenarioProblems& read, const Planner& planner,
                              const PlanOptions& options, const PosesJob& job);
 

@@ -9,6 +9,7 @@
 
 #include "base/hash.h"
 #include "evaluation/methods.h"
+#include "evaluation/shards.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
 
@@ -88,6 +89,11 @@ void check(const Campaign& campaign) {
   if (campaign.scenarios.empty()) throw InputError("scenarios", "none given");
   if (campaign.planners.empty()) throw InputError("planners", "none given");
   if (campaign.regions.empty()) throw InputError("region", "none given");
+  if (campaign.shard &&
+      (campaign.shard->number < 1 || campaign.shard->number > campaign.shard->of)) {
+    throw InputError(
+        "shard", fmt::format("is {}, expected I/N with I from 1 to N", text_of(*campaign.shard)));
+  }
   if (campaign.repeats < 1) throw InputError("repeats", "must be at least 1");
   if (campaign.repeats_per_goal < 1) throw InputError("goal-repeats", "must be at least 1");
   for (const RepeatCap& cap : campaign.caps) {
@@ -196,10 +202,12 @@ std::vector<RunSpec> runs_of(const Campaign& campaign) {
   RunList runs(campaign);
   const std::vector<Lineup> lineups = lineups_of(campaign);
   runs.add(turns_of(campaign, lineups), false);
-  if (!campaign.profile) return runs.take();
-  const std::vector<std::size_t> profiled = profiled_planners(campaign);
+  std::vector<std::size_t> profiled;
+  if (campaign.profile) profiled = profiled_planners(campaign);
   if (!profiled.empty()) runs.add(profiling_turns_of(campaign, profiled), true);
-  return runs.take();
+  std::vector<RunSpec> all = runs.take();
+  keep_shard(campaign, all);
+  return all;
 }
 
 PlanOptions options_of(const Campaign& campaign, const Planner& planner) {

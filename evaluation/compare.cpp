@@ -12,10 +12,14 @@ namespace vandplan::evaluation {
 
 std::string store_file(const std::string& folder) { return folder + "/runs.sqlite"; }
 
-Store store_in(const std::string& folder) {
+void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw InputError(folder, "cannot be made a folder: " + error.message());
+}
+
+Store store_in(const std::string& folder) {
+  make_folder(folder);
   const std::string file = store_file(folder);
   return std::filesystem::exists(file) ? Store::open(file) : Store::create(file);
 }
@@ -38,6 +42,10 @@ Comparison compare(const Campaign& campaign, const std::string& folder,
                    const RunnerOptions& options) {
   static_cast<void>(explain_runs(campaign));  // refuses what is no good before anything is made
   Store store = store_in(folder);
+  if (const auto shard = store.shard()) {
+    throw InputError(store_file(folder), "holds shard " + text_of(shard->shard) +
+                                             " of a campaign, expected another --output");
+  }
   const Progress progress = run_campaign(campaign, store, options);
   Comparison comparison = write_report(make_report(store, campaign), folder);
   comparison.missing = progress.total - progress.kept - progress.done;

@@ -13,6 +13,9 @@ namespace vandplan::evaluation {
 /// The file of the store in a folder.
 [[nodiscard]] std::string store_file(const std::string& folder);
 
+/// Throws InputError if there cannot be a folder of that name.
+void make_folder(const std::string& folder);
+
 /// The store in a folder; both are made if they are not there. Throws InputError if that fails.
 [[nodiscard]] Store store_in(const std::string& folder);
 

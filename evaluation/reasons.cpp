@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "vandplan/heuristic_table.h"
 
@@ -57,7 +58,7 @@ void add(const MethodSummary& method, const MethodSummary& twin, Effect& effect)
   if (method.iterations == 0.0 || twin.iterations == 0.0) return;
   const double time = method.time_total / method.iterations;
   const double twin_time = twin.time_total / twin.iterations;
-  if (twin_time > 0.0) effect.slower.push_back(time / twin_time);
+  if (twin_time > 0.0 && std::isfinite(twin_time)) effect.slower.push_back(time / twin_time);
   effect.solves.push_back(method.exact_solves / method.iterations);
   effect.twin_solves.push_back(twin.exact_solves / twin.iterations);
 }

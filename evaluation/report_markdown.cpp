@@ -200,6 +200,13 @@ std::string jobs_text(const Report& report) {
   return fmt::format("{} at a time", fmt::join(jobs, " or "));
 }
 
+// Runs that every machine repeats name none, and their times were left behind.
+std::string machine_text(const Environment& here) {
+  if (here.cores == 0) return "any machine, which finds the same; times are not told";
+  return fmt::format("{} ({} cores), {}", markdown(here.processor), here.cores,
+                     markdown(here.system));
+}
+
 // The options in force, in one line for what is shared and one for each that differs.
 std::string options_text(const ReportOptions& options) {
   std::string text = "Options: `" + shared_options_json(options).dump() + "`.\n";
@@ -223,10 +230,9 @@ std::string rejected_text(const Report& report) {
 
 std::string circumstances(const Report& report) {
   const Environment& here = report.environment;
-  std::string text =
-      fmt::format("{} runs, {}, vandplan {} ({}, {}) on {} ({} cores), {}.\n", report.runs.size(),
-                  jobs_text(report), here.version, here.compiler, here.build_type,
-                  markdown(here.processor), here.cores, markdown(here.system));
+  std::string text = fmt::format("{} runs, {}vandplan {} ({}, {}) on {}.\n", report.runs.size(),
+                                 here.cores > 0 ? jobs_text(report) + ", " : "", here.version,
+                                 here.compiler, here.build_type, machine_text(here));
   text += options_text(report.options);
   text += rejected_text(report);
   const OrderedJson harness = harness_json(report.sessions);

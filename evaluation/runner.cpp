@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "evaluation/shards.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::evaluation {
@@ -39,7 +40,7 @@ struct Finished {
 class JobList {
  public:
   JobList(const Campaign& campaign, Store& store, int jobs) {
-    environment_ = store.index_of(this_environment());
+    environment_ = store.index_of(environment_of(campaign));
     std::vector<std::size_t> scenarios;
     for (const auto& [scenario, file] : campaign.scenarios)
       scenarios.push_back(store.index_of(stored(scenario, file)));

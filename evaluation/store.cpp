@@ -305,6 +305,27 @@ int Store::merge(Store& other) {
   return added;
 }
 
+std::optional<StoredShard> Store::shard() {
+  if (database_.integer("SELECT count(*) FROM sqlite_schema WHERE name = 'shards'") == 0)
+    return std::nullopt;
+  Statement row(database_, "SELECT number, total, runs, campaign FROM shards");
+  if (!row.step()) return std::nullopt;
+  const Shard shard{static_cast<int>(row.integer(0)), static_cast<int>(row.integer(1))};
+  return StoredShard{shard, static_cast<int>(row.integer(2)), row.text(3)};
+}
+
+void Store::set(const StoredShard& shard) {
+  Transaction transaction(database_);
+  database_.execute(
+      "CREATE TABLE shards(number INTEGER NOT NULL, total INTEGER NOT NULL,"
+      " runs INTEGER NOT NULL, campaign TEXT NOT NULL) STRICT");
+  Statement(database_, "INSERT INTO shards VALUES (?, ?, ?, ?)")
+      .run(shard.shard.number, shard.shard.of, shard.runs, shard.campaign);
+  transaction.commit();
+}
+
+int Store::count_runs() { return static_cast<int>(database_.integer("SELECT count(*) FROM runs")); }
+
 std::vector<Environment> Store::environments() {
   Statement rows(database_, "SELECT * FROM environments ORDER BY id");
   std::vector<Environment> found;

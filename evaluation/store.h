@@ -9,10 +9,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "evaluation/run_record.h"
+#include "evaluation/shards.h"
 #include "evaluation/sqlite.h"
 #include "evaluation/stored_scenario.h"
 
@@ -44,6 +46,12 @@ class Store {
   void add(const Session& session);
   /// Adds what `other` has and this has not; says how many runs. All of it or nothing.
   int merge(Store& other);
+
+  /// Which shard of a campaign this store holds; none: it holds whatever was put in.
+  [[nodiscard]] std::optional<StoredShard> shard();
+  /// From now on this store holds that shard and nothing else; of an empty store.
+  void set(const StoredShard& shard);
+  [[nodiscard]] int count_runs();
 
   [[nodiscard]] std::vector<Environment> environments();
   [[nodiscard]] std::vector<StoredScenario> scenarios();

@@ -62,7 +62,7 @@ std::optional<PhaseShares> phases_of(const Runs& profiled) {
     shares.steering += phase_time(run->result, "steering");
     shares.checking += phase_time(run->result, "checking");
   }
-  if (total <= 0.0) return std::nullopt;
+  if (total <= 0.0 || !std::isfinite(total)) return std::nullopt;
   return PhaseShares{shares.ranking / total, shares.steering / total, shares.checking / total};
 }
 
@@ -225,6 +225,7 @@ std::vector<double> curve_times(const std::vector<RunRecord>& runs) {
   for (const RunRecord& run : runs)
     last = std::max(last, run.options.budget.time_limit.value_or(run.result.time_total));
   std::vector<double> times;
+  if (!std::isfinite(last)) return times;  // times were not kept
   for (int i = 1; i <= curve_points; ++i)
     times.push_back(last * std::pow(10.0, 3.0 * i / curve_points - 3.0));
   return times;

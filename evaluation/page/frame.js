@@ -33,14 +33,15 @@ function renderFrame() {
     : `${options.time_limit} s`;
   $('lead').textContent = `${count(allRuns.length)} runs of ${data.planners.length} planners in ` +
     `${data.scenarios.length} scenarios, at most ${limit} each, ` +
-    `${jobs} at a time on ${here.processor} (${here.cores} cores).`;
+    (here.cores ? `${jobs} at a time on ${here.processor} (${here.cores} cores).`
+      : 'on any machine, which finds the same; times are not told.');
   renderClaims();
   $('headlines').replaceChildren(
     ...data.verdicts.map((text) => element('p', {class: 'headline'}, text)),
     ...Object.entries(data.headlines).filter(([, text]) => text)
       .map(([region, text]) => element('p', {class: 'headline'}, element('b', {}, `Samples from the ${region}: `), text)));
   $('claims-section').hidden = data.claims.length === 0;
-  const share = (part) => `${((100 * part) / overhead.planning).toFixed(2)} % of the planning time`;
+  const share = (part) => overhead.planning === 0 ? 'not told' : `${((100 * part) / overhead.planning).toFixed(2)} % of the planning time`;
   $('facts').replaceChildren(
     facts('Program and machine', [['version', here.version], ['compiler', `${here.compiler}, ${here.build_type}`],
       ['executable', here.executable], ['processor', here.processor], ['cores', here.cores],

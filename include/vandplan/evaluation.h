@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,14 @@ struct RepeatCap {
   int repeats_per_goal = 1;  ///< at most so many of every goal in a row of goals; >= 1
 };
 
+/// One of the parts that a campaign is split into, by a hash of what each run is: who has which run
+/// does not depend on the machine, and shard after shard gives all of them.
+struct Shard {
+  int number = 1;  ///< 1 to `of`
+  int of = 1;
+  bool operator==(const Shard&) const = default;
+};
+
 /// What to compare.
 struct Campaign {
   std::vector<CampaignScenario> scenarios = {};
@@ -56,6 +65,8 @@ struct Campaign {
   std::vector<Setting> settings = {};
   /// What planners whose estimate is "table" look lengths up in; at least one must if it is there.
   std::shared_ptr<const HeuristicTable> table = {};
+  /// Only this part of the runs; none: all of them.
+  std::optional<Shard> shard = {};
 };
 
 /// How far a campaign is.
@@ -104,5 +115,23 @@ struct Comparison {
 /// written; and what a planner throws.
 [[nodiscard]] Comparison compare(const Campaign& campaign, const std::string& folder,
                                  const RunnerOptions& options = {});
+
+/// Runs what the store in a folder does not hold yet of the campaign's shard; no report. Throws
+/// InputError as `compare` does, and when the store holds something else than that shard.
+[[nodiscard]] Progress run_shard(const Campaign& campaign, const std::string& folder,
+                                 const RunnerOptions& options = {});
+
+/// Joins the stores of all shards of a campaign (files, or the folders they lie in) into one new
+/// store, and writes the reports beside it. Where no run was limited by time, store and report are
+/// the same, byte for byte, for every number of shards: what depends on the machine, times among
+/// it, stays behind in the shards' stores. Throws InputError naming the store when a shard is
+/// missing, incomplete or there twice, is of another campaign, program or kind of machine, or when
+/// the folder holds a store already.
+[[nodiscard]] Comparison merge_shards(const std::vector<std::string>& stores,
+                                      const std::string& folder);
+
+/// Whether a store file, or the one in a folder, holds a shard. Throws InputError when it is no
+/// store.
+[[nodiscard]] bool is_shard(const std::string& store);
 
 }  // namespace vandplan::evaluation

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -214,6 +216,143 @@ TEST_F(EvaluateCommand, MergesCampaigns) {
   EXPECT_EQ(json.at("runs").size(), 16U);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "both/plannerarena.db"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "both/index.html"));
+}
+
+// A campaign in shards: each into a folder of its own, then joined.
+class ShardedCampaign : public EvaluateCommand {
+ protected:
+  void SetUp() override {
+    EvaluateCommand::SetUp();
+    write_content(folder_ / "second.yaml", replaced(yard(), "yard", "second"));
+  }
+
+  [[nodiscard]] Outcome run_part(int number, int of, const std::string& limit = "--max-iterations",
+                                 const std::string& amount = "60", const Words& more = {}) const {
+    Words all = words(fmt::format("{}-of-{}", number, of),
+                      {limit, amount, "--shard", fmt::format("{}/{}", number, of)});
+    all.insert(all.end(), {"--scenarios", folder_ / "second.yaml"});
+    all.insert(all.end(), more.begin(), more.end());
+    return run_vandplan(all);
+  }
+
+  void run_all(int of) const {
+    for (int number = 1; number <= of; ++number) {
+      const Outcome outcome = run_part(number, of);
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+    }
+  }
+
+  [[nodiscard]] std::string part(int number, int of) const {
+    return folder_ / fmt::format("{}-of-{}", number, of);
+  }
+
+  [[nodiscard]] Outcome merge(const Words& parts, const std::string& output) const {
+    Words all = {"evaluate", "--output", folder_ / output, "--merge"};
+    all.insert(all.end(), parts.begin(), parts.end());
+    return run_vandplan(all);
+  }
+
+  void expect_refused(const Words& parts, const std::string& complaint) const {
+    const Outcome outcome = merge(parts, "refused");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(complaint), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "refused"));
+  }
+};
+
+TEST_F(ShardedCampaign, GivesTheSameBytesForEveryNumberOfShards) {
+  run_all(1);
+  run_all(3);
+  ASSERT_EQ(merge({part(1, 1)}, "one").status, 0);
+  // In any order, by folder or by file.
+  const Outcome three = merge({part(3, 3), part(1, 3) + "/runs.sqlite", part(2, 3)}, "three");
+  ASSERT_EQ(three.status, 0) << three.err;
+  for (const std::string file : {"runs.sqlite", "report.md", "index.html", "gallery.png"}) {
+    const std::string once = content_of(folder_ / ("one/" + file));
+    EXPECT_GT(once.size(), 1000U) << file;
+    EXPECT_TRUE(once == content_of(folder_ / ("three/" + file))) << file;
+  }
+  EXPECT_NE(three.out.find("on any machine"), std::string::npos) << three.out;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "three/runs.sqlite.merging"));
+}
+
+TEST_F(ShardedCampaign, FindsThePathsOfTheWholeCampaign) {
+  run_all(3);
+  ASSERT_EQ(merge({part(1, 3), part(2, 3), part(3, 3)}, "joined").status, 0);
+  const Words whole =
+      words("whole", {"--max-iterations", "60", "--scenarios", folder_ / "second.yaml"});
+  ASSERT_EQ(run_vandplan(whole).status, 0);
+  EXPECT_EQ(runs("joined").size(), 32U);  // 2 planners, 2 regions, 2 scenarios, 3 repeats and one
+  EXPECT_EQ(paths_of(runs("joined")), paths_of(runs("whole")));
+  for (int number = 1; number <= 3; ++number)
+    EXPECT_GT(runs(fmt::format("{}-of-3", number)).size(), 2U);
+}
+
+TEST_F(ShardedCampaign, KeepsTimesWhereTheyAreTheBudget) {
+  for (const int number : {1, 2}) ASSERT_EQ(run_part(number, 2, "--time", "0.01").status, 0);
+  const Outcome outcome = merge({part(1, 2), part(2, 2)}, "joined");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(runs("joined").size(), 32U);
+  for (const RunRecord& run : runs("joined")) EXPECT_TRUE(std::isfinite(run.result.time_total));
+  EXPECT_EQ(outcome.out.find("on any machine"), std::string::npos) << outcome.out;
+  EXPECT_EQ(Store::open(store_file("joined")).sessions().size(), 2U);
+}
+
+TEST_F(ShardedCampaign, DoesTheRestOfAShard) {
+  ASSERT_EQ(run_part(1, 2).status, 0);
+  const std::size_t all = runs("1-of-2").size();
+  EXPECT_EQ(run_part(1, 2).status, 2);  // not without --resume
+  const Outcome outcome = run_part(1, 2, "--max-iterations", "60", {"--resume"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(runs("1-of-2").size(), all);
+  EXPECT_NE(outcome.out.find(fmt::format("Shard 1/2: {0} of {0} runs in", all)), std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(ShardedCampaign, NamesWhatDoesNotFit) {
+  run_all(2);
+  ASSERT_EQ(run_part(2, 3).status, 0);
+  expect_refused({part(1, 2)}, "--merge: of 2 shards these are missing: 2");
+  expect_refused({part(1, 2), part(1, 2)}, "is shard 1/2 as " + part(1, 2));
+  expect_refused({part(1, 2), part(2, 3)}, "is shard 2/3, expected one of 2 as " + part(1, 2));
+  ASSERT_EQ(run_vandplan(words("whole", {"--max-iterations", "20"})).status, 0);
+  expect_refused({part(1, 2), store_file("whole")}, "holds no shard of a campaign");
+  std::filesystem::remove_all(part(2, 2));
+  ASSERT_EQ(run_part(2, 2, "--max-iterations", "61").status, 0);
+  expect_refused({part(1, 2), part(2, 2)}, "shard 2/2 is of another campaign than " + part(1, 2) +
+                                               "/runs.sqlite: max_iterations of rrt-bsc-euc: 61, "
+                                               "not 60");
+}
+
+TEST_F(ShardedCampaign, RefusesAShardWithRunsMissing) {
+  run_all(2);
+  const std::size_t all = runs("2-of-2").size();
+  evaluation::Database(store_file("2-of-2"), evaluation::Database::Mode::write)
+      .execute("DELETE FROM costs; DELETE FROM segments; DELETE FROM runs WHERE id = 1");
+  expect_refused(
+      {part(1, 2), part(2, 2)},
+      fmt::format("shard 2/2 holds {} of its {} runs, expected all of them", all - 1, all));
+}
+
+TEST_F(ShardedCampaign, KeepsStoresApart) {
+  ASSERT_EQ(run_part(1, 2).status, 0);
+  const Words into_first = {"--output", part(1, 2), "--resume"};
+  Words second = words("x", {"--max-iterations", "60", "--shard", "2/2"});
+  second.insert(second.end(), into_first.begin(), into_first.end());
+  const Outcome other = run_vandplan(second);
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("holds shard 1/2, expected another --output for shard 2/2"),
+            std::string::npos)
+      << other.err;
+  Words whole = words("x", {"--max-iterations", "60"});
+  whole.insert(whole.end(), into_first.begin(), into_first.end());
+  EXPECT_EQ(run_vandplan(whole).status, 2);
+  for (const char* const wrong : {"0/2", "3/2", "1", "1/", "/2", "1/2/3", "a/b"}) {
+    const Outcome outcome = run_vandplan(words("x", {"--shard", wrong}));
+    EXPECT_EQ(outcome.status, 2) << wrong;
+    EXPECT_NE(outcome.err.find("is not I/N with I from 1 to N"), std::string::npos) << outcome.err;
+  }
 }
 
 // A folder as people have it: a map, its image, and two scenarios on it.

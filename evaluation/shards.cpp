@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "evaluation/shards.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "base/hash.h"
+#include "evaluation/methods.h"
+#include "evaluation/options_json.h"
+#include "evaluation/stored_scenario.h"
+#include "vandplan/random.h"
+
+namespace vandplan::evaluation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The hash of each run's key. What many runs share is hashed once.
+class KeyHashes {
+ public:
+  explicit KeyHashes(const Campaign& campaign) : campaign_(campaign) {}
+
+  std::uint64_t of(const RunSpec& run) {
+    const std::uint64_t shared = shared_hash(run);
+    return stream_seed(stream_seed(shared, run.goal), run.options.budget.seed);
+  }
+
+ private:
+  std::uint64_t shared_hash(const RunSpec& run) {
+    const bool is_profiled =
+        run.options.planner.find("profile") != nullptr && run.options.planner.flag("profile");
+    const auto [known, is_new] =
+        known_.try_emplace({run.scenario, run.planner, run.region, is_profiled}, 0);
+    if (!is_new) return known->second;
+    std::uint64_t hash = base::hash_of(campaign_.scenarios[run.scenario].scenario.scenario.name);
+    hash = base::hash_of(campaign_.planners[run.planner].name, hash);
+    hash = base::hash_of(name_of(run.region), hash);
+    return known->second = base::hash_of(options_to_json(run.options), hash);
+  }
+
+  const Campaign& campaign_;
+  std::map<std::tuple<std::size_t, std::size_t, Region, bool>, std::uint64_t> known_;
+};
+
+Json caps_json(const Campaign& campaign) {
+  Json caps = Json::array();
+  for (const RepeatCap& cap : campaign.caps)
+    caps.push_back({cap.group, cap.repeats, cap.repeats_per_goal});
+  return caps;
+}
+
+Json scenarios_json(const Campaign& campaign) {
+  Json scenarios = Json::array();
+  for (const auto& [scenario, file] : campaign.scenarios) {
+    const std::uint64_t hash = base::hash_of(stored(scenario, file).yaml);
+    scenarios.push_back(fmt::format("{} ({:016x})", scenario.scenario.name, hash));
+  }
+  return scenarios;
+}
+
+}  // namespace
+
+std::string text_of(const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.of); }
+
+bool is_repeatable(const Campaign& campaign) {
+  return std::ranges::none_of(campaign.planners, [&](const Planner& planner) {
+    return options_of(campaign, planner).budget.time_limit.has_value();
+  });
+}
+
+Environment environment_of(const Campaign& campaign) {
+  Environment environment = this_environment();
+  if (!campaign.shard || !is_repeatable(campaign)) return environment;
+  environment.processor.clear();
+  environment.system.clear();
+  environment.cores = 0;
+  return environment;
+}
+
+void keep_shard(const Campaign& campaign, std::vector<RunSpec>& runs) {
+  if (!campaign.shard) return;
+  KeyHashes hashes(campaign);
+  const auto [number, of] = *campaign.shard;
+  std::erase_if(runs, [&, number = number, of = of](const RunSpec& run) {
+    return hashes.of(run) % static_cast<std::uint64_t>(of) + 1 !=
+           static_cast<std::uint64_t>(number);
+  });
+}
+
+StoredShard stored_shard(const Campaign& campaign, int runs) {
+  Json json = {{"scenarios", scenarios_json(campaign)}, {"regions", Json::array()}};
+  for (const Region region : campaign.regions) json["regions"].push_back(name_of(region));
+  json["repeats"] = campaign.repeats;
+  json["goal-repeats"] = campaign.repeats_per_goal;
+  json["repeats of groups"] = caps_json(campaign);
+  json["seed"] = campaign.seed;
+  json["profile"] = campaign.profile;
+  json["planners"] = Json::array();
+  for (const Planner& planner : campaign.planners) json["planners"].push_back(planner.name);
+  for (const Planner& planner : campaign.planners) {
+    for (const auto& [name, value] : option_values(options_of(campaign, planner)))
+      json[name + " of " + planner.name] = Json::parse(value);
+  }
+  return {*campaign.shard, runs, json.dump()};
+}
+
+std::string difference(const std::string& campaign, const std::string& other) {
+  const Json first = Json::parse(campaign), second = Json::parse(other);
+  for (const auto& [name, value] : first.items()) {
+    const auto found = second.find(name);
+    if (found == second.end() || *found != value) {
+      return fmt::format("{}: {}, not {}", name, value.dump(),
+                         found == second.end() ? "none" : found->dump());
+    }
+  }
+  return first.size() == second.size() ? "" : "options: fewer";
+}
+
+}  // namespace vandplan::evaluation

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// (internal) Which runs of a campaign belong to one of its shards, and what does its store say of
+// itself?
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "evaluation/campaign.h"
+#include "evaluation/run_record.h"
+
+namespace vandplan::evaluation {
+
+/// What a store says of itself that holds a shard of a campaign.
+struct StoredShard {
+  Shard shard;
+  int runs = 0;          ///< that belong to it
+  std::string campaign;  ///< what the whole campaign is made of, as a JSON object
+  bool operator==(const StoredShard&) const = default;
+};
+
+/// "2/8".
+[[nodiscard]] std::string text_of(const Shard& shard);
+
+/// Whether no run of a campaign is limited by time: then every machine finds the same.
+[[nodiscard]] bool is_repeatable(const Campaign& campaign);
+
+/// Program and machine that runs of a campaign are kept under: of shards whose runs every machine
+/// repeats the program alone, so that a shard may move to another machine half-way.
+[[nodiscard]] Environment environment_of(const Campaign& campaign);
+
+/// Leaves those runs that belong to the campaign's shard: by a hash of scenario, goal, planner,
+/// region, options and seed.
+void keep_shard(const Campaign& campaign, std::vector<RunSpec>& runs);
+
+/// What the store of the campaign's shard, with so many runs, says of itself.
+[[nodiscard]] StoredShard stored_shard(const Campaign& campaign, int runs);
+
+/// The first thing in which two campaigns differ, as "max_iterations: 100, not 200"; empty if there
+/// is none.
+[[nodiscard]] std::string difference(const std::string& campaign, const std::string& other);
+
+}  // namespace vandplan::evaluation
