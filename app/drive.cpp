@@ -14,6 +14,7 @@
 #include "commands.h"
 #include "endings.h"
 #include "evaluation/statistics.h"
+#include "live.h"
 #include "pictures.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
@@ -31,6 +32,7 @@ constexpr double degree = std::numbers::pi / 180;
 struct DriveArguments {
   PathArguments path;
   DriveOptions options;
+  LiveArguments live;
   int runs = 1;
   std::optional<std::string> output;
   std::optional<std::string> picture;
@@ -219,18 +221,6 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
   fmt::print("  executable: {}\n", executable_text(check));
 }
 
-std::string csv_of(const std::vector<DriveMoment>& log) {
-  std::string text =
-      "t,s,x,y,heading,direction,v,steering_angle,wanted_steering,wanted_acceleration,"
-      "lateral_error,heading_error\n";
-  for (const DriveMoment& m : log) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", m.t, m.s, m.pose.x, m.pose.y,
-                        m.pose.heading, m.direction, m.v, m.steering_angle, m.wanted_steering,
-                        m.wanted_acceleration, m.lateral_error, m.heading_error);
-  }
-  return text;
-}
-
 /// Drives once more, and writes how.
 void write_worst(const Choice& choice, const DriveArguments& arguments, const DriveTotals& totals) {
   if (!arguments.output && !arguments.picture) return;
@@ -264,6 +254,14 @@ void check_arguments(const DriveArguments& arguments) {
 
 int run(const DriveArguments& arguments) {
   check_arguments(arguments);
+  if (arguments.live.period) {
+    return drive_again_and_again(
+        arguments.path.scenario, arguments.live,
+        {arguments.options, arguments.runs, arguments.output, arguments.picture, arguments.json});
+  }
+  if (arguments.path.result.empty()) {
+    throw InputError("RESULT", "is not given, expected a result file, or --replan");
+  }
   const Choice choice = chosen_path(arguments.path);
   const std::string reason = reason_not_to_drive(choice);
   if (!reason.empty()) return refuse(choice, reason, arguments.json);
@@ -335,12 +333,26 @@ void add_options(CLI::App& command, DriveArguments& arguments) {
 
 }  // namespace
 
+std::string csv_of(const std::vector<DriveMoment>& log) {
+  std::string text =
+      "t,s,x,y,heading,direction,v,steering_angle,wanted_steering,wanted_acceleration,"
+      "lateral_error,heading_error\n";
+  for (const DriveMoment& m : log) {
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", m.t, m.s, m.pose.x, m.pose.y,
+                        m.pose.heading, m.direction, m.v, m.steering_angle, m.wanted_steering,
+                        m.wanted_acceleration, m.lateral_error, m.heading_error);
+  }
+  return text;
+}
+
 void add_drive(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand(
       "drive",
       "Drive the path of a result with a simulated vehicle: wheels, engine and brakes within the\n"
       "limits of the scenario's vehicle, a controller, delay and noise. All that footprint and\n"
-      "wheels sweep is looked at. The judge sees the path first.");
+      "wheels sweep is looked at. The judge sees the path first. With --replan there is no "
+      "result:\n"
+      "the vehicle plans while it drives, among what moves and in what it sees.");
   command->footer(
       "Columns: t [s], s [m], x, y [m], heading [rad], direction (1 or -1), v [m/s],\n"
       "steering_angle [rad], wanted_steering [rad], wanted_acceleration [m/s^2],\n"
@@ -349,8 +361,12 @@ void add_drive(CLI::App& vandplan, int& status) {
       "only, it touches nothing and ends within 1 cm and 1 degree; limits relaxed by 0.1 %.\n"
       "Exit status: 0 done, 1 no path, an invalid one, a contact or no arrival, 2 bad input.");
   const auto arguments = std::make_shared<DriveArguments>();
-  add_scenario_and_result(*command, arguments->path.scenario, arguments->path.result);
+  add_scenario(*command, arguments->path.scenario);
+  CLI::Option* const result =
+      command->add_option("RESULT", arguments->path.result, "Result file (JSON or JSON Lines)");
   add_options(*command, *arguments);
+  add_live_options(*command, arguments->live, true);
+  result->excludes("--replan");
   add_choice(*command, arguments->path);
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->callback([arguments, &status] { status = run(*arguments); });

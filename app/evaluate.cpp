@@ -12,6 +12,7 @@
 #include "evaluation/compare.h"
 #include "evaluation/exports.h"
 #include "interrupt.h"
+#include "live.h"
 #include "option_flags.h"
 #include "progress_bar.h"
 #include "standard_streams.h"
@@ -49,6 +50,7 @@ struct EvaluateArguments {
   bool json = false;
   std::vector<std::string> merged;
   std::vector<std::string> exports;
+  LiveArguments live;
 };
 
 // The folder of store and report: each shard has its own.
@@ -219,7 +221,22 @@ int run_part(const EvaluateArguments& arguments) {
   return missing == 0 ? exit_status::done : exit_status::failed;
 }
 
+/// Drives in place of plans: every scenario so many times, each with a seed of its own.
+int drive_all(const EvaluateArguments& arguments) {
+  std::vector<std::string> files;
+  for (const std::string& path : arguments.scenarios) {
+    for (std::string& file : scenario_files(path)) files.push_back(std::move(file));
+  }
+  LiveArguments live = arguments.live;
+  live.options = arguments.options;
+  LiveRuns runs{.runs = arguments.repeats.value_or(1), .json = arguments.json};
+  if (runs.runs < 1) throw InputError("--repeats", "is less than 1");
+  runs.drive.seed = arguments.seed;
+  return compare_live(files, live, runs);
+}
+
 int run(const EvaluateArguments& arguments) {
+  if (arguments.live.period) return drive_all(arguments);
   if (arguments.shard) return run_part(arguments);
   const bool only_reports = arguments.report_only || !arguments.merged.empty();
   const Comparison comparison = only_reports ? report_again(arguments) : run_and_report(arguments);
@@ -330,13 +347,16 @@ void add_options_of_campaign(CLI::App& command, EvaluateArguments& arguments) {
 
 void add_evaluate(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand(
-      "evaluate", "Compare planners on scenarios: run, keep every run, report.");
+      "evaluate",
+      "Compare planners on scenarios: run, keep every run, report. With --replan: drive them,\n"
+      "planning anew, and print a table of contacts and times.");
   command->footer(
       "All plan the shortest path, whatever scenarios want, unless --set says otherwise: --set\n"
       "style=driver for those planners that know prices.");
   const auto arguments = std::make_shared<EvaluateArguments>();
   add_options_of_campaign(*command, *arguments);
   add_options_of_output(*command, *arguments);
+  add_live_options(*command, arguments->live, false);
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -18,6 +18,8 @@ namespace vandplan {
 /// What somebody says about a drive.
 struct DriveClaims {
   double margin = 0.0;  ///< the footprint keeps at least this far from all that moves [m]
+  /// With which the vehicle comes to the start, in the gear of the first segment [m/s].
+  double start_speed = 0.0;
 };
 
 /// The judge's verdict on a drive.
@@ -35,10 +37,15 @@ struct DriveCheck {
 
 /// Judges the times of a drive in the scenario's frame whose path `check_path` accepts, in this
 /// order: every number is finite, speeds and distances follow from each other, it drives the whole
-/// path from standing to standing, keeps `Vehicle::limits` (to 1e-6 of them), stands where the gear
-/// changes or the curvature jumps until the wheels are turned, and neither on the way nor ever
-/// after touches anything that moves, or comes nearer than is claimed.
+/// path from the claimed speed to standing, keeps `Vehicle::limits` (to 1e-6 of them), stands where
+/// the gear changes or the curvature jumps until the wheels are turned, and neither on the way nor
+/// ever after touches anything that moves, or comes nearer than is claimed.
 [[nodiscard]] DriveCheck check_drive(const Problem& problem, const TimedPath& drive,
                                      const DriveClaims& claims = {});
+
+/// Judges who is met on a drive and ever after, and nothing else: for what was driven rather than
+/// planned. Its knots must follow from each other.
+[[nodiscard]] DriveCheck check_company(const Problem& problem, const TimedPath& drive,
+                                       const DriveClaims& claims = {});
 
 }  // namespace vandplan

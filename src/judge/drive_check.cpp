@@ -66,7 +66,7 @@ DriveFault knot_fault(std::size_t i, const std::string& what) {
 }
 
 /// Whether speeds and distances follow from each other, over the whole path and no more.
-std::optional<DriveFault> false_knots(const SpeedProfile& speeds, Real length) {
+std::optional<DriveFault> false_knots(const SpeedProfile& speeds, Real length, Real start_speed) {
   const std::vector<SpeedKnot>& knots = speeds.knots;
   if (knots.empty()) return DriveFault{"the drive has no knots", {}, {}};
   for (std::size_t i = 0; i < knots.size(); ++i) {
@@ -77,8 +77,17 @@ std::optional<DriveFault> false_knots(const SpeedProfile& speeds, Real length) {
   if (first.t != 0 || std::abs(first.s) > distance_slack) {
     return DriveFault{"the drive does not begin at the start at 0 s", {}, {}};
   }
-  if (first.v > speed_slack || last.v > speed_slack) {
+  if (start_speed == 0 && (first.v > speed_slack || last.v > speed_slack)) {
     return DriveFault{"the vehicle does not stand at both ends of the drive", {}, {}};
+  }
+  if (std::abs(first.v - start_speed) > speed_slack) {
+    return DriveFault{text("the drive begins at %.6g m/s, the vehicle comes at %.6g m/s", first.v,
+                           static_cast<double>(start_speed)),
+                      {},
+                      {}};
+  }
+  if (last.v > speed_slack) {
+    return DriveFault{"the vehicle does not stand at the end of the drive", {}, {}};
   }
   if (std::abs(last.s - length) > distance_slack) {
     return DriveFault{text("the drive ends after %.9g m, the path is %.9g m long", last.s,
@@ -273,26 +282,9 @@ std::optional<DriveFault> bad_company(const judge::Company& company, const Drive
                     t, place};
 }
 
-}  // namespace
-
-DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const DriveClaims& claims) {
-  constexpr double margin_slack = 1e-6;  // [m]
-  const World& world = *problem.world();
-  const Task& task = problem.task();
-  const SpeedProfile& speeds = drive.speeds;
-  const Track track = judge::integrate({to_local(world, drive.path.start), drive.path.segments});
-  DriveCheck check;
-  check.duration = speeds.duration;
-  std::optional<DriveFault> fault = false_knots(speeds, track.length);
-  if (!fault) fault = broken_limit(speeds, track, task.vehicle);
-  if (!fault) fault = rushed_stop(speeds, track, task);
-  if (!fault) {
-    const judge::Company company =
-        judge::company_on(driver_of(speeds, track, task.vehicle), task.moving, speeds.duration,
-                          std::max(claims.margin - margin_slack, 0.0));
-    check.clearance = company.clearance;
-    fault = bad_company(company, claims, speeds, track);
-  }
+/// The findings of the judge in the scenario's frame.
+DriveCheck verdict(DriveCheck check, const std::optional<DriveFault>& fault, const World& world,
+                   const Track& track) {
   check.valid = !fault;
   if (!fault) return check;
   check.reason = fault->reason;
@@ -302,6 +294,45 @@ DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const Dri
     check.at->pose = to_scenario(world, check.at->pose);
   }
   return check;
+}
+
+Track track_of(const World& world, const Path& path) {
+  return judge::integrate({to_local(world, path.start), path.segments});
+}
+
+/// Who is met; the clearance goes into the check.
+std::optional<DriveFault> company_fault(const Task& task, const SpeedProfile& speeds,
+                                        const Track& track, const DriveClaims& claims,
+                                        DriveCheck& check) {
+  constexpr double margin_slack = 1e-6;  // [m]
+  const judge::Company company =
+      judge::company_on(driver_of(speeds, track, task.vehicle), task.moving, speeds.duration,
+                        std::max(claims.margin - margin_slack, 0.0));
+  check.clearance = company.clearance;
+  return bad_company(company, claims, speeds, track);
+}
+
+}  // namespace
+
+DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const DriveClaims& claims) {
+  const Task& task = problem.task();
+  const SpeedProfile& speeds = drive.speeds;
+  const Track track = track_of(*problem.world(), drive.path);
+  DriveCheck check{.duration = speeds.duration};
+  std::optional<DriveFault> fault = false_knots(speeds, track.length, claims.start_speed);
+  if (!fault) fault = broken_limit(speeds, track, task.vehicle);
+  if (!fault) fault = rushed_stop(speeds, track, task);
+  if (!fault) fault = company_fault(task, speeds, track, claims, check);
+  return verdict(std::move(check), fault, *problem.world(), track);
+}
+
+DriveCheck check_company(const Problem& problem, const TimedPath& drive,
+                         const DriveClaims& claims) {
+  const Track track = track_of(*problem.world(), drive.path);
+  DriveCheck check{.duration = drive.speeds.duration};
+  const std::optional<DriveFault> fault =
+      company_fault(problem.task(), drive.speeds, track, claims, check);
+  return verdict(std::move(check), fault, *problem.world(), track);
 }
 
 }  // namespace vandplan

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "moving/occupied.h"
+#include "speed/moving_start.h"
 #include "speed/way.h"
 
 namespace vandplan::moving {
@@ -116,7 +117,8 @@ class Search {
   [[nodiscard]] std::optional<std::int32_t> run(const Traffic& traffic) {
     constexpr std::int64_t states_between_questions = 64;
     const double begin = stations_.front().pause;
-    if (is_standing_free(0, 0.0, begin)) push({.t = begin}, begin);
+    const double square = traffic.start_speed * traffic.start_speed;
+    if (is_standing_free(0, 0.0, begin)) push({.square = square, .t = begin}, begin);
     while (!queue_.empty() && looked_ < traffic.most_states) {
       if (looked_ % states_between_questions == 0 && is_interrupted(traffic)) break;
       const std::int32_t i = queue_.top().state;
@@ -150,7 +152,10 @@ class Search {
     const Station& next = stations_[from.station + 1];
     const double way = next.s - here.s;
     const double most = std::min(from.square + rise_ * way, next.fastest);
-    const double least = std::max(from.square - fall_ * way, 0.0);
+    const double hardest = std::max(from.square - fall_ * way, 0.0);
+    // Who comes too fast brakes a hair harder than he may (`speed::profile_from`).
+    const double least = std::min(hardest, most);
+    if (hardest > most * (1 + 1e-2) + 1e-9) return;
     const double even = std::clamp(from.square, least, most);
     go(from, index, most);
     if (even != most) go(from, index, even);
@@ -301,12 +306,16 @@ std::optional<SpeedProfile> begun_later(const TimedPath& fastest, const Vehicle&
 }  // namespace
 
 Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic& traffic) {
-  TimedPath fastest{path, speed_profile(path, vehicle, {traffic.start_curvature})};
+  std::optional<SpeedProfile> unhindered =
+      speed::profile_from(path, vehicle, {traffic.start_curvature, traffic.start_speed});
+  if (!unhindered) return {};
+  TimedPath fastest{path, *std::move(unhindered)};
   if (!first_meeting(fastest, vehicle, traffic.moving, traffic.margin)) {
     return {std::move(fastest.speeds)};
   }
   if (fastest.speeds.knots.back().s <= 0.0) return {};
-  if (vehicle.limits.max_jerk) return {begun_later(fastest, vehicle, traffic)};
+  if (vehicle.limits.max_jerk && traffic.start_speed == 0.0)
+    return {begun_later(fastest, vehicle, traffic)};
   const Encounters encounters(path, vehicle, traffic.moving, traffic.margin);
   Search search(encounters, fastest.speeds, vehicle.limits);
   const std::optional<std::int32_t> last = search.run(traffic);

@@ -19,7 +19,10 @@ struct Traffic {
   std::span<const MovingObstacle> moving;  ///< in the frame of the path
   double margin = 0.0;                     ///< that the vehicle keeps from them [m]
   double start_curvature = 0.0;            ///< that the wheels are turned to before the drive [1/m]
-  std::int64_t most_states = 200'000;      ///< that the search looks at before it gives up
+  /// With which the vehicle comes to the start, in the gear of the first segment; above 0 it has no
+  /// limit of jerk [m/s].
+  double start_speed = 0.0;
+  std::int64_t most_states = 200'000;         ///< that the search looks at before it gives up
   std::function<bool()> is_interrupted = {};  ///< asked now and then; true: it gives up
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "speed/caps.h"
+#include "speed/moving_start.h"
 #include "speed/stretch.h"
 #include "vandplan/input_error.h"
 #include "vandplan/speed.h"
@@ -31,8 +32,8 @@ void check_finite(const Path& path) {
 /// Puts the drive together, stretch by stretch.
 class Drive {
  public:
-  Drive(const Vehicle& vehicle, double start_curvature)
-      : vehicle_(vehicle), curvature_(start_curvature) {}
+  Drive(const Vehicle& vehicle, const speed::MovingStart& start)
+      : vehicle_(vehicle), curvature_(start.curvature), speed_(start.speed) {}
 
   void add(Segment segment) {
     const double length = std::abs(segment.length);
@@ -51,8 +52,10 @@ class Drive {
     curvature_ = curvature_at(segment, length);
   }
 
-  SpeedProfile finish() {
+  /// None if the vehicle comes too fast.
+  std::optional<SpeedProfile> finish() {
     finish_stretch();
+    if (speed_ > 0.0 || is_too_fast_) return std::nullopt;
     profile_.knots.push_back({.t = t_, .s = s_});
     profile_.duration = t_;
     return std::move(profile_);
@@ -67,6 +70,7 @@ class Drive {
   /// Drives the stretch up to here and stands until the wheels are turned.
   void stop(double curvature) {
     finish_stretch();
+    if (speed_ > 0.0) is_too_fast_ = true;
     const double turn = turn_to(curvature);
     const double pause =
         turn > ignored_steering_jump ? turn / vehicle_.limits.max_steering_rate : 0.0;
@@ -82,8 +86,16 @@ class Drive {
     std::vector<SpeedKnot>& knots = profile_.knots;
     const std::size_t first = knots.size();
     const DrivingLimits& limits = vehicle_.limits;
-    const double duration = limits.max_jerk ? speed::drive_stretch_smoothly(caps_, limits, knots)
-                                            : speed::drive_stretch(caps_, limits, knots);
+    double duration = 0.0;
+    if (speed_ > 0.0) {
+      const auto lasts = speed::drive_stretch_from(speed_ * speed_, caps_, limits, knots);
+      is_too_fast_ = is_too_fast_ || !lasts;
+      speed_ = 0.0;
+      duration = lasts.value_or(0.0);
+    } else {
+      duration = limits.max_jerk ? speed::drive_stretch_smoothly(caps_, limits, knots)
+                                 : speed::drive_stretch(caps_, limits, knots);
+    }
     for (std::size_t i = first; i < knots.size(); ++i) {
       knots[i].t += t_;
       knots[i].s += stop_;
@@ -96,9 +108,11 @@ class Drive {
 
   const Vehicle& vehicle_;
   SpeedProfile profile_;
-  std::vector<Cap> caps_;  // of the stretch, from its begin on
-  double curvature_;       // that the wheels are turned to
-  double gear_ = 0.0;      // 1, -1, or 0 before the first segment
+  std::vector<Cap> caps_;     // of the stretch, from its begin on
+  double curvature_;          // that the wheels are turned to
+  double speed_;              // with which it comes to the stretch [m/s]
+  bool is_too_fast_ = false;  // to stand where it has to
+  double gear_ = 0.0;         // 1, -1, or 0 before the first segment
   double s_ = 0.0;
   double t_ = 0.0;
   double stop_ = 0.0;        // where the stretch began [m]
@@ -128,9 +142,14 @@ std::string_view name_of(SpeedBound bound) noexcept {
 }
 
 SpeedProfile speed_profile(const Path& path, const Vehicle& vehicle, const SpeedOptions& options) {
+  return *speed::profile_from(path, vehicle, {options.start_curvature, 0.0});
+}
+
+std::optional<SpeedProfile> speed::profile_from(const Path& path, const Vehicle& vehicle,
+                                                const MovingStart& start) {
   check_limits(vehicle.limits);
   check_finite(path);
-  Drive drive(vehicle, options.start_curvature);
+  Drive drive(vehicle, start);
   for (const Segment& segment : merged(path.segments)) drive.add(segment);
   return drive.finish();
 }

@@ -9,11 +9,11 @@ namespace vandplan::speed {
 namespace {
 
 /// Lowers caps, met in the order in which they are added, so that speed^2 rises by no more than
-/// `rise` for each metre, from 0 on.
+/// `rise` for each metre, from `first` on.
 class RisePass {
  public:
-  RisePass(double rise, SpeedBound bound, std::vector<Cap>& lowered)
-      : rise_(rise), bound_(bound), lowered_(lowered) {}
+  RisePass(double rise, SpeedBound bound, double first, std::vector<Cap>& lowered)
+      : rise_(rise), bound_(bound), lowered_(lowered), value_(first) {}
 
   void add(const Cap& cap) {
     value_ = std::min(value_, cap.first);
@@ -46,7 +46,7 @@ class RisePass {
   double rise_;
   SpeedBound bound_;
   std::vector<Cap>& lowered_;
-  double value_ = 0.0;
+  double value_;
 };
 
 /// The caps as they are met on the way back, places counted backwards.
@@ -57,33 +57,83 @@ void turn_round(std::vector<Cap>& caps) {
   }
 }
 
-}  // namespace
-
-double drive_stretch(std::vector<Cap>& caps, const DrivingLimits& limits,
-                     std::vector<SpeedKnot>& knots) {
+/// The largest squared speeds that acceleration and braking allow below the caps, from a squared
+/// speed at the begin down to 0 at the end.
+void lower(std::vector<Cap>& caps, double first, const DrivingLimits& limits) {
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
   // 1. Forward: no faster than it can have become since the last stop.
   std::vector<Cap> risen;
   risen.reserve(2 * caps.size());
-  RisePass forward(2 * limits.max_acceleration, SpeedBound::acceleration, risen);
+  RisePass forward(2 * limits.max_acceleration, SpeedBound::acceleration, first, risen);
   for (const Cap& cap : caps) forward.add(cap);
   // 2. Backward: no faster than it can still brake.
   turn_round(risen);
   caps.clear();
-  RisePass backward(2 * braking, SpeedBound::braking, caps);
+  RisePass backward(2 * braking, SpeedBound::braking, 0.0, caps);
   for (const Cap& cap : risen) backward.add(cap);
   turn_round(caps);
-  // 3. Times: exact under constant acceleration.
+}
+
+/// Raises caps to a squared speed that falls by `fall` for each metre from the begin on, as far as
+/// it is above them. Whether it comes down to them.
+bool brake_down(double square, double fall, std::vector<Cap>& caps) {
+  const double begin = caps.front().begin;
+  const auto line = [&](double s) { return square - fall * (s - begin); };
+  for (std::size_t i = 0; i < caps.size(); ++i) {
+    Cap& cap = caps[i];
+    const double above = line(cap.begin) - cap.first;
+    if (above <= 0.0) return true;
+    const double above_end = line(cap.end) - cap.last;
+    if (above_end <= 0.0) {
+      const double meet = cap.begin + (cap.end - cap.begin) * (above / (above - above_end));
+      Cap rest = cap;
+      cap = {cap.begin, meet, line(cap.begin), line(meet), SpeedBound::braking};
+      rest.begin = meet;
+      rest.first = cap.last;
+      if (meet >= rest.end) return true;
+      if (cap.end <= cap.begin) {
+        cap = rest;
+      } else {
+        caps.insert(caps.begin() + static_cast<std::ptrdiff_t>(i) + 1, rest);
+      }
+      return true;
+    }
+    cap = {cap.begin, cap.end, line(cap.begin), line(cap.end), SpeedBound::braking};
+  }
+  return false;
+}
+
+/// Times: exact under constant acceleration.
+double timed(const std::vector<Cap>& caps, double hardest, const DrivingLimits& limits,
+             std::vector<SpeedKnot>& knots) {
   double t = 0.0;
   for (const Cap& cap : caps) {
     const double v = std::sqrt(cap.first);
     const double next = std::sqrt(cap.last);
     const double duration = 2 * (cap.end - cap.begin) / (v + next);
-    const double a = std::clamp((next - v) / duration, -braking, limits.max_acceleration);
+    const double a = std::clamp((next - v) / duration, -hardest, limits.max_acceleration);
     knots.push_back({.t = t, .s = cap.begin, .v = v, .a = a, .jerk = 0.0, .bound = cap.bound});
     t += duration;
   }
   return t;
+}
+
+}  // namespace
+
+double drive_stretch(std::vector<Cap>& caps, const DrivingLimits& limits,
+                     std::vector<SpeedKnot>& knots) {
+  lower(caps, 0.0, limits);
+  return timed(caps, limits.max_braking.value_or(limits.max_acceleration), limits, knots);
+}
+
+std::optional<double> drive_stretch_from(double square, std::vector<Cap>& caps,
+                                         const DrivingLimits& limits,
+                                         std::vector<SpeedKnot>& knots) {
+  constexpr double harder = 1 + 1e-3;  // so that what is a hair too fast comes down
+  const double braking = harder * limits.max_braking.value_or(limits.max_acceleration);
+  lower(caps, square, limits);
+  if (!brake_down(square, 2 * braking, caps)) return std::nullopt;
+  return timed(caps, braking, limits, knots);
 }
 
 }  // namespace vandplan::speed

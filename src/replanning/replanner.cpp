@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/replanner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/text.h"
+#include "problem/moving.h"
+#include "replanning/known_ground.h"
+#include "replanning/ways.h"
+#include "vandplan/drive_check.h"
+#include "vandplan/input_error.h"
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+#include "vandplan/random.h"
+
+namespace vandplan {
+namespace {
+
+using namespace replanning;
+
+constexpr std::int64_t first_iterations = 2000;
+constexpr std::int64_t urgent_share = 5;  // times the iterations of a tick, if there is need
+constexpr double off_place = 0.5;         // of the drive: so far is too far [m]
+constexpr double off_speed = 0.5;         // [m/s]
+constexpr double off_heading = std::numbers::pi / 18;  // [rad]
+
+void require(bool holds, const char* where, double value, const char* expected) {
+  if (holds) return;
+  throw InputError(where, "is " + base::shortest_text(value) + ", expected " + expected);
+}
+
+void check_options(const ReplanOptions& options) {
+  require(options.tick_iterations >= 0, "tick_iterations",
+          static_cast<double>(options.tick_iterations), "0 or more");
+  require(options.tick_states >= 1, "tick_states", static_cast<double>(options.tick_states),
+          "1 or more");
+  require(options.committed >= 0.0 && options.committed <= 60.0, "committed", options.committed,
+          "0 to 60 s");
+  require(options.better >= 0.0 && options.better <= 1.0, "better", options.better, "0 to 1");
+  require(options.reserve >= 0.01 && options.reserve <= 0.5, "reserve", options.reserve,
+          "0.01 to 0.5");
+}
+
+void check_vehicle_of(const Scenario& scenario) {
+  if (scenario.vehicle.trailer) {
+    throw InputError("vehicle.trailers", "are not honoured while planning anew, expected none");
+  }
+  if (scenario.vehicle.limits.max_jerk) {
+    throw InputError("vehicle.max_jerk", "is not honoured while planning anew, expected none");
+  }
+}
+
+/// The vehicle whose limits the planned speeds keep.
+Vehicle with_reserve(Vehicle vehicle, double reserve) {
+  DrivingLimits& limits = vehicle.limits;
+  const double share = 1 - reserve;
+  limits.max_braking = share * limits.max_braking.value_or(limits.max_acceleration);
+  limits.max_acceleration *= share;
+  limits.max_steering_rate *= share;
+  return vehicle;
+}
+
+ReplanAnswer in_frame(const ReplanAnswer& local, const Point& origin) {
+  ReplanAnswer answer = local;
+  TimedPath drive = *local.drive;
+  drive.path.start.x += origin.x;
+  drive.path.start.y += origin.y;
+  answer.drive = std::make_shared<const TimedPath>(std::move(drive));
+  return answer;
+}
+
+}  // namespace
+
+std::string_view name_of(TickOutcome outcome) noexcept {
+  switch (outcome) {
+    case TickOutcome::kept:
+      return "kept";
+    case TickOutcome::new_times:
+      return "new_times";
+    case TickOutcome::new_way:
+      return "new_way";
+    case TickOutcome::stop:
+      return "stop";
+    case TickOutcome::none:
+      break;
+  }
+  return "none";
+}
+
+Action action_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
+  const Motion motion =
+      motion_at(answer.drive->path, vehicle, answer.drive->speeds, t - answer.begin);
+  return {t, motion.steering_angle, motion.v, motion.a};
+}
+
+class Replanner::Impl {
+ public:
+  Impl(const Scenario& scenario, const ReplanOptions& options)
+      : options_(options), problem_(make_problem(scenario)), ground_(problem_.world()) {
+    check_options(options);
+    check_vehicle_of(scenario);
+    const Task& task = problem_.task();
+    scene_.vehicle = task.vehicle;
+    scene_.planned = with_reserve(task.vehicle, options.reserve);
+    scene_.goal = task.goal;
+    scene_.goal_curvature = task.curvatures.goal;
+    moving_ = task.moving;
+    (void)complete(default_planner(), options_.plan);
+  }
+
+  void patch(const WorldPatch& patch) { ground_.patch(patch); }
+
+  void set_moving(std::span<const MovingObstacle> moving) {
+    std::vector<MovingObstacle> local = problem::local_moving(moving, ground_.origin());
+    if (local == moving_) return;
+    moving_ = std::move(local);
+    is_judged_ = false;
+  }
+
+  const ReplanAnswer& tick(double t, const VehicleState* state) {
+    ++ticks_;
+    scene_.world = ground_.world();
+    scene_.moving = later(moving_, t);
+    if (ground_version_ != ground_.version()) is_judged_ = false;
+    ground_version_ = ground_.version();
+    if (!answer_.drive) {
+      begin(t);
+    } else {
+      if (state != nullptr) catch_up(t, *state);
+      go_on(t);
+    }
+    return out_;
+  }
+
+  [[nodiscard]] const ReplanAnswer& answer() const noexcept { return out_; }
+
+ private:
+  [[nodiscard]] Effort effort(std::int64_t iterations) const {
+    return {iterations, options_.tick_states,
+            stream_seed(options_.plan.budget.seed, static_cast<std::uint64_t>(ticks_))};
+  }
+
+  /// Why a drive that begins now is no good; empty if it is.
+  [[nodiscard]] std::string fault_of(const CutDrive& rest, bool reaches_goal, double margin) const {
+    const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
+    const Path& path = rest.drive.path;
+    const Pose end = reaches_goal ? scene_.goal : end_pose(path);
+    const double curvature = std::clamp(rest.begin.curvature, -sharpest, sharpest);
+    const Problem problem =
+        with_moving(make_problem(scene_.world, scene_.vehicle, path.start, end, {curvature, 0.0}),
+                    scene_.moving);
+    ClearanceOptions clearance = options_.plan.clearance;
+    clearance.margin = margin;
+    const PathCheck way = check_path(problem, path, {.clearance = clearance});
+    if (!way.valid) return way.reason;
+    return check_drive(problem, rest.drive, {margin, rest.drive.speeds.knots.front().v}).reason;
+  }
+
+  [[nodiscard]] std::string fault_of(const Way& way, const Motion& now, double margin) const {
+    return fault_of({way.drive, now}, way.reaches_goal, margin);
+  }
+
+  void set(ReplanAnswer answer) {
+    answer_ = std::move(answer);
+    out_ = in_frame(answer_, ground_.origin());
+  }
+
+  void take(double t, Way way, const Motion& now) {
+    is_judged_ = true;
+    set({.outcome = way.outcome,
+         .begin = t,
+         .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
+         .start_speed = std::abs(now.v),
+         .reaches_goal = way.reaches_goal,
+         .is_safe = true});
+  }
+
+  void begin(double t) {
+    const Task& task = problem_.task();
+    const Motion now{.pose = task.start, .curvature = task.curvatures.start};
+    const Ways ways(scene_, options_.plan);
+    Effort first = effort(options_.plan.budget.max_iterations.value_or(first_iterations));
+    first.seed = options_.plan.budget.seed;
+    first.states = std::max<std::int64_t>(first.states, 200'000);
+    if (auto way = ways.from_standing(task.start, task.curvatures.start, first)) {
+      if (fault_of(*way, now, margin()).empty()) return take(t, *std::move(way), now);
+    }
+    stop_or_brake(t, {standing_at(task.start), now});
+  }
+
+  [[nodiscard]] double margin() const { return options_.plan.clearance.margin; }
+
+  /// The vehicle is not where the last answer has it: what it could do without looking.
+  void catch_up(double t, const VehicleState& state) {
+    const Motion planned =
+        motion_at(answer_.drive->path, scene_.vehicle, answer_.drive->speeds, t - answer_.begin);
+    const Pose pose = {state.pose.x - ground_.origin().x, state.pose.y - ground_.origin().y,
+                       state.pose.heading};
+    const Pose off = relative(planned.pose, pose);
+    if (std::hypot(off.x, off.y) <= off_place && std::abs(off.heading) <= off_heading &&
+        std::abs(state.v - planned.v) <= off_speed) {
+      return;
+    }
+    const Motion now{.pose = pose,
+                     .curvature = state.curvature,
+                     .direction = state.v < 0.0 ? -1 : 1,
+                     .v = state.v};
+    Way way = Ways(scene_, options_.plan).braking({standing_at(pose), now});
+    set({.outcome = TickOutcome::none,
+         .begin = t,
+         .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
+         .start_speed = std::abs(state.v),
+         .reaches_goal = false,
+         .is_safe = false,
+         .reason = "the vehicle is not where it should be"});
+    is_judged_ = false;
+  }
+
+  void go_on(double t) {
+    const CutDrive rest = rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin);
+    const bool is_good =
+        (is_judged_ && answer_.is_safe) || fault_of(rest, answer_.reaches_goal, margin()).empty();
+    if (is_good) is_judged_ = true;
+    if (is_good && answer_.reaches_goal) return improve(t, rest);
+    // 1. To the goal; what was committed is given up only if it must be.
+    const Effort much = effort(options_.tick_iterations * urgent_share);
+    for (const double committed : {options_.committed, 0.0}) {
+      if (committed == 0.0 && (options_.committed == 0.0 || is_good)) continue;
+      if (take_best(t, rest, committed, true, much, 0.0)) return;
+    }
+    if (is_good) return keep();
+    stop_or_brake(t, rest);
+  }
+
+  /// The old way stays unless another one is better by so much.
+  void improve(double t, const CutDrive& rest) {
+    const double left = rest.drive.speeds.duration;
+    if (options_.tick_iterations > 0 && left > 2 * options_.committed) {
+      const Ways ways(scene_, options_.plan);
+      const double cost = ways.cost_of(rest.drive);
+      const Effort little = effort(options_.tick_iterations);
+      if (take_best(t, rest, options_.committed, false, little, cost * (1 - options_.better))) {
+        return;
+      }
+    }
+    keep();
+  }
+
+  void keep() {
+    answer_.outcome = out_.outcome = TickOutcome::kept;
+    answer_.is_safe = out_.is_safe = true;
+    answer_.reason = out_.reason = "";
+  }
+
+  /// Takes the cheapest of the ways to the goal that the judge accepts, if it costs less than
+  /// `most`; 0: whatever it costs.
+  bool take_best(double t, const CutDrive& rest, double committed, bool is_urgent,
+                 const Effort& how, double most) {
+    std::vector<Way> found =
+        Ways(scene_, options_.plan).to_goal(rest, committed, is_urgent, answer_.reaches_goal, how);
+    std::ranges::stable_sort(found, {}, &Way::cost);
+    for (Way& way : found) {
+      if (most > 0.0 && way.cost >= most) break;
+      if (!fault_of(way, rest.begin, margin()).empty()) continue;
+      take(t, std::move(way), rest.begin);
+      return true;
+    }
+    return false;
+  }
+
+  void stop_or_brake(double t, const CutDrive& rest) {
+    const Ways ways(scene_, options_.plan);
+    std::string fault;
+    for (const double kept : {margin(), 0.0}) {
+      for (Way& way : ways.to_stops(rest, kept, effort(0))) {
+        std::string why = fault_of(way, rest.begin, kept);
+        if (why.empty()) return take(t, std::move(way), rest.begin);
+        if (fault.empty()) fault = std::move(why);
+      }
+      if (margin() == 0.0) break;
+    }
+    Way way = ways.braking(rest);
+    take(t, std::move(way), rest.begin);
+    is_judged_ = false;
+    answer_.is_safe = out_.is_safe = false;
+    answer_.reason = out_.reason = fault.empty() ? "there is no time to stop" : fault;
+  }
+
+  ReplanOptions options_;
+  Problem problem_;
+  KnownGround ground_;
+  Scene scene_;
+  std::vector<MovingObstacle> moving_;  // with times of the clock
+  ReplanAnswer answer_;                 // in the frame of the ground
+  ReplanAnswer out_;                    // in the frame of the scenario
+  std::int64_t ground_version_ = 0;
+  std::int64_t ticks_ = 0;
+  bool is_judged_ = false;  // among these movers on this ground
+};
+
+Replanner::Replanner(const Scenario& scenario, const ReplanOptions& options)
+    : impl_(std::make_unique<Impl>(scenario, options)) {}
+Replanner::~Replanner() = default;
+Replanner::Replanner(Replanner&&) noexcept = default;
+Replanner& Replanner::operator=(Replanner&&) noexcept = default;
+
+void Replanner::patch(const WorldPatch& patch) { impl_->patch(patch); }
+void Replanner::set_moving(std::span<const MovingObstacle> moving) { impl_->set_moving(moving); }
+const ReplanAnswer& Replanner::tick(double t) { return impl_->tick(t, nullptr); }
+const ReplanAnswer& Replanner::tick(double t, const VehicleState& state) {
+  return impl_->tick(t, &state);
+}
+const ReplanAnswer& Replanner::answer() const noexcept { return impl_->answer(); }
+
+}  // namespace vandplan

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "replanning/ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "moving/yielding.h"
+#include "speed/moving_start.h"
+#include "vandplan/input_error.h"
+#include "vandplan/search.h"
+
+namespace vandplan::replanning {
+namespace {
+
+constexpr double time_price = 2.0;      // of a second [m], as the planner has it among what moves
+constexpr double stands = 1e-6;         // is no faster [m/s]
+constexpr int stops = 6;                // that are looked at along a way
+constexpr double shortest_stop = 1e-3;  // of a way to a standstill [m]
+
+double speed_of(const Motion& motion) { return std::abs(motion.v); }
+
+double largest_growth(std::span<const MovingObstacle> moving) {
+  double most = 0.0;
+  for (const MovingObstacle& obstacle : moving) most = std::max(most, obstacle.inflate);
+  return most;
+}
+
+bool begins_in_gear(const std::vector<Segment>& segments, int direction) {
+  return segments.empty() || (segments.front().length < 0.0 ? -1 : 1) == direction;
+}
+
+}  // namespace
+
+std::vector<MovingObstacle> later(std::vector<MovingObstacle> moving, double t) {
+  for (MovingObstacle& obstacle : moving) {
+    for (TimedPose& row : obstacle.trajectory) row.t -= t;
+  }
+  return moving;
+}
+
+double Ways::braking_distance(double v) const {
+  const DrivingLimits& limits = scene_.planned.limits;
+  return v * v / (2 * limits.max_braking.value_or(limits.max_acceleration));
+}
+
+double Ways::cost_of(const TimedPath& drive) const {
+  const double time = drive.speeds.duration;
+  if (options_.cost.measure == CostMeasure::time) return time;
+  const search::CostRule rule = search::cost_rule(options_.cost);
+  search::Driven driven = rule.initial_gear;
+  return search::drive_cost(rule, drive.path.segments, driven) + time_price * time;
+}
+
+/// Times for a path that begins `t` seconds from now.
+std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, double t, double margin,
+                                     const Effort& effort) const {
+  const double speed = speed_of(begin) > stands ? speed_of(begin) : 0.0;
+  if (speed > 0.0 && !begins_in_gear(path.segments, begin.direction)) return std::nullopt;
+  const std::vector<MovingObstacle> moving = later(scene_.moving, t);
+  const moving::Traffic traffic{.moving = moving,
+                                // What grows has grown until then.
+                                .margin = margin + t * largest_growth(moving),
+                                .start_curvature = begin.curvature,
+                                .start_speed = speed,
+                                .most_states = effort.states};
+  moving::Yielding yielding = moving::yielding_speeds(path, scene_.planned, traffic);
+  if (!yielding.speeds) return std::nullopt;
+  return TimedPath{path, *std::move(yielding.speeds)};
+}
+
+/// What the planner drives from standing at a pose, `t` seconds from now; nothing if it finds none.
+std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, double t,
+                                            const PlanOptions& options) const {
+  const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
+  try {
+    Problem problem =
+        make_problem(scene_.world, scene_.planned, pose, scene_.goal,
+                     {std::clamp(curvature, -sharpest, sharpest), scene_.goal_curvature});
+    if (t >= 0.0) problem = with_moving(std::move(problem), later(scene_.moving, t));
+    PlanResult result = plan(problem, options);
+    if (result.path) return std::move(result.path->segments);
+  } catch (const InputError&) {
+    // Whoever is off by more than a planner accepts finds no way from there.
+  }
+  return {};
+}
+
+std::optional<Way> Ways::from_standing(const Pose& pose, double curvature,
+                                       const Effort& effort) const {
+  PlanOptions options = options_;
+  options.budget.seed = effort.seed;
+  if (!options.budget.time_limit) options.budget.max_iterations = effort.iterations;
+  const Path path{pose, segments_to_goal(pose, curvature, 0.0, options)};
+  if (path.segments.empty() && !(pose == scene_.goal)) return std::nullopt;
+  const Motion begin{.pose = pose, .curvature = curvature};
+  auto drive = timed(path, begin, 0.0, options_.clearance.margin, effort);
+  if (!drive) return std::nullopt;
+  Way way{*std::move(drive), TickOutcome::new_way, true};
+  way.cost = cost_of(way.drive);
+  return way;
+}
+
+std::vector<Way> Ways::to_goal(const CutDrive& rest, double committed, bool is_urgent,
+                               bool rest_reaches_goal, const Effort& effort) const {
+  const Vehicle& vehicle = scene_.vehicle;
+  const double t = std::min(committed, rest.drive.speeds.duration);
+  const TimedPath prefix = before(rest.drive, vehicle, t);
+  const CutDrive after = rest_of(rest.drive, vehicle, t);
+  const Motion& begin = after.begin;
+  std::vector<Way> ways;
+  const auto add = [&](const Path& tail, TickOutcome outcome) {
+    const auto drive = timed(tail, begin, t, options_.clearance.margin, effort);
+    if (!drive) return;
+    Way way{joined(prefix, *drive), outcome, true};
+    way.cost = cost_of(way.drive);
+    ways.push_back(std::move(way));
+  };
+  // 1. The same path, as fast as others let.
+  if (rest_reaches_goal && !scene_.moving.empty()) add(after.drive.path, TickOutcome::new_times);
+  // 2. Another path from where the vehicle can stand first.
+  PlanOptions options = options_;
+  options.budget.time_limit.reset();
+  options.budget.max_iterations = effort.iterations;
+  options.budget.seed = effort.seed;
+  const double speed = speed_of(begin);
+  const std::vector<Segment> to_stop = cut(
+      after.drive.path.segments, 0.0, speed > stands ? braking_distance(speed) * (1 + 1e-6) : 0);
+  const Path stopping{begin.pose, to_stop};
+  const Pose stop = end_pose(stopping);
+  const double curvature = to_stop.empty()
+                               ? begin.curvature
+                               : curvature_at(to_stop.back(), std::abs(to_stop.back().length));
+  const auto add_path = [&](const Pose& from, double turned, const std::vector<Segment>& lead,
+                            double when, const PlanOptions& how) {
+    const std::vector<Segment> found = segments_to_goal(from, turned, when, how);
+    if (found.empty()) return;
+    Path tail{begin.pose, lead};
+    tail.segments.insert(tail.segments.end(), found.begin(), found.end());
+    add(tail, TickOutcome::new_way);
+  };
+  const double stands_at = t + 2 * length(to_stop) / std::max(speed, stands);
+  add_path(stop, curvature, to_stop, -1.0, options);
+  if (is_urgent && !scene_.moving.empty()) {
+    add_path(stop, curvature, to_stop, to_stop.empty() ? t : stands_at, options);
+  }
+  // 3. Another path without a stop: the wheels go on as they are.
+  if (speed > stands) {
+    options.steering = Steering::continuous;
+    options.cost.initial_gear = begin.direction < 0 ? InitialGear::reverse : InitialGear::forward;
+    add_path(begin.pose, begin.curvature, {}, -1.0, options);
+  }
+  return ways;
+}
+
+std::vector<Way> Ways::to_stops(const CutDrive& rest, double margin, const Effort& effort) const {
+  std::vector<Way> ways;
+  const std::vector<Segment>& segments = rest.drive.path.segments;
+  const double whole = length(segments);
+  const double speed = speed_of(rest.begin);
+  const double first = speed > stands ? std::min(braking_distance(speed) * (1 + 2e-3), whole) : 0.0;
+  for (int i = 0; i < stops; ++i) {
+    const double far = first + (whole - first) * i * i / ((stops - 1) * (stops - 1));
+    const Path path{rest.begin.pose,
+                    far > shortest_stop ? cut(segments, 0.0, far) : std::vector<Segment>{}};
+    if (path.segments.empty()) {
+      ways.push_back({standing_at(rest.begin.pose), TickOutcome::stop});
+    } else if (auto drive = timed(path, rest.begin, 0.0, margin, effort)) {
+      ways.push_back({*std::move(drive), TickOutcome::stop});
+    }
+    if (whole - first <= shortest_stop) break;
+  }
+  return ways;
+}
+
+Way Ways::braking(const CutDrive& rest) const {
+  const double speed = speed_of(rest.begin);
+  Way way{standing_at(rest.begin.pose), TickOutcome::none};
+  if (speed <= stands) return way;
+  // As hard as the vehicle can, on its path, or on as its wheels are where that is too short.
+  const DrivingLimits& limits = scene_.vehicle.limits;
+  const double braking = limits.max_braking.value_or(limits.max_acceleration);
+  const double far = speed * speed / (2 * braking);
+  Path path{rest.begin.pose, cut(rest.drive.path.segments, 0.0, far)};
+  const double left = far - length(path);
+  if (path.segments.empty() || left > 1e-9) {
+    path.segments.push_back({rest.begin.curvature, std::copysign(left, rest.begin.direction)});
+  }
+  way.drive.path = path;
+  SpeedProfile& speeds = way.drive.speeds;
+  speeds = {.knots = {{.t = 0.0, .s = 0.0, .v = speed, .a = -braking, .bound = SpeedBound::braking},
+                      {.t = speed / braking, .s = length(path)}},
+            .duration = speed / braking};
+  return way;
+}
+
+}  // namespace vandplan::replanning

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "vandplan/replanner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "replanning/timed_path.h"
+#include "speed/moving_start.h"
+#include "vandplan/drive_check.h"
+#include "vandplan/input_error.h"
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+using replanning::CutDrive;
+
+constexpr double tick_period = 0.1;  // [s]
+
+/// A lane of 60 m between two walls far apart.
+Scenario lane() {
+  Scenario scenario;
+  scenario.vehicle = {.wheelbase = 4.5,
+                      .front_overhang = 1.4,
+                      .rear_overhang = 1.6,
+                      .width = 2.55,
+                      .min_turning_radius = 7.0};
+  scenario.bounds = {-20, 80, -30, 30};
+  scenario.goal = {60, 0, 0};
+  scenario.obstacles = {{{-20, 25}, {80, 25}, {80, 26}, {-20, 26}},
+                        {{-20, -26}, {80, -26}, {80, -25}, {-20, -25}}};
+  return scenario;
+}
+
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+CutDrive rest(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
+  return replanning::rest_of(*answer.drive, vehicle, t - answer.begin);
+}
+
+Pose pose_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
+  return motion_at(answer.drive->path, vehicle, answer.drive->speeds, t - answer.begin).pose;
+}
+
+/// What a judge says who knows nothing of replanning: why the rest of an answer is no good.
+std::string fault_of(const ReplanAnswer& answer, const Scenario& scenario, double t) {
+  const CutDrive left = rest(answer, scenario.vehicle, t);
+  Scenario now = scenario;
+  now.start = left.drive.path.start;
+  now.goal = answer.reaches_goal ? scenario.goal : end_pose(left.drive.path);
+  now.curvatures.start = left.begin.curvature;
+  for (MovingObstacle& obstacle : now.moving) {
+    for (TimedPose& row : obstacle.trajectory) row.t -= t;
+  }
+  const Problem problem = make_problem(now);
+  const PathCheck way = check_path(problem, left.drive.path);
+  if (!way.valid) return way.reason;
+  return check_drive(problem, left.drive, {.start_speed = std::abs(left.begin.v)}).reason;
+}
+
+MovingObstacle car(std::vector<TimedPose> trajectory, Afterwards after = Afterwards::leaves) {
+  return {box(-1, -0.95, 3.5, 0.95), std::move(trajectory), after};
+}
+
+TEST(TimedPath, IsTheSameCutAndJoinedAgain) {
+  const Vehicle vehicle = lane().vehicle;
+  const Path path{{0, 0, 0}, {{0, 6}, {1.0 / 7, 5}, {0, -4}, {-1.0 / 7, 3}}};
+  const TimedPath whole{path, speed_profile(path, vehicle)};
+  for (double t = 0; t <= whole.speeds.duration; t += 0.13) {
+    const TimedPath first = replanning::before(whole, vehicle, t);
+    const CutDrive then = replanning::rest_of(whole, vehicle, t);
+    EXPECT_NEAR(then.drive.speeds.duration, whole.speeds.duration - t, 1e-9);
+    const TimedPath both = replanning::joined(first, then.drive);
+    for (double at = 0; at <= whole.speeds.duration; at += 0.31) {
+      const Motion a = motion_at(path, vehicle, whole.speeds, at);
+      const Motion b = motion_at(both.path, vehicle, both.speeds, at);
+      ASSERT_NEAR(a.pose.x, b.pose.x, 1e-6) << "cut at " << t << ", looked at " << at;
+      ASSERT_NEAR(a.pose.y, b.pose.y, 1e-6) << "cut at " << t << ", looked at " << at;
+      ASSERT_NEAR(a.v, b.v, 1e-5) << "cut at " << t << ", looked at " << at;
+      ASSERT_NEAR(a.steering_angle, b.steering_angle, 1e-6) << "cut " << t << ", at " << at;
+    }
+  }
+}
+
+TEST(MovingStart, IsDrivenOnFromItsSpeed) {
+  const Vehicle vehicle = lane().vehicle;  // brakes with 1 m/s^2
+  const Path path{{0, 0, 0}, {{0, 10}}};
+  const auto profile = speed::profile_from(path, vehicle, {.speed = 2.0});
+  ASSERT_TRUE(profile);
+  EXPECT_DOUBLE_EQ(profile->knots.front().v, 2.0);
+  // From 2 m/s to 2.5 m/s, on, and down to 0: 0.5 s + 5.75 m at 2.5 m/s + 2.5 s.
+  EXPECT_NEAR(profile->duration, 0.5 + 5.75 / 2.5 + 2.5, 1e-9);
+}
+
+TEST(MovingStart, IsNoneForWhoComesTooFast) {
+  const Vehicle vehicle = lane().vehicle;
+  EXPECT_TRUE(speed::profile_from({{}, {{0, 2.01}}}, vehicle, {.speed = 2.0}));
+  EXPECT_FALSE(speed::profile_from({{}, {{0, 1.99}}}, vehicle, {.speed = 2.0}));
+  EXPECT_FALSE(speed::profile_from({{}, {{0, 1.99}, {0, -5}}}, vehicle, {.speed = 2.0}));
+  EXPECT_FALSE(speed::profile_from({{}, {{0.1, 9}}}, vehicle, {.speed = 2.0}));  // wheels jump
+}
+
+TEST(MovingStart, IsJudged) {
+  Scenario scenario = lane();
+  scenario.goal = {10, 0, 0};
+  const Problem problem = make_problem(scenario);
+  const Path path{{0, 0, 0}, {{0, 10}}};
+  const auto profile = speed::profile_from(path, scenario.vehicle, {.speed = 2.0});
+  EXPECT_EQ(check_drive(problem, {path, *profile}, {.start_speed = 2.0}).reason, "");
+  EXPECT_EQ(check_drive(problem, {path, *profile}, {.start_speed = 1.0}).reason,
+            "the drive begins at 2 m/s, the vehicle comes at 1 m/s");
+  EXPECT_EQ(check_drive(problem, {path, *profile}).reason,
+            "the vehicle does not stand at both ends of the drive");
+}
+
+TEST(Replanner, KeepsItsMindInAWorldThatStays) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  const double end = replanner.tick(0).drive->speeds.duration;
+  for (double t = tick_period; t < end; t += tick_period) {
+    EXPECT_EQ(replanner.tick(t).outcome, TickOutcome::kept) << t;
+  }
+  const Pose last = pose_at(replanner.answer(), scenario.vehicle, end);
+  EXPECT_NEAR(last.x, 60, 1e-5);
+}
+
+TEST(Replanner, GoesRoundWhatComesUpAndKeepsTheNextSecond) {
+  Scenario scenario = lane();
+  Replanner replanner(scenario);
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const ReplanAnswer before = replanner.answer();
+  scenario.obstacles.push_back(box(30, -4, 33, 4));
+  replanner.patch({.added = {{7, scenario.obstacles.back()}}});
+  const ReplanAnswer& after = replanner.tick(6);
+  EXPECT_EQ(after.outcome, TickOutcome::new_way);
+  EXPECT_TRUE(after.reaches_goal);
+  EXPECT_TRUE(after.is_safe);
+  EXPECT_EQ(fault_of(after, scenario, 6), "");
+  for (double t = 6; t <= 7; t += tick_period) {
+    EXPECT_NEAR(pose_at(after, scenario.vehicle, t).x, pose_at(before, scenario.vehicle, t).x,
+                1e-6);
+  }
+}
+
+TEST(Replanner, GivesUpWhatWasCommittedIfItMust) {
+  Scenario scenario = lane();
+  Replanner replanner(scenario, {.committed = 6});
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const Pose here = pose_at(replanner.answer(), scenario.vehicle, 6);
+  scenario.obstacles.push_back(box(here.x + 5.9 + 8, -4, here.x + 5.9 + 9, 4));
+  replanner.patch({.added = {{7, scenario.obstacles.back()}}});
+  const ReplanAnswer& answer = replanner.tick(6);
+  EXPECT_TRUE(answer.is_safe) << answer.reason;
+  EXPECT_EQ(fault_of(answer, scenario, 6), "");
+}
+
+TEST(Replanner, StopsBeforeAWallAndGoesOnWhenItIsGone) {
+  Scenario scenario = lane();
+  Replanner replanner(scenario);
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const Scenario open = scenario;
+  scenario.obstacles.push_back(box(30, -28, 31, 28));  // from wall to wall
+  replanner.patch({.added = {{7, scenario.obstacles.back()}}});
+  for (double t = 6; t < 20; t += tick_period) {
+    const ReplanAnswer& answer = replanner.tick(t);
+    ASSERT_FALSE(answer.reaches_goal);
+    ASSERT_TRUE(answer.is_safe) << t << ": " << answer.reason;
+    ASSERT_EQ(fault_of(answer, scenario, t), "") << t;
+  }
+  EXPECT_LT(pose_at(replanner.answer(), scenario.vehicle, 20).x, 30 - 5.9);
+  replanner.patch({.removed = {7}});
+  const ReplanAnswer& answer = replanner.tick(20);
+  EXPECT_TRUE(answer.reaches_goal);
+  EXPECT_EQ(fault_of(answer, open, 20), "");
+}
+
+TEST(Replanner, BrakesAndSaysSoWhenItIsTooLate) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const Pose here = pose_at(replanner.answer(), scenario.vehicle, 6);
+  const double bumper = here.x + 5.9;
+  replanner.patch({.added = {{7, box(bumper + 0.5, -20, bumper + 1, 20)}}});
+  const ReplanAnswer& answer = replanner.tick(6);
+  EXPECT_EQ(answer.outcome, TickOutcome::none);
+  EXPECT_FALSE(answer.is_safe);
+  EXPECT_EQ(answer.reason.find("the footprint hits obstacles["), 0) << answer.reason;
+  // 2.5 m/s, 1 m/s^2, the reserve used up.
+  EXPECT_NEAR(answer.drive->speeds.duration, 2.5, 1e-6);
+}
+
+TEST(Replanner, AnswersAreSafeAmongMoversThatAppear) {
+  Scenario scenario = lane();
+  int new_answers = 0;
+  for (int seed = 1; seed <= 6; ++seed) {
+    ReplanOptions options;
+    options.plan.budget.seed = static_cast<std::uint64_t>(seed);
+    Scenario now = scenario;
+    Replanner replanner(now, options);
+    for (double t = 0; t < 30; t += tick_period) {
+      if (std::abs(t - 3) < 1e-9 || std::abs(t - 12) < 1e-9) {
+        const double x = pose_at(replanner.answer(), now.vehicle, t).x + 20 + seed;
+        now.moving.push_back(car({{t, {x, -20, 1.5708}}, {t + 5 + seed, {x, 24, 1.5708}}}));
+        replanner.set_moving(now.moving);
+      }
+      const ReplanAnswer& answer = replanner.tick(t);
+      new_answers += answer.outcome == TickOutcome::kept ? 0 : 1;
+      ASSERT_TRUE(answer.is_safe) << "seed " << seed << " at " << t << ": " << answer.reason;
+      ASSERT_EQ(fault_of(answer, now, t), "") << "seed " << seed << " at " << t;
+    }
+    EXPECT_TRUE(replanner.answer().reaches_goal) << seed;
+  }
+  EXPECT_GT(new_answers, 6);  // the first ones are no news
+}
+
+TEST(Replanner, TakesPatchesOfCells) {
+  Scenario scenario = lane();
+  scenario.obstacles.clear();
+  OccupancyGrid map{.origin = {-20, -30, 0}, .resolution = 0.5, .columns = 200, .rows = 120};
+  map.cells = std::make_shared<const std::vector<Cell>>(200 * 120, Cell::free);
+  scenario.map = map;
+  Replanner replanner(scenario);
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const CellPatch wall{100, 50, 4, 20, std::vector<Cell>(80, Cell::occupied)};
+  replanner.patch({.cells = {wall}});
+  const ReplanAnswer& answer = replanner.tick(6);
+  auto cells = *map.cells;
+  for (std::size_t row = 50; row < 70; ++row) {
+    for (std::size_t column = 100; column < 104; ++column)
+      cells[row * 200 + column] = Cell::occupied;
+  }
+  scenario.map->cells = std::make_shared<const std::vector<Cell>>(cells);
+  EXPECT_EQ(answer.outcome, TickOutcome::new_way);
+  EXPECT_EQ(fault_of(answer, scenario, 6), "");
+  EXPECT_THROW(replanner.patch({.cells = {{198, 0, 3, 1, {}}}}), InputError);
+}
+
+TEST(Replanner, PlansFromWhereTheVehicleIs) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const Pose here{12, 3, 0.2};
+  const ReplanAnswer& answer = replanner.tick(6, {here, 1.0, 0.0});
+  EXPECT_EQ(fault_of(answer, scenario, 6), "");
+  EXPECT_EQ(pose_at(answer, scenario.vehicle, 6), here);
+  EXPECT_TRUE(answer.reaches_goal);
+}
+
+TEST(Replanner, RepeatsBitForBit) {
+  const auto poses = [] {
+    std::vector<Pose> result;
+    Scenario scenario = lane();
+    Replanner replanner(scenario);
+    for (double t = 0; t < 12; t += tick_period) {
+      if (std::abs(t - 4) < 1e-9) replanner.patch({.added = {{7, box(30, -4, 33, 4)}}});
+      result.push_back(pose_at(replanner.tick(t), scenario.vehicle, t + 5));
+    }
+    return result;
+  };
+  EXPECT_EQ(poses(), poses());
+}
+
+TEST(Replanner, RefusesWhatItDoesNotHonour) {
+  Scenario scenario = lane();
+  scenario.vehicle.limits.max_jerk = 2.0;
+  EXPECT_THROW(Replanner{scenario}, InputError);
+  EXPECT_THROW(Replanner(lane(), {.better = 2}), InputError);
+}
+
+TEST(Actions, AreWhatTheAnswerAsksFor) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  (void)replanner.tick(3);
+  const Action action = action_at(replanner.answer(), scenario.vehicle, 4);
+  EXPECT_DOUBLE_EQ(action.t, 4);
+  EXPECT_NEAR(action.v, 0.9, 1e-9);  // a second at 1 m/s^2 less the reserve
+  EXPECT_NEAR(action.a, 0.9, 1e-9);
+  EXPECT_NEAR(action.steering_angle, 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace vandplan
