@@ -107,8 +107,8 @@ struct PlanResult {
 [[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options,
                                    const Vehicle& vehicle);
 
-/// What is in force for a planner when nobody sets anything: the style of a driver, or the shortest
-/// one where it knows no prices.
+/// What is in force for a planner when nobody sets anything: the style of a driver for the default
+/// planner, length alone for all others.
 [[nodiscard]] PlanOptions usual_options(const Planner& planner);
 
 /// Whether a planner honours an option of that name, one of its own or of all planners.

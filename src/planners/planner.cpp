@@ -296,7 +296,7 @@ Planner planner_named(std::string_view name) {
 
 PlanOptions usual_options(const Planner& planner) {
   PlanOptions options;
-  set_style(options, planner, planner.properties.honours_prices ? "driver" : "shortest");
+  set_style(options, planner, planner.name == default_planner().name ? "driver" : "shortest");
   return options;
 }
 

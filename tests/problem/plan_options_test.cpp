@@ -300,8 +300,10 @@ TEST(Styles, SayHowTheVehicleSteers) {
 TEST(Styles, AreWhatAPlannerBeginsWith) {
   const PlanOptions driver = usual_options(planner_named("anytime"));
   EXPECT_EQ((Style{driver.cost, driver.steering}), style_named("driver"));
-  const PlanOptions shortest = usual_options(planner_named("rrt-opt-rs"));
-  EXPECT_EQ((Style{shortest.cost, shortest.steering}), style_named("shortest"));
+  for (const char* const name : {"rrt-opt-rs", "hybrid-a-star"}) {  // the latter minds prices, too
+    const PlanOptions shortest = usual_options(planner_named(name));
+    EXPECT_EQ((Style{shortest.cost, shortest.steering}), style_named("shortest")) << name;
+  }
 }
 
 TEST(Styles, GiveWayToWhatIsSetBesideThem) {
