@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/hash.h"
@@ -134,12 +135,10 @@ std::vector<Turn> profiling_turns_of(const Campaign& campaign,
 // Makes the runs of turns.
 class RunList {
  public:
-  explicit RunList(const Campaign& campaign) : campaign_(campaign) {
-    for (const Planner& planner : campaign.planners)
-      options_.push_back(options_of(campaign, planner));
-  }
+  explicit RunList(const Campaign& campaign) : campaign_(campaign), shard_(campaign) {}
 
   void add(const std::vector<Turn>& turns, bool profile) {
+    options_.clear();
     for (const Turn& turn : turns) {
       const std::vector<std::size_t>& planners = *turn.planners;
       const std::size_t first = turn.scenario + turn.goal + static_cast<std::size_t>(turn.repeat);
@@ -154,18 +153,25 @@ class RunList {
 
  private:
   void add(const Turn& turn, Region region, std::size_t planner, bool profile) {
-    RunSpec run{turn.scenario, turn.goal, planner, region, options_[planner]};
-    run.options.budget.seed =
-        run_seed(campaign_.seed, campaign_.scenarios[turn.scenario].scenario.scenario.name,
-                 turn.goal, turn.repeat);
-    if (takes_region(campaign_.planners[planner]))
-      run.options.planner.set("region", std::string(name_of(region)));
-    if (profile) run.options.planner.set("profile", true);
-    runs_.push_back(std::move(run));
+    const auto [known, is_new] = options_.try_emplace({planner, region});
+    if (is_new) known->second = options_for(campaign_.planners[planner], region, profile);
+    const std::string& name = campaign_.scenarios[turn.scenario].scenario.scenario.name;
+    RunSpec run{turn.scenario, turn.goal,
+                planner,       region,
+                known->second, run_seed(campaign_.seed, name, turn.goal, turn.repeat)};
+    if (shard_.holds(run)) runs_.push_back(std::move(run));
+  }
+
+  SharedOptions options_for(const Planner& planner, Region region, bool profile) const {
+    PlanOptions options = options_of(campaign_, planner);
+    if (takes_region(planner)) options.planner.set("region", std::string(name_of(region)));
+    if (profile) options.planner.set("profile", true);
+    return options;
   }
 
   const Campaign& campaign_;
-  std::vector<PlanOptions> options_;  // of each planner
+  ShardFilter shard_;
+  std::map<std::pair<std::size_t, Region>, SharedOptions> options_;  // by planner and region
   std::vector<RunSpec> runs_;
 };
 
@@ -205,9 +211,7 @@ std::vector<RunSpec> runs_of(const Campaign& campaign) {
   std::vector<std::size_t> profiled;
   if (campaign.profile) profiled = profiled_planners(campaign);
   if (!profiled.empty()) runs.add(profiling_turns_of(campaign, profiled), true);
-  std::vector<RunSpec> all = runs.take();
-  keep_shard(campaign, all);
-  return all;
+  return runs.take();
 }
 
 PlanOptions options_of(const Campaign& campaign, const Planner& planner) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/run_record.h"
 #include "vandplan/evaluation.h"
 
 namespace vandplan::evaluation {
@@ -18,13 +19,15 @@ struct RunSpec {
   std::size_t goal = 0;
   std::size_t planner = 0;
   Region region = Region::bounds;
-  PlanOptions options;
+  SharedOptions options;  // but for the seed
+  std::uint64_t seed = 1;
 };
 
 /// Every run of the campaign in the order in which to do them: the repeats are spread evenly over
 /// the whole time, and all planners with equally many repeats take their turn at one problem before
 /// the next one comes, each planner going first equally often. So a slow minute of the machine hits
-/// all of them alike. Of a campaign with a shard, those of that alone, in the same order. Throws InputError when something is out of range.
+/// all of them alike. Of a campaign with a shard, those of that alone, in the same order. Throws
+/// InputError when something is out of range.
 [[nodiscard]] std::vector<RunSpec> runs_of(const Campaign& campaign);
 
 /// The complete options of a planner's runs in a campaign, but for seed, region and profile: those

@@ -51,7 +51,7 @@ Environment this_environment() {
 }
 
 bool is_profiled(const RunRecord& run) {
-  const OptionValue* const profile = run.options.planner.find("profile");
+  const OptionValue* const profile = run.options->planner.find("profile");
   return profile != nullptr && *profile == OptionValue(true);
 }
 

@@ -42,12 +42,12 @@ std::string csv_line(const RunRecord& run, const StoredScenario& scenario,
   return fmt::format(
       "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
       base::csv_cell(scenario.name), run.goal, base::csv_cell(run.planner), name_of(run.region),
-      run.options.budget.seed, name_of(result.status), base::csv_cell(result.reason),
-      when_solved(result.cost), when_solved(result.path ? gear_changes(result.path->segments) : 0),
+      run.seed, name_of(result.status), base::csv_cell(result.reason), when_solved(result.cost),
+      when_solved(result.path ? gear_changes(result.path->segments) : 0),
       result.anytime.empty() ? "" : fmt::format("{}", result.anytime.front().time),
       result.time_total, result.iterations, counted("nodes"), counted("exact_solves"),
       counted("edge_checks"), measured("ranking"), measured("steering"), measured("checking"),
-      run.jobs, run.started, base::csv_cell(options_to_json(run.options)),
+      run.jobs, run.started, base::csv_cell(options_to_json(*run.options)),
       base::csv_cell(environment.processor), environment.executable);
 }
 
@@ -63,8 +63,8 @@ Json run_json(const RunRecord& run) {
                {"goal", run.goal},
                {"planner", run.planner},
                {"region", name_of(run.region)},
-               {"options", Json::parse(options_to_json(run.options))},
-               {"seed", run.options.budget.seed},
+               {"options", Json::parse(options_to_json(*run.options))},
+               {"seed", run.seed},
                {"jobs", run.jobs},
                {"started", run.started},
                {"status", name_of(result.status)},
@@ -135,7 +135,7 @@ class OmplWriter {
         .run(experiment_of(run), planner_of(run), result.time_total,
              static_cast<int>(result.path.has_value()), static_cast<int>(result.status), length,
              first, changes, counter(result, "nodes"), result.iterations,
-             static_cast<std::int64_t>(run.options.budget.seed));
+             static_cast<std::int64_t>(run.seed));
     const std::int64_t id = database_.last_id();
     Statement insert(database_, "INSERT OR REPLACE INTO progress VALUES (?, ?, ?)");
     for (const CostSample& sample : result.anytime) insert.run(id, sample.time, sample.cost);
@@ -144,7 +144,7 @@ class OmplWriter {
  private:
   std::int64_t experiment_of(const RunRecord& run) {
     const auto key = std::tuple(run.environment, run.scenario, run.goal, run.region,
-                                run.options.budget.time_limit);
+                                run.options->budget.time_limit);
     std::int64_t& id = experiments_[key];
     if (id == 0) {
       const Environment& here = environments_[run.environment];
@@ -154,9 +154,9 @@ class OmplWriter {
       Statement(database_,
                 "INSERT INTO experiments VALUES"
                 " (NULL, ?, NULL, ?, NULL, NULL, ?, '', ?, ?, 0, ?, ?, ?)")
-          .run(files_[run.scenario].name, run.options.budget.time_limit, "vandplan " + here.version,
-               here.processor, run.started, files_[run.scenario].yaml, name_of(run.region),
-               distance);
+          .run(files_[run.scenario].name, run.options->budget.time_limit,
+               "vandplan " + here.version, here.processor, run.started, files_[run.scenario].yaml,
+               name_of(run.region), distance);
       id = database_.last_id();
     }
     Statement(database_,
@@ -167,7 +167,7 @@ class OmplWriter {
   }
 
   std::int64_t planner_of(const RunRecord& run) {
-    PlanOptions options = run.options;
+    PlanOptions options = *run.options;
     if (options.planner.find("region") != nullptr)
       options.planner.set("region", std::string("bounds"));  // a parameter of the experiment
     const std::string settings = options_to_json(options);

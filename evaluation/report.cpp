@@ -37,16 +37,39 @@ struct Choice {
   Current files = {};                               // of others what they held at the last run
 };
 
+// The text of options that many runs share is made once.
+class ComparableOptions {
+ public:
+  const std::string& of(const RunRecord& run) {
+    const auto [known, is_new] = known_.try_emplace(run.options.identity());
+    if (is_new) known->second = comparable_options(run);
+    return known->second;
+  }
+
+ private:
+  std::map<const void*, std::string> known_;
+};
+
 void keep_comparable(const Choice& choice, std::vector<RunRecord>& runs) {
   std::erase_if(runs, [&](const RunRecord& run) {
-    return run.environment != choice.environment || limits_of(run.options) != choice.limits;
+    return run.environment != choice.environment || limits_of(*run.options) != choice.limits;
   });
-  std::map<std::string, std::string> options;
-  for (const RunRecord& run : runs) options[run.planner] = comparable_options(run);
-  for (const auto& [planner, wanted] : choice.options) options[planner] = wanted;
-  std::erase_if(runs, [&](const RunRecord& run) {
-    return comparable_options(run) != options.at(run.planner);
-  });
+  ComparableOptions comparable;
+  std::map<std::string, const std::string*> options;
+  for (const RunRecord& run : runs) options[run.planner] = &comparable.of(run);
+  for (const auto& [planner, wanted] : choice.options) options[planner] = &wanted;
+  std::erase_if(
+      runs, [&](const RunRecord& run) { return comparable.of(run) != *options.at(run.planner); });
+}
+
+// The paths that a report shows.
+void read_examples(Store& store, Report& report) {
+  for (const ScenarioSummary& scenario : report.summary.scenarios) {
+    for (const MethodSummary& method : scenario.methods) {
+      for (const std::optional<std::size_t>& example : {method.best, method.typical})
+        if (example) store.read_segments(report.runs[*example]);
+    }
+  }
 }
 
 void keep_current(const Choice& choice, const std::vector<StoredScenario>& files,
@@ -76,6 +99,7 @@ Report make_report(Store& store, std::vector<RunRecord> runs, const Choice& choi
   report.planners = planners_of(report.runs, choice.planners);
   report.options = options_of(report.runs);
   report.summary = summarize(report.scenarios, report.planners, report.runs);
+  read_examples(store, report);
   report.findings = findings(report.summary, report.scenarios);
   return report;
 }
@@ -91,9 +115,9 @@ std::string flag(const std::string& name, const std::string& json) {
 }  // namespace
 
 Report make_report(Store& store) {
-  std::vector<RunRecord> runs = store.runs();
+  std::vector<RunRecord> runs = store.runs_without_segments();
   if (runs.empty()) throw InputError("report", "there is no run to tell of");
-  const Choice choice{runs.back().environment, limits_of(runs.back().options)};
+  const Choice choice{runs.back().environment, limits_of(*runs.back().options)};
   return make_report(store, std::move(runs), choice);
 }
 
@@ -106,13 +130,13 @@ Report make_report(Store& store, const Campaign& campaign) {
   }
   for (const auto& [scenario, file] : campaign.scenarios)
     choice.files[file] = store.index_of(stored(scenario, file));
-  return make_report(store, store.runs(), choice);
+  return make_report(store, store.runs_without_segments(), choice);
 }
 
 // A run that was cut by the clock made a number of iterations: with that as its limit it is the
 // same run.
 std::string reproduce_command(const Report& report, const RunRecord& run) {
-  PlanOptions shown = run.options;
+  PlanOptions shown = *run.options;
   shown.budget.time_limit.reset();
   shown.budget.max_iterations = run.result.iterations;
   const std::optional<Planner> planner = find_planner(run.planner);
@@ -127,10 +151,9 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   }
   std::map<std::string, std::string> defaults;
   for (const auto& [name, value] : option_values(usual)) defaults[name] = value;
-  std::string command =
-      fmt::format("{}{} --planner {} --seed {}", is_ours ? "vandplan plan " : "(your own planner) ",
-                  base::shell_file(report.files[run.scenario].file), base::shell_word(run.planner),
-                  run.options.budget.seed);
+  std::string command = fmt::format(
+      "{}{} --planner {} --seed {}", is_ours ? "vandplan plan " : "(your own planner) ",
+      base::shell_file(report.files[run.scenario].file), base::shell_word(run.planner), run.seed);
   if (has_style) command += flag("style", "shortest");
   for (const auto& [name, value] : option_values(shown)) {
     const auto standard = defaults.find(name);

@@ -22,7 +22,7 @@ struct Report {
   ReportOptions options;
   std::vector<StoredScenario> files;
   std::vector<ScenarioFile> scenarios;  ///< what the files say
-  std::vector<RunRecord> runs;
+  std::vector<RunRecord> runs;          ///< with the segments of those paths that the summary picks
   std::vector<Session> sessions;
   /// Runs in the store that are of another environment, other options, or of files changed since.
   int left_out = 0;

@@ -18,7 +18,8 @@ namespace {
 
 using Json = OrderedJson;
 
-constexpr int largest_map_image = 1000;  // along a side [pixels]
+constexpr std::size_t most_listed_runs = 20000;  // more make a page that nobody can open
+constexpr int largest_map_image = 1000;          // along a side [pixels]
 
 // Six digits are more than a page can show.
 Json rounded(Json json) {
@@ -123,9 +124,34 @@ Json path_json(const RunRecord& run) {
   return segments;
 }
 
-Json example_json(const Report& report, std::optional<std::size_t> index) {
+// Which runs the page lists, and where: all of them, or of very many those that it shows and others
+// evenly spread.
+class ListedRuns {
+ public:
+  explicit ListedRuns(const Report& report) {
+    const std::size_t step = (report.runs.size() + most_listed_runs - 1) / most_listed_runs;
+    for (std::size_t i = 0; i < report.runs.size(); i += step) row_.emplace(i, 0);
+    for (const ScenarioSummary& scenario : report.summary.scenarios) {
+      for (const MethodSummary& method : scenario.methods) {
+        for (const std::optional<std::size_t>& example : {method.best, method.typical})
+          if (example) row_.emplace(*example, 0);
+      }
+    }
+    std::size_t next = 0;
+    for (auto& [run, row] : row_) row = next++;
+  }
+  // Index of a run that is listed.
+  std::size_t row_of(std::size_t run) const { return row_.at(run); }
+  const std::map<std::size_t, std::size_t>& all() const { return row_; }
+
+ private:
+  std::map<std::size_t, std::size_t> row_;  // by index in the report
+};
+
+Json example_json(const Report& report, const ListedRuns& listed,
+                  std::optional<std::size_t> index) {
   if (!index) return nullptr;
-  return {{"run", *index}, {"segments", path_json(report.runs[*index])}};
+  return {{"run", listed.row_of(*index)}, {"segments", path_json(report.runs[*index])}};
 }
 
 Json curve_json(const std::vector<CurvePoint>& curve) {
@@ -137,7 +163,8 @@ Json curve_json(const std::vector<CurvePoint>& curve) {
   return {{"cost", cost}, {"solved", solved}};
 }
 
-Json method_json(const Report& report, const MethodSummary& method, bool row) {
+Json method_json(const Report& report, const ListedRuns& listed, const MethodSummary& method) {
+  const bool row = !method.goals.empty();
   Json json = json_of(method, row);
   Json goals = Json::array();
   for (const GoalSummary& goal : method.goals)
@@ -150,8 +177,8 @@ Json method_json(const Report& report, const MethodSummary& method, bool row) {
     json["phases"] = {method.phases->ranking, method.phases->steering, method.phases->checking};
   json["quantiles"] = method.cost_quantiles;
   json["curve"] = curve_json(method.curve);
-  json["best"] = example_json(report, method.best);
-  json["typical"] = example_json(report, method.typical);
+  json["best"] = example_json(report, listed, method.best);
+  json["typical"] = example_json(report, listed, method.typical);
   return json;
 }
 
@@ -169,13 +196,12 @@ Json twin_json(const TwinComparison& twins) {
   return json;
 }
 
-Json cells_json(const Report& report) {
+Json cells_json(const Report& report, const ListedRuns& listed) {
   Json cells = Json::array();
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     Json methods = Json::array(), twins = Json::array();
-    const bool row = report.scenarios[scenario.scenario].is_row();
     for (const MethodSummary& method : scenario.methods)
-      methods.push_back(method_json(report, method, row));
+      methods.push_back(method_json(report, listed, method));
     for (const TwinComparison& twin : scenario.twins) twins.push_back(twin_json(twin));
     cells.push_back({{"scenario", scenario.scenario},
                      {"region", name_of(scenario.region)},
@@ -186,14 +212,14 @@ Json cells_json(const Report& report) {
 }
 
 // One short row for each run; the page finds the columns by their names.
-Json runs_json(const Report& report) {
+Json runs_json(const Report& report, const ListedRuns& listed) {
   Json rows = Json::array();
-  for (const RunRecord& run : report.runs) {
-    rows.push_back({run.scenario, name_of(run.region), run.goal, run.planner,
-                    run.options.budget.seed, name_of(run.result.status), final_cost(run),
-                    first_solution_time(run), run.result.time_total, run.result.iterations,
-                    counter(run.result, "nodes"), is_profiled(run), run.result.reason,
-                    reproduce_command(report, run)});
+  for (const auto& [index, row] : listed.all()) {
+    const RunRecord& run = report.runs[index];
+    rows.push_back({run.scenario, name_of(run.region), run.goal, run.planner, run.seed,
+                    name_of(run.result.status), final_cost(run), first_solution_time(run),
+                    run.result.time_total, run.result.iterations, counter(run.result, "nodes"),
+                    is_profiled(run), run.result.reason, reproduce_command(report, run)});
   }
   return {{"columns",
            {"scenario", "region", "goal", "planner", "seed", "status", "cost", "first", "total",
@@ -204,6 +230,7 @@ Json runs_json(const Report& report) {
 Json data_of(const Report& report) {
   Json scenarios = Json::array();
   MapList maps;
+  const ListedRuns listed(report);
   for (std::size_t i = 0; i < report.scenarios.size(); ++i)
     scenarios.push_back(scenario_json(report.scenarios[i], report.files[i], maps));
   return {{"created", report.runs.back().started},
@@ -217,7 +244,7 @@ Json data_of(const Report& report) {
           {"scenarios", scenarios},
           {"maps", maps.list()},
           {"times", report.summary.times},
-          {"cells", cells_json(report)},
+          {"cells", cells_json(report, listed)},
           {"claims", claims_json(report.findings)},
           {"verdicts", verdicts_json(report.findings)},
           {"rejected", rejected_json(report.runs)},
@@ -225,7 +252,8 @@ Json data_of(const Report& report) {
           {"searches", search_matrix_json(report)},
           {"literature", literature_json(report)},
           {"headlines", headlines_json(report.summary)},
-          {"runs", runs_json(report)}};
+          {"all_runs", report.runs.size()},
+          {"runs", runs_json(report, listed)}};
 }
 
 // The parts of the program share one scope, which nothing else on the page can see.

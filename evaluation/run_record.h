@@ -4,7 +4,10 @@
 // What is known of a finished run, and where was it made?
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "vandplan/plan_options.h"
 #include "vandplan/planner.h"
@@ -29,6 +32,32 @@ struct Environment {
 /// The time now in UTC, "2026-11-21T05:16:33Z".
 [[nodiscard]] std::string utc_now();
 
+/// Options that many runs have in common, all but the seed: of a million runs that differ in their
+/// seeds only there is one copy.
+class SharedOptions {
+ public:
+  SharedOptions() : SharedOptions(PlanOptions{}) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): a value that is kept in another way
+  SharedOptions(PlanOptions options)
+      : options_(std::make_shared<const PlanOptions>(std::move(options))) {}
+
+  const PlanOptions& operator*() const noexcept { return *options_; }
+  const PlanOptions* operator->() const noexcept { return options_.get(); }
+  /// Changes these and no other run's.
+  template <class Change>
+  void change(Change change) {
+    PlanOptions changed = *options_;
+    change(changed);
+    options_ = std::make_shared<const PlanOptions>(std::move(changed));
+  }
+  /// The same for all who have the same copy.
+  [[nodiscard]] const void* identity() const noexcept { return options_.get(); }
+  bool operator==(const SharedOptions& other) const { return *options_ == *other.options_; }
+
+ private:
+  std::shared_ptr<const PlanOptions> options_;
+};
+
 /// A finished run.
 struct RunRecord {
   std::size_t environment = 0;  ///< index in the store
@@ -36,10 +65,11 @@ struct RunRecord {
   std::size_t goal = 0;         ///< of the scenario
   std::string planner;
   Region region = Region::bounds;  ///< in whose comparison the run takes part
-  PlanOptions options;             ///< that were in force
-  int jobs = 1;                    ///< how many runs went on at once
-  std::string started;             ///< `utc_now`
-  PlanResult result;               ///< without tree and the judge's figures
+  SharedOptions options;           ///< that were in force, but for the seed
+  std::uint64_t seed = 1;
+  int jobs = 1;         ///< how many runs went on at once
+  std::string started;  ///< `utc_now`
+  PlanResult result;    ///< without tree and the judge's figures
 };
 
 /// Whether a run measured where its time went, which slows it down.

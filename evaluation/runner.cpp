@@ -54,6 +54,7 @@ class JobList {
       job.run.planner = planner.name;
       job.run.region = spec.region;
       job.run.options = spec.options;
+      job.run.seed = spec.seed;
       job.run.jobs = jobs;
       if (store.contains(job.run)) continue;
       job.problem = &problems_of(campaign.scenarios[spec.scenario].scenario)[spec.goal];
@@ -83,7 +84,8 @@ Finished carry_out(const Job& job, const std::atomic<bool>& stop) {
   Finished finished{job.run, 0.0};
   RunRecord& run = finished.run;
   run.started = utc_now();
-  PlanOptions options = run.options;
+  PlanOptions options = *run.options;
+  options.budget.seed = run.seed;
   options.budget.stop = &stop;
   const Clock::time_point begin = Clock::now();
   run.result = plan(*job.problem, *job.planner, options);

@@ -124,10 +124,10 @@ const Planner* find(const std::vector<Planner>& planners, const Guided& wanted) 
 // Pairs of runs to the same goal with the same seed.
 void compare(const Runs& runs, const Runs& rivals, LiteratureFinding& finding) {
   std::map<std::tuple<GoalKey, std::uint64_t>, const RunRecord*> partners;
-  for (const RunRecord* run : rivals) partners[{goal_of(*run), run->options.budget.seed}] = run;
+  for (const RunRecord* run : rivals) partners[{goal_of(*run), run->seed}] = run;
   Runs first, second;
   for (const RunRecord* run : runs) {
-    const auto partner = partners.find({goal_of(*run), run->options.budget.seed});
+    const auto partner = partners.find({goal_of(*run), run->seed});
     if (partner == partners.end()) continue;
     first.push_back(run);
     second.push_back(partner->second);

@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "base/hash.h"
 #include "evaluation/methods.h"
@@ -19,33 +17,6 @@ namespace vandplan::evaluation {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// The hash of each run's key. What many runs share is hashed once.
-class KeyHashes {
- public:
-  explicit KeyHashes(const Campaign& campaign) : campaign_(campaign) {}
-
-  std::uint64_t of(const RunSpec& run) {
-    const std::uint64_t shared = shared_hash(run);
-    return stream_seed(stream_seed(shared, run.goal), run.options.budget.seed);
-  }
-
- private:
-  std::uint64_t shared_hash(const RunSpec& run) {
-    const bool is_profiled =
-        run.options.planner.find("profile") != nullptr && run.options.planner.flag("profile");
-    const auto [known, is_new] =
-        known_.try_emplace({run.scenario, run.planner, run.region, is_profiled}, 0);
-    if (!is_new) return known->second;
-    std::uint64_t hash = base::hash_of(campaign_.scenarios[run.scenario].scenario.scenario.name);
-    hash = base::hash_of(campaign_.planners[run.planner].name, hash);
-    hash = base::hash_of(name_of(run.region), hash);
-    return known->second = base::hash_of(options_to_json(run.options), hash);
-  }
-
-  const Campaign& campaign_;
-  std::map<std::tuple<std::size_t, std::size_t, Region, bool>, std::uint64_t> known_;
-};
 
 Json caps_json(const Campaign& campaign) {
   Json caps = Json::array();
@@ -82,14 +53,21 @@ Environment environment_of(const Campaign& campaign) {
   return environment;
 }
 
-void keep_shard(const Campaign& campaign, std::vector<RunSpec>& runs) {
-  if (!campaign.shard) return;
-  KeyHashes hashes(campaign);
-  const auto [number, of] = *campaign.shard;
-  std::erase_if(runs, [&, number = number, of = of](const RunSpec& run) {
-    return hashes.of(run) % static_cast<std::uint64_t>(of) + 1 !=
-           static_cast<std::uint64_t>(number);
-  });
+bool ShardFilter::holds(const RunSpec& run) {
+  if (!campaign_.shard) return true;
+  const auto [number, of] = *campaign_.shard;
+  const std::uint64_t key = stream_seed(stream_seed(hash_of_shared(run), run.goal), run.seed);
+  return key % static_cast<std::uint64_t>(of) + 1 == static_cast<std::uint64_t>(number);
+}
+
+std::uint64_t ShardFilter::hash_of_shared(const RunSpec& run) {
+  const auto [known, is_new] =
+      known_.try_emplace({run.scenario, run.planner, run.region, run.options.identity()}, 0);
+  if (!is_new) return known->second;
+  std::uint64_t hash = base::hash_of(campaign_.scenarios[run.scenario].scenario.scenario.name);
+  hash = base::hash_of(campaign_.planners[run.planner].name, hash);
+  hash = base::hash_of(name_of(run.region), hash);
+  return known->second = base::hash_of(options_to_json(*run.options), hash);
 }
 
 StoredShard stored_shard(const Campaign& campaign, int runs) {

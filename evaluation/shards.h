@@ -4,9 +4,11 @@
 // (internal) Which runs of a campaign belong to one of its shards, and what does its store say of
 // itself?
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
-#include <vector>
+#include <tuple>
 
 #include "evaluation/campaign.h"
 #include "evaluation/run_record.h"
@@ -31,9 +33,20 @@ struct StoredShard {
 /// repeats the program alone, so that a shard may move to another machine half-way.
 [[nodiscard]] Environment environment_of(const Campaign& campaign);
 
-/// Leaves those runs that belong to the campaign's shard: by a hash of scenario, goal, planner,
-/// region, options and seed.
-void keep_shard(const Campaign& campaign, std::vector<RunSpec>& runs);
+/// Tells which runs belong to the campaign's shard, by a hash of scenario, goal, planner, region,
+/// options and seed; all of them when it has none.
+class ShardFilter {
+ public:
+  explicit ShardFilter(const Campaign& campaign) : campaign_(campaign) {}
+  [[nodiscard]] bool holds(const RunSpec& run);
+
+ private:
+  std::uint64_t hash_of_shared(const RunSpec& run);
+
+  const Campaign& campaign_;
+  // What many runs share is hashed once.
+  std::map<std::tuple<std::size_t, std::size_t, Region, const void*>, std::uint64_t> known_;
+};
 
 /// What the store of the campaign's shard, with so many runs, says of itself.
 [[nodiscard]] StoredShard stored_shard(const Campaign& campaign, int runs);

@@ -58,7 +58,7 @@ CREATE TABLE sessions(
   planning_time REAL NOT NULL, judging_time REAL NOT NULL, storing_time REAL NOT NULL) STRICT;
 )";
 
-std::int64_t id_of(std::size_t index) { return static_cast<std::int64_t>(index) + 1; }
+std::int64_t id_at(std::size_t index) { return static_cast<std::int64_t>(index) + 1; }
 std::size_t index_of_id(std::int64_t id) { return static_cast<std::size_t>(id) - 1; }
 std::int64_t signed_seed(std::uint64_t seed) { return static_cast<std::int64_t>(seed); }
 
@@ -224,22 +224,22 @@ std::size_t Store::index_of(const StoredScenario& scenario) {
 
 std::int64_t Store::configuration_of(const RunRecord& run) {
   return Statements::find(statements_->find_configuration, run.planner,
-                          options_to_json(run.options));
+                          options_to_json(*run.options));
 }
 
-bool Store::contains(const RunRecord& run, std::int64_t configuration) {
-  return Statements::find(statements_->find_run, id_of(run.environment), id_of(run.scenario),
+std::int64_t Store::id_of(const RunRecord& run, std::int64_t configuration) {
+  return Statements::find(statements_->find_run, id_at(run.environment), id_at(run.scenario),
                           static_cast<std::int64_t>(run.goal), configuration, name_of(run.region),
-                          signed_seed(run.options.budget.seed)) != 0;
+                          signed_seed(run.seed));
 }
 
-bool Store::contains(const RunRecord& run) { return contains(run, configuration_of(run)); }
+bool Store::contains(const RunRecord& run) { return id_of(run, configuration_of(run)) != 0; }
 
 bool Store::insert(const RunRecord& run) {
   std::int64_t configuration = configuration_of(run);
-  if (contains(run, configuration)) return false;
+  if (id_of(run, configuration) != 0) return false;
   if (configuration == 0) {
-    statements_->add_configuration.run(run.planner, options_to_json(run.options));
+    statements_->add_configuration.run(run.planner, options_to_json(*run.options));
     configuration = database_.last_id();
   }
   const PlanResult& result = run.result;
@@ -250,13 +250,13 @@ bool Store::insert(const RunRecord& run) {
     y = result.path->start.y;
     heading = result.path->start.heading;
   }
-  statements_->add_run.run(
-      id_of(run.environment), id_of(run.scenario), static_cast<std::int64_t>(run.goal),
-      configuration, name_of(run.region), signed_seed(run.options.budget.seed), run.jobs,
-      run.started, name_of(result.status), result.reason, result.iterations, result.time_total,
-      cost, x, y, heading, counted(result, counters[0]), counted(result, counters[1]),
-      counted(result, counters[2]), measured(result, phases[0]), measured(result, phases[1]),
-      measured(result, phases[2]));
+  statements_->add_run.run(id_at(run.environment), id_at(run.scenario),
+                           static_cast<std::int64_t>(run.goal), configuration, name_of(run.region),
+                           signed_seed(run.seed), run.jobs, run.started, name_of(result.status),
+                           result.reason, result.iterations, result.time_total, cost, x, y, heading,
+                           counted(result, counters[0]), counted(result, counters[1]),
+                           counted(result, counters[2]), measured(result, phases[0]),
+                           measured(result, phases[1]), measured(result, phases[2]));
   const std::int64_t id = database_.last_id();
   int number = 0;
   for (const CostSample& sample : result.anytime)
@@ -279,7 +279,7 @@ bool Store::add(const RunRecord& run) {
 
 void Store::add(const Session& session) {
   Statement(database_, "INSERT INTO sessions VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .run(id_of(session.environment), session.started, session.jobs, session.runs,
+      .run(id_at(session.environment), session.started, session.jobs, session.runs,
            session.wall_time, session.planning_time, session.judging_time, session.storing_time);
 }
 
@@ -291,7 +291,7 @@ int Store::merge(Store& other) {
   for (const StoredScenario& scenario : other.scenarios())
     scenario_indices.push_back(index_of(scenario));
   int added = 0;
-  for (RunRecord run : other.runs()) {
+  for (RunRecord& run : other.runs()) {
     run.environment = environment_indices.at(run.environment);
     run.scenario = scenario_indices.at(run.scenario);
     added += insert(run);
@@ -349,12 +349,41 @@ std::vector<Session> Store::sessions() {
   return found;
 }
 
-std::vector<RunRecord> Store::runs() {
+namespace {
+
+// Rows of a table of parts of runs, in the order of the runs: read once from front to back.
+class PartRows {
+ public:
+  PartRows(Database& database, const std::string& sql)
+      : rows_(database, sql), has_row_(rows_.step()) {}
+
+  template <class Take>
+  void take_of(std::int64_t run, Take take) {
+    for (; has_row_ && rows_.integer(0) <= run; has_row_ = rows_.step())
+      if (rows_.integer(0) == run) take(rows_);
+  }
+
+ private:
+  Statement rows_;
+  bool has_row_;
+};
+
+Segment segment_of(const Statement& row) { return {row.real(1), row.real(2), row.real(3)}; }
+
+constexpr const char* columns_of_segments = "SELECT run, curvature, length, curvature_rate";
+
+}  // namespace
+
+std::vector<RunRecord> Store::runs() { return read_runs(Paths::whole); }
+
+std::vector<RunRecord> Store::runs_without_segments() { return read_runs(Paths::start_only); }
+
+std::vector<RunRecord> Store::read_runs(Paths paths) {
   // Somebody may add runs meanwhile: all statements see the store as it is now.
   const Transaction one_state(database_);
   struct Configuration {
     std::string planner;
-    PlanOptions options;
+    SharedOptions options;
   };
   std::map<std::int64_t, Configuration> configurations;
   Statement configuration_rows(database_, "SELECT id, planner, options FROM configurations");
@@ -362,31 +391,40 @@ std::vector<RunRecord> Store::runs() {
     configurations[configuration_rows.integer(0)] = {configuration_rows.text(1),
                                                      options_from_json(configuration_rows.text(2))};
   }
-
   Statement rows(database_, fmt::format("SELECT {} FROM runs ORDER BY id", columns_of_runs));
-  Statement costs(database_,
-                  "SELECT time, iteration, cost FROM costs WHERE run = ? ORDER BY number");
-  Statement segments(database_,
-                     "SELECT curvature, length, curvature_rate FROM segments WHERE run = ?"
-                     " ORDER BY number");
+  PartRows costs(database_, "SELECT run, time, iteration, cost FROM costs ORDER BY run, number");
+  std::optional<PartRows> segments;
+  if (paths == Paths::whole)
+    segments.emplace(database_,
+                     fmt::format("{} FROM segments ORDER BY run, number", columns_of_segments));
   std::vector<RunRecord> found;
+  found.reserve(static_cast<std::size_t>(count_runs()));
   while (rows.step()) {
-    RunRecord run = run_of(rows);
+    RunRecord& run = found.emplace_back(run_of(rows));
     const Configuration& configuration = configurations.at(rows.integer(4));
     run.planner = configuration.planner;
     run.options = configuration.options;
-    run.options.budget.seed = static_cast<std::uint64_t>(rows.integer(6));
-    costs.bind(rows.integer(0));
-    while (costs.step())
-      run.result.anytime.push_back({costs.real(0), costs.integer(1), costs.real(2)});
-    if (run.result.path) {
-      segments.bind(rows.integer(0));
-      while (segments.step())
-        run.result.path->segments.push_back({segments.real(0), segments.real(1), segments.real(2)});
-    }
-    found.push_back(std::move(run));
+    run.seed = static_cast<std::uint64_t>(rows.integer(6));
+    costs.take_of(rows.integer(0), [&](const Statement& row) {
+      run.result.anytime.push_back({row.real(1), row.integer(2), row.real(3)});
+    });
+    run.result.anytime.shrink_to_fit();
+    if (!segments || !run.result.path) continue;
+    segments->take_of(rows.integer(0), [&](const Statement& row) {
+      run.result.path->segments.push_back(segment_of(row));
+    });
   }
   return found;
+}
+
+void Store::read_segments(RunRecord& run) {
+  if (!run.result.path) return;
+  const std::int64_t id = id_of(run, configuration_of(run));
+  Statement rows(database_, fmt::format("{} FROM segments WHERE run = ? ORDER BY number",
+                                        columns_of_segments));
+  rows.bind(id);
+  run.result.path->segments.clear();
+  while (rows.step()) run.result.path->segments.push_back(segment_of(rows));
 }
 
 }  // namespace vandplan::evaluation

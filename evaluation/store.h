@@ -58,15 +58,22 @@ class Store {
   [[nodiscard]] std::vector<Session> sessions();
   /// In the order in which they were added.
   [[nodiscard]] std::vector<RunRecord> runs();
+  /// The same, each path with its start alone: a fifth of the memory and time.
+  [[nodiscard]] std::vector<RunRecord> runs_without_segments();
+  /// Adds what `runs_without_segments` has left out of a run of this store.
+  void read_segments(RunRecord& run);
 
  private:
   struct Statements;
+  enum class Paths : std::uint8_t { whole, start_only };
 
   explicit Store(const std::string& file);
   // 0 if it is not there.
   std::int64_t configuration_of(const RunRecord& run);
-  bool contains(const RunRecord& run, std::int64_t configuration);
+  // 0 if it is not there.
+  std::int64_t id_of(const RunRecord& run, std::int64_t configuration);
   bool insert(const RunRecord& run);
+  std::vector<RunRecord> read_runs(Paths paths);
 
   Database database_;
   std::unique_ptr<Statements> statements_;

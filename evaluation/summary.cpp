@@ -68,7 +68,7 @@ std::optional<PhaseShares> phases_of(const Runs& profiled) {
 
 // A tree that has as many nodes as its planner allows.
 bool is_full(const RunRecord& run) {
-  const OptionValue* const limit = run.options.planner.find("max_nodes");
+  const OptionValue* const limit = run.options->planner.find("max_nodes");
   const auto* const nodes = limit == nullptr ? nullptr : std::get_if<std::int64_t>(limit);
   return nodes != nullptr && counter(run.result, "nodes") >= *nodes;
 }
@@ -181,10 +181,10 @@ MethodSummary summarize_method(const Runs& runs, const Runs& profiled, const Sce
 // Pairs of runs of the same goal and seed.
 TwinComparison compare_twins(const Runs& runs, const Runs& twin_runs, double level) {
   std::map<std::pair<std::size_t, std::uint64_t>, const RunRecord*> by_seed;
-  for (const RunRecord* run : twin_runs) by_seed[{run->goal, run->options.budget.seed}] = run;
+  for (const RunRecord* run : twin_runs) by_seed[{run->goal, run->seed}] = run;
   Runs first, second;
   for (const RunRecord* run : runs) {
-    const auto found = by_seed.find({run->goal, run->options.budget.seed});
+    const auto found = by_seed.find({run->goal, run->seed});
     if (found == by_seed.end()) continue;
     first.push_back(run);
     second.push_back(found->second);
@@ -223,7 +223,7 @@ Groups grouped(const std::vector<RunRecord>& runs) {
 std::vector<double> curve_times(const std::vector<RunRecord>& runs) {
   double last = 0.0;
   for (const RunRecord& run : runs)
-    last = std::max(last, run.options.budget.time_limit.value_or(run.result.time_total));
+    last = std::max(last, run.options->budget.time_limit.value_or(run.result.time_total));
   std::vector<double> times;
   if (!std::isfinite(last)) return times;  // times were not kept
   for (int i = 1; i <= curve_points; ++i)

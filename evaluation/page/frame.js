@@ -31,7 +31,7 @@ function renderFrame() {
   const {environment: here, overhead, options, jobs} = data;
   const limit = options.time_limit === null ? `${count(options.max_iterations)} iterations`
     : `${options.time_limit} s`;
-  $('lead').textContent = `${count(allRuns.length)} runs of ${data.planners.length} planners in ` +
+  $('lead').textContent = `${count(data.all_runs)} runs of ${data.planners.length} planners in ` +
     `${data.scenarios.length} scenarios, at most ${limit} each, ` +
     (here.cores ? `${jobs} at a time on ${here.processor} (${here.cores} cores).`
       : 'on any machine, which finds the same; times are not told.');

@@ -62,7 +62,7 @@ class EvaluateCommand : public testing::Test {
 auto paths_of(const std::vector<RunRecord>& runs) {
   std::map<std::tuple<std::string, std::uint64_t, Region, bool>, std::vector<Segment>> paths;
   for (const RunRecord& run : runs)
-    paths[{run.planner, run.options.budget.seed, run.region, is_profiled(run)}] =
+    paths[{run.planner, run.seed, run.region, is_profiled(run)}] =
         run.result.path ? run.result.path->segments : std::vector<Segment>{};
   return paths;
 }
@@ -133,7 +133,7 @@ TEST_F(EvaluateCommand, StoresOnlyWhatTheJudgeAccepts) {
     if (!run.result.path) continue;
     EXPECT_EQ(run.result.path->start, scenario.start);
     const PathCheck check = check_path(problem, *run.result.path, {.length = run.result.cost});
-    EXPECT_TRUE(check.valid) << run.planner << ", seed " << run.options.budget.seed << ": "
+    EXPECT_TRUE(check.valid) << run.planner << ", seed " << run.seed << ": "
                              << check.reason;
     ++judged;
   }

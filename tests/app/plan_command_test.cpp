@@ -126,6 +126,44 @@ TEST_F(PlanCommand, APairIsPlannedAsIfAlone) {
   EXPECT_EQ(Json::parse(many.out.substr(second)).at("path").dump(), planned_path("anytime", "1"));
 }
 
+TEST_F(PlanCommand, ShardsOfPairsAreTheWholeListOnce) {
+  const std::string poses = folder_ / "poses.csv";
+  std::string rows;
+  for (int i = 1; i <= 12; ++i) rows += "0,0,0," + std::to_string(0.25 * i) + ",0,0\n";
+  write_content(poses, rows);
+  std::vector<double> lengths(12);
+  std::size_t found = 0, parts = 0;
+  for (const char* const part : {"1/3", "2/3", "3/3"}) {
+    const Outcome outcome =
+        plan({"--poses", poses, "--max-iterations", "1", "--shard", part, "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    parts += outcome.out.empty() ? 0U : 1U;
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line); ++found) {
+      const Json result = Json::parse(line);
+      lengths.at(result.at("pair").get<std::size_t>() - 1) = result.at("length").get<double>();
+    }
+  }
+  EXPECT_EQ(found, 12U);
+  EXPECT_GT(parts, 1U);
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    EXPECT_NEAR(lengths[i], 0.25 * static_cast<double>(i + 1), 1e-9);
+  EXPECT_EQ(plan({"--poses", poses, "--shard", "4/3"}).status, 2);
+  EXPECT_EQ(plan({"--shard", "1/3"}).status, 2);  // of what?
+}
+
+TEST_F(PlanCommand, AShardWithoutPairsIsEmpty) {
+  const std::string poses = folder_ / "poses.csv";
+  write_content(poses, "0,0,0,4,0,0\n");
+  int empty = 0;
+  for (const char* const part : {"1/2", "2/2"}) {
+    const Outcome outcome = plan({"--poses", poses, "--max-iterations", "1", "--shard", part});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    empty += outcome.out.starts_with("yard, anytime: 0 of 0 solved") ? 1 : 0;
+  }
+  EXPECT_EQ(empty, 1);
+}
+
 TEST_F(PlanCommand, WithoutLimitsItRunsForASecondAtMost) {
   const Outcome outcome = plan({"--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

@@ -46,14 +46,14 @@ TEST(Campaign, RunsEveryPlannerInEveryRegionOnEveryProblemWithEverySeed) {
   EXPECT_EQ(runs.size(), 3U * 2U * (6U + 3U * 2U));
   std::set<std::tuple<std::size_t, std::size_t, std::size_t, Region, std::uint64_t>> different;
   for (const RunSpec& run : runs)
-    different.insert({run.scenario, run.goal, run.planner, run.region, run.options.budget.seed});
+    different.insert({run.scenario, run.goal, run.planner, run.region, run.seed});
   EXPECT_EQ(different.size(), runs.size());
 }
 
 TEST(Campaign, GivesAllPlannersAndRegionsTheSameSeeds) {
   std::map<std::pair<std::size_t, Region>, std::set<std::uint64_t>> seeds;
   for (const RunSpec& run : runs_of(small_campaign()))
-    seeds[{run.planner, run.region}].insert(run.options.budget.seed);
+    seeds[{run.planner, run.region}].insert(run.seed);
   EXPECT_EQ(seeds.size(), 6U);
   for (const auto& [key, found] : seeds) EXPECT_EQ(found, seeds.begin()->second);
 }
@@ -64,9 +64,8 @@ TEST(Campaign, APartHasTheSeedsOfTheWhole) {
   part.planners.pop_back();
   part.regions = {Region::scene};
   std::set<std::uint64_t> whole_seeds;
-  for (const RunSpec& run : runs_of(small_campaign())) whole_seeds.insert(run.options.budget.seed);
-  for (const RunSpec& run : runs_of(part))
-    EXPECT_TRUE(whole_seeds.contains(run.options.budget.seed));
+  for (const RunSpec& run : runs_of(small_campaign())) whole_seeds.insert(run.seed);
+  for (const RunSpec& run : runs_of(part)) EXPECT_TRUE(whole_seeds.contains(run.seed));
 }
 
 TEST(Campaign, SeedsFollowFromOne) {
@@ -85,7 +84,7 @@ TEST(Campaign, TakesTurnsSoThatASlowMinuteHitsAllAlike) {
   for (const auto& [key, count] : done) EXPECT_EQ(count, 6);
   // One problem and seed: all planners and regions in a row.
   std::set<std::uint64_t> seeds;
-  for (std::size_t i = 0; i < 6; ++i) seeds.insert(runs[i].options.budget.seed);
+  for (std::size_t i = 0; i < 6; ++i) seeds.insert(runs[i].seed);
   EXPECT_EQ(seeds.size(), 1U);
 }
 
@@ -104,7 +103,7 @@ TEST(Campaign, ProfilesEveryPlannerInEveryRegionOnceMore) {
   const std::size_t timed = runs_of(small_campaign()).size();
   ASSERT_EQ(runs.size(), timed + 2U * 3U * 2U);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    EXPECT_EQ(runs[i].options.planner.flag("profile"), i >= timed);
+    EXPECT_EQ(runs[i].options->planner.flag("profile"), i >= timed);
     if (i >= timed && runs[i].scenario == 1) {
       EXPECT_EQ(runs[i].goal, 1U);
     }
@@ -136,11 +135,12 @@ TEST(Campaign, GivesSettingsToThosePlannersThatHonourThem) {
   campaign.planners = {planner("plain"), planner_named("rrt-bsc-euc")};
   campaign.settings = {{"goal_bias", "0.25"}, {"time_limit", "0.5"}};
   for (const RunSpec& run : runs_of(campaign)) {
-    EXPECT_EQ(run.options.budget.time_limit, 0.5);
-    EXPECT_EQ(run.options.planner.find("goal_bias") != nullptr, run.planner == 1);
-    EXPECT_EQ(run.options.planner.word("region"), run.region == Region::scene ? "scene" : "bounds");
+    EXPECT_EQ(run.options->budget.time_limit, 0.5);
+    EXPECT_EQ(run.options->planner.find("goal_bias") != nullptr, run.planner == 1);
+    EXPECT_EQ(run.options->planner.word("region"),
+              run.region == Region::scene ? "scene" : "bounds");
     if (run.planner == 1) {
-      EXPECT_EQ(run.options.planner.number("goal_bias"), 0.25);
+      EXPECT_EQ(run.options->planner.number("goal_bias"), 0.25);
     }
   }
 }
@@ -149,12 +149,12 @@ TEST(Campaign, SteersAsItsSettingsSayAndOtherwiseInTheShortestStyle) {
   Campaign campaign = small_campaign();
   campaign.planners = {planner("plain"), planner_named("rrt-bsc-euc"), planner_named("anytime")};
   for (const RunSpec& run : runs_of(campaign)) {
-    EXPECT_EQ(run.options.cost, shortest_style);
-    EXPECT_EQ(run.options.steering, style_named("shortest").steering);
+    EXPECT_EQ(run.options->cost, shortest_style);
+    EXPECT_EQ(run.options->steering, style_named("shortest").steering);
   }
   campaign.settings = {{"steering", "continuous"}};
   for (const RunSpec& run : runs_of(campaign)) {
-    EXPECT_EQ(run.options.steering,
+    EXPECT_EQ(run.options->steering,
               run.planner == 0 ? Steering::reeds_shepp : Steering::continuous);
   }
 }
@@ -176,7 +176,7 @@ TEST(Campaign, RunsPlannersThatKnowNoRegionInEachRegionAlike) {
   campaign.profile = true;  // which it cannot do
   const std::vector<RunSpec> runs = runs_of(campaign);
   EXPECT_EQ(runs.size(), 2U * (6U + 3U * 2U));
-  for (const RunSpec& run : runs) EXPECT_TRUE(run.options.planner.values().empty());
+  for (const RunSpec& run : runs) EXPECT_TRUE(run.options->planner.values().empty());
 }
 
 TEST(Campaign, RepeatsAGroupLessOftenWithTheSameSeedsAndOverAllOfTheTime) {
@@ -186,7 +186,7 @@ TEST(Campaign, RepeatsAGroupLessOftenWithTheSameSeedsAndOverAllOfTheTime) {
   const std::vector<RunSpec> runs = runs_of(campaign);
   EXPECT_EQ(runs.size(), 2U * 2U * (6U + 3U * 2U) + 2U * (3U + 3U * 1U));
   std::set<std::uint64_t> many, few;
-  for (const RunSpec& run : runs) (run.planner == 1 ? few : many).insert(run.options.budget.seed);
+  for (const RunSpec& run : runs) (run.planner == 1 ? few : many).insert(run.seed);
   for (const std::uint64_t seed : few) EXPECT_TRUE(many.contains(seed));
   int early = 0;
   for (std::size_t i = 0; i < runs.size() / 2; ++i)

@@ -42,7 +42,7 @@ class Exports : public testing::Test {
     }
     RunRecord profiled = made_up_run("rrt-bsc-euc", 5, 100.0);
     profiled.environment = environment;
-    profiled.options.planner.set("profile", true);
+    profiled.options.change([](PlanOptions& options) { options.planner.set("profile", true); });
     store_.add(profiled);
   }
 

@@ -46,7 +46,8 @@ TEST(Report, RepeatsARunThatWasCutByTheClock) {
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
   int solved = 0;
-  for (const RunRecord& run : report.runs) {
+  for (RunRecord run : report.runs) {
+    store.read_segments(run);
     // vandplan plan FILE --planner NAME --seed N ... as `plan` would read it.
     std::istringstream words(reproduce_command(report, run));
     std::string word, file, planner;
@@ -159,6 +160,34 @@ TEST(Report, IsOnePageWithEverythingInIt) {
     EXPECT_EQ(page.find(elsewhere), std::string::npos) << elsewhere;
   for (const char* const mark : {"/*STYLE*/", "/*D3*/", "/*DATA*/", "/*PROGRAM*/", "<!--"})
     EXPECT_EQ(page.find(mark), std::string::npos) << mark;
+}
+
+TEST(Report, ListsAPartOfVeryManyRuns) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  constexpr int count = 20100;  // more than a page lists
+  const std::size_t environment = store.index_of(this_environment());
+  const std::size_t scenario = store.index_of(stored(open_ground("wide"), "wide.yaml"));
+  for (int i = 0; i < count; ++i) {
+    // The best is one of those that would be left out.
+    RunRecord run =
+        made_up_run("rrt-bsc-euc", static_cast<std::uint64_t>(i) + 1, i == 777 ? 40.0 : 50.0 + i);
+    run.environment = environment;
+    run.scenario = scenario;
+    store.add(run);
+  }
+  const Report report = make_report(store);
+  const std::string page = report_html(report, "");
+  int rows = 0;
+  for (std::size_t at = page.find("vandplan plan wide"); at != std::string::npos;
+       at = page.find("vandplan plan wide", at + 1))
+    ++rows;
+  EXPECT_GE(rows, count / 2);
+  EXPECT_LE(rows, count / 2 + 2);  // every other one, the best and the middle one
+  EXPECT_NE(page.find("--seed 778 "), std::string::npos);
+  EXPECT_NE(page.find("\"all_runs\":20100"), std::string::npos);
+  // The example's path was read, and it points to its row.
+  EXPECT_NE(page.find("\"best\":{\"run\":389,\"segments\":[[0,40]]}"), std::string::npos);
 }
 
 TEST(Report, IsATableInTheTerminal) {

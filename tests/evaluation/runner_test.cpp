@@ -109,7 +109,7 @@ TEST(Runner, FindsTheSameWithOneJobAndWithTwo) {
       std::string path;
       for (const CostSample& sample : run.result.anytime)
         path += std::to_string(sample.time) + " " + std::to_string(sample.cost) + " ";
-      paths[{run.scenario, run.planner, run.options.budget.seed, run.region}] = path;
+      paths[{run.scenario, run.planner, run.seed, run.region}] = path;
     }
     return paths;
   };

@@ -44,7 +44,7 @@ TEST(SearchMatrix, TakesCostsOverTheLeastOneFound) {
 TEST(SearchMatrix, LeavesOutOtherRegionsAndProfiledRuns) {
   std::vector<RunRecord> runs = {made_up_run("a:x", 1, 60.0), made_up_run("a:y", 1, 50.0),
                                  made_up_run("a:y", 2, 70.0)};
-  runs[2].options.planner.set("profile", true);
+  runs[2].options.change([](PlanOptions& options) { options.planner.set("profile", true); });
   const std::vector<MatrixCell> cells = search_matrix(three(), runs, Region::bounds);
   ASSERT_EQ(cells.size(), 2U);
   EXPECT_EQ(cells[1].runs, 1);

@@ -27,10 +27,12 @@ RunRecord solved_run(Store& store, std::uint64_t seed) {
   run.goal = 2;
   run.planner = "rrt-bsc-euc";
   run.region = Region::scene;
-  run.options.budget.seed = seed;
-  run.options.budget.time_limit = 0.1;
-  run.options.planner.set("goal_bias", 1.0 / 3.0);
-  run.options.planner.set("region", std::string("scene"));
+  run.seed = seed;
+  PlanOptions options;
+  options.budget.time_limit = 0.1;
+  options.planner.set("goal_bias", 1.0 / 3.0);
+  options.planner.set("region", std::string("scene"));
+  run.options = options;
   run.jobs = 2;
   run.started = "2026-11-21T05:16:33Z";
   run.result.status = PlanStatus::solved;
@@ -58,7 +60,8 @@ void expect_equal(const RunRecord& a, const RunRecord& b) {
   EXPECT_EQ(a.goal, b.goal);
   EXPECT_EQ(a.planner, b.planner);
   EXPECT_EQ(a.region, b.region);
-  EXPECT_EQ(a.options, b.options);
+  EXPECT_EQ(*a.options, *b.options);
+  EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.jobs, b.jobs);
   EXPECT_EQ(a.started, b.started);
   EXPECT_EQ(a.result.status, b.result.status);
@@ -123,8 +126,9 @@ TEST(Store, TellsRunsApartByEverythingThatIsPutIn) {
   others[1].scenario = store.index_of(StoredScenario{"open", "scenarios/open.yaml", "name: o\n"});
   others[2].goal = 0;
   others[3].planner = "rrt-opt-euc";
-  others[4].options.budget.seed = 2;
-  others[5].options.planner.set("max_parents", std::int64_t{49});
+  others[4].seed = 2;
+  others[5].options.change(
+      [](PlanOptions& options) { options.planner.set("max_parents", std::int64_t{49}); });
   others[6].region = Region::bounds;
   for (const RunRecord& other : others) EXPECT_FALSE(store.contains(other));
 }
@@ -136,7 +140,8 @@ TEST(Store, ReadsOneStateWhileNewSettingsComeIn) {
   std::thread writer([&] {
     RunRecord run = solved_run(store, 1);
     for (std::int64_t i = 1; i <= 400; ++i) {
-      run.options.planner.set("max_parents", i);  // a setting that no run before it had
+      // A setting that no run before it had.
+      run.options.change([i](PlanOptions& options) { options.planner.set("max_parents", i); });
       store.add(run);
     }
   });

@@ -26,7 +26,7 @@ Summary summary_of(const std::vector<ScenarioFile>& scenarios, const std::vector
 // A run that measured where its time went: half of it in ranking.
 RunRecord profiled_run(const std::string& planner, std::uint64_t seed, double cost) {
   RunRecord run = made_up_run(planner, seed, cost);
-  run.options.planner.set("profile", true);
+  run.options.change([](PlanOptions& options) { options.planner.set("profile", true); });
   run.result.phases = {{"ranking", 0.05}, {"steering", 0.02}, {"checking", 0.01}};
   return run;
 }

@@ -29,9 +29,11 @@ inline RunRecord made_up_run(const std::string& planner, std::uint64_t seed,
                              std::optional<double> cost, double time = 0.001) {
   RunRecord run;
   run.planner = planner;
-  run.options.budget.seed = seed;
-  run.options.budget.time_limit = 0.1;
-  run.options.planner.set("max_nodes", std::int64_t{5000});
+  run.seed = seed;
+  PlanOptions options;
+  options.budget.time_limit = 0.1;
+  options.planner.set("max_nodes", std::int64_t{5000});
+  run.options = options;
   run.started = "2026-11-21T05:16:33Z";
   run.result.status = cost ? PlanStatus::solved : PlanStatus::time_limit;
   run.result.time_total = 0.1;
