@@ -58,7 +58,7 @@ struct ReplanOptions {
   /// Of the paths. The budget is that of the first plan; without one it has 2000 iterations.
   PlanOptions plan = {};
   std::int64_t tick_iterations = 100;  ///< of each later look for a better way; >= 0
-  std::int64_t tick_states = 20'000;   ///< of each search for speeds among what moves; >= 1
+  std::int64_t tick_states = 2'000;    ///< of each search for speeds among what moves; >= 1
   double committed = 1.0;              ///< so long an answer stays as it is, if it can [s]; >= 0
   /// A new way is taken only if what is left costs less by this share; 0 to 1.
   double better = 0.1;

@@ -115,6 +115,7 @@ class Search {
 
   /// The index of the last state of the cheapest drive; none if there is none among so many states.
   [[nodiscard]] std::optional<std::int32_t> run(const Traffic& traffic) {
+    longest_ = traffic.longest;
     constexpr std::int64_t states_between_questions = 64;
     const double begin = stations_.front().pause;
     const double square = traffic.start_speed * traffic.start_speed;
@@ -196,6 +197,7 @@ class Search {
 
   void push(State state, double cost) {
     state.cost += cost;
+    if (state.t + stations_[state.station].left > longest_) return;
     if (seen_.contains(key_of(state))) return;
     const double bound = state.cost + stations_[state.station].left;
     queue_.push({bound, state.station, static_cast<std::int32_t>(states_.size())});
@@ -212,8 +214,9 @@ class Search {
 
   std::vector<Station> stations_;
   Occupied occupied_;
-  double rise_, fall_;  // of the squared speed per metre [m/s^2]
-  double latest_;       // nobody waits any longer [s]
+  double rise_, fall_;    // of the squared speed per metre [m/s^2]
+  double latest_;         // nobody waits any longer [s]
+  double longest_ = 0.0;  // that a drive may be [s]
   std::vector<State> states_;
   std::priority_queue<Candidate> queue_;
   std::unordered_set<std::uint64_t> seen_;
@@ -314,6 +317,7 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
     return {std::move(fastest.speeds)};
   }
   if (fastest.speeds.knots.back().s <= 0.0) return {};
+  if (fastest.speeds.duration > traffic.longest) return {};
   if (vehicle.limits.max_jerk && traffic.start_speed == 0.0)
     return {begun_later(fastest, vehicle, traffic)};
   const Encounters encounters(path, vehicle, traffic.moving, traffic.margin);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -22,6 +23,8 @@ struct Traffic {
   /// With which the vehicle comes to the start, in the gear of the first segment; above 0 it has no
   /// limit of jerk [m/s].
   double start_speed = 0.0;
+  /// Only drives that are not longer are of interest [s].
+  double longest = std::numeric_limits<double>::infinity();
   std::int64_t most_states = 200'000;         ///< that the search looks at before it gives up
   std::function<bool()> is_interrupted = {};  ///< asked now and then; true: it gives up
 };

@@ -126,6 +126,7 @@ class Replanner::Impl {
     scene_.world = ground_.world();
     scene_.moving = later(moving_, t);
     if (ground_version_ != ground_.version()) is_judged_ = false;
+    has_news_ = !is_judged_;
     ground_version_ = ground_.version();
     if (!answer_.drive) {
       begin(t);
@@ -227,10 +228,15 @@ class Replanner::Impl {
     if (is_good) is_judged_ = true;
     if (is_good && answer_.reaches_goal) return improve(t, rest);
     // 1. To the goal; what was committed is given up only if it must be.
-    const Effort much = effort(options_.tick_iterations * urgent_share);
+    Effort much = effort(options_.tick_iterations * urgent_share);
+    much.states *= urgent_share;
     for (const double committed : {options_.committed, 0.0}) {
       if (committed == 0.0 && (options_.committed == 0.0 || is_good)) continue;
-      if (take_best(t, rest, committed, true, much, 0.0)) return;
+      if (take_best(t, rest, much,
+                    {.committed = committed,
+                     .rest_reaches_goal = answer_.reaches_goal,
+                     .is_urgent = true}))
+        return;
     }
     if (is_good) return keep();
     stop_or_brake(t, rest);
@@ -243,9 +249,13 @@ class Replanner::Impl {
       const Ways ways(scene_, options_.plan);
       const double cost = ways.cost_of(rest.drive);
       const Effort little = effort(options_.tick_iterations);
-      if (take_best(t, rest, options_.committed, false, little, cost * (1 - options_.better))) {
-        return;
-      }
+      const double most = cost * (1 - options_.better);
+      const Wish wish{.committed = options_.committed,
+                      .rest_reaches_goal = true,
+                      .with_times = has_news_,
+                      .is_flying = ticks_ % 2 == 0,
+                      .most = most};
+      if (take_best(t, rest, little, wish)) return;
     }
     keep();
   }
@@ -256,15 +266,12 @@ class Replanner::Impl {
     answer_.reason = out_.reason = "";
   }
 
-  /// Takes the cheapest of the ways to the goal that the judge accepts, if it costs less than
-  /// `most`; 0: whatever it costs.
-  bool take_best(double t, const CutDrive& rest, double committed, bool is_urgent,
-                 const Effort& how, double most) {
-    std::vector<Way> found =
-        Ways(scene_, options_.plan).to_goal(rest, committed, is_urgent, answer_.reaches_goal, how);
+  /// Takes the cheapest of the ways to the goal that the judge accepts, if there is one.
+  bool take_best(double t, const CutDrive& rest, const Effort& how, const Wish& wish) {
+    std::vector<Way> found = Ways(scene_, options_.plan).to_goal(rest, wish, how);
     std::ranges::stable_sort(found, {}, &Way::cost);
     for (Way& way : found) {
-      if (most > 0.0 && way.cost >= most) break;
+      if (way.cost >= wish.most) break;
       if (!fault_of(way, rest.begin, margin()).empty()) continue;
       take(t, std::move(way), rest.begin);
       return true;
@@ -300,6 +307,7 @@ class Replanner::Impl {
   std::int64_t ground_version_ = 0;
   std::int64_t ticks_ = 0;
   bool is_judged_ = false;  // among these movers on this ground
+  bool has_news_ = false;   // of them since the last tick
 };
 
 Replanner::Replanner(const Scenario& scenario, const ReplanOptions& options)

@@ -14,12 +14,16 @@
 namespace vandplan::replanning {
 namespace {
 
-constexpr double time_price = 2.0;      // of a second [m], as the planner has it among what moves
+constexpr double time_price = 2.0;  // of a second [m], as the planner has it among what moves
+constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double stands = 1e-6;         // is no faster [m/s]
 constexpr int stops = 6;                // that are looked at along a way
 constexpr double shortest_stop = 1e-3;  // of a way to a standstill [m]
 
 double speed_of(const Motion& motion) { return std::abs(motion.v); }
+
+/// A speed, or 0 for what stands.
+double standing_or(double speed) { return speed > stands ? speed : 0.0; }
 
 double largest_growth(std::span<const MovingObstacle> moving) {
   double most = 0.0;
@@ -55,8 +59,8 @@ double Ways::cost_of(const TimedPath& drive) const {
 
 /// Times for a path that begins `t` seconds from now.
 std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, double t, double margin,
-                                     const Effort& effort) const {
-  const double speed = speed_of(begin) > stands ? speed_of(begin) : 0.0;
+                                     const Effort& effort, double longest) const {
+  const double speed = standing_or(speed_of(begin));
   if (speed > 0.0 && !begins_in_gear(path.segments, begin.direction)) return std::nullopt;
   const std::vector<MovingObstacle> moving = later(scene_.moving, t);
   const moving::Traffic traffic{.moving = moving,
@@ -64,6 +68,7 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
                                 .margin = margin + t * largest_growth(moving),
                                 .start_curvature = begin.curvature,
                                 .start_speed = speed,
+                                .longest = longest,
                                 .most_states = effort.states};
   moving::Yielding yielding = moving::yielding_speeds(path, scene_.planned, traffic);
   if (!yielding.speeds) return std::nullopt;
@@ -95,30 +100,38 @@ std::optional<Way> Ways::from_standing(const Pose& pose, double curvature,
   const Path path{pose, segments_to_goal(pose, curvature, 0.0, options)};
   if (path.segments.empty() && !(pose == scene_.goal)) return std::nullopt;
   const Motion begin{.pose = pose, .curvature = curvature};
-  auto drive = timed(path, begin, 0.0, options_.clearance.margin, effort);
+  auto drive = timed(path, begin, 0.0, options_.clearance.margin, effort, endless);
   if (!drive) return std::nullopt;
   Way way{*std::move(drive), TickOutcome::new_way, true};
   way.cost = cost_of(way.drive);
   return way;
 }
 
-std::vector<Way> Ways::to_goal(const CutDrive& rest, double committed, bool is_urgent,
-                               bool rest_reaches_goal, const Effort& effort) const {
+std::vector<Way> Ways::to_goal(const CutDrive& rest, const Wish& wish, const Effort& effort) const {
   const Vehicle& vehicle = scene_.vehicle;
-  const double t = std::min(committed, rest.drive.speeds.duration);
+  const double t = std::min(wish.committed, rest.drive.speeds.duration);
   const TimedPath prefix = before(rest.drive, vehicle, t);
   const CutDrive after = rest_of(rest.drive, vehicle, t);
   const Motion& begin = after.begin;
   std::vector<Way> ways;
   const auto add = [&](const Path& tail, TickOutcome outcome) {
-    const auto drive = timed(tail, begin, t, options_.clearance.margin, effort);
+    // No times make it cheaper than the fastest ones.
+    const auto fastest =
+        speed::profile_from(tail, scene_.planned, {begin.curvature, standing_or(speed_of(begin))});
+    if (!fastest) return;
+    const double left = wish.most - cost_of(joined(prefix, {tail, *fastest}));
+    if (left <= 0.0) return;
+    const bool is_time = options_.cost.measure == CostMeasure::time;
+    const double longest = fastest->duration + (is_time ? left : left / time_price);
+    const auto drive = timed(tail, begin, t, options_.clearance.margin, effort, longest);
     if (!drive) return;
     Way way{joined(prefix, *drive), outcome, true};
     way.cost = cost_of(way.drive);
     ways.push_back(std::move(way));
   };
   // 1. The same path, as fast as others let.
-  if (rest_reaches_goal && !scene_.moving.empty()) add(after.drive.path, TickOutcome::new_times);
+  if (wish.rest_reaches_goal && wish.with_times && !scene_.moving.empty())
+    add(after.drive.path, TickOutcome::new_times);
   // 2. Another path from where the vehicle can stand first.
   PlanOptions options = options_;
   options.budget.time_limit.reset();
@@ -142,14 +155,16 @@ std::vector<Way> Ways::to_goal(const CutDrive& rest, double committed, bool is_u
   };
   const double stands_at = t + 2 * length(to_stop) / std::max(speed, stands);
   add_path(stop, curvature, to_stop, -1.0, options);
-  if (is_urgent && !scene_.moving.empty()) {
-    add_path(stop, curvature, to_stop, to_stop.empty() ? t : stands_at, options);
-  }
   // 3. Another path without a stop: the wheels go on as they are.
-  if (speed > stands) {
+  const PlanOptions with_stop = options;
+  if (speed > stands && wish.is_flying) {
     options.steering = Steering::continuous;
     options.cost.initial_gear = begin.direction < 0 ? InitialGear::reverse : InitialGear::forward;
     add_path(begin.pose, begin.curvature, {}, -1.0, options);
+  }
+  // 4. Round those who are in the way.
+  if (ways.empty() && wish.is_urgent && !scene_.moving.empty()) {
+    add_path(stop, curvature, to_stop, to_stop.empty() ? t : stands_at, with_stop);
   }
   return ways;
 }
@@ -166,7 +181,7 @@ std::vector<Way> Ways::to_stops(const CutDrive& rest, double margin, const Effor
                     far > shortest_stop ? cut(segments, 0.0, far) : std::vector<Segment>{}};
     if (path.segments.empty()) {
       ways.push_back({standing_at(rest.begin.pose), TickOutcome::stop});
-    } else if (auto drive = timed(path, rest.begin, 0.0, margin, effort)) {
+    } else if (auto drive = timed(path, rest.begin, 0.0, margin, effort, endless)) {
       ways.push_back({*std::move(drive), TickOutcome::stop});
     }
     if (whole - first <= shortest_stop) break;

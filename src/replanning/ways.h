@@ -5,6 +5,7 @@
 //
 // All drives begin now, in the frame of the known ground.
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,16 @@ struct Way {
   double cost = 0.0;  ///< [m], or [s] where the cost is the time
 };
 
+/// Which ways to the goal are wanted.
+struct Wish {
+  double committed = 0.0;          ///< so long they are the same [s]
+  bool rest_reaches_goal = false;  ///< what is under way does
+  bool with_times = true;          ///< along the same path, too
+  bool is_flying = true;           ///< on other paths without a stop, too
+  bool is_urgent = false;          ///< whatever it takes: others are gone round
+  double most = std::numeric_limits<double>::infinity();  ///< only what costs less
+};
+
 class Ways {
  public:
   Ways(const Scene& scene, const PlanOptions& options) : scene_(scene), options_(options) {}
@@ -48,9 +59,9 @@ class Ways {
                                                  const Effort& effort) const;
 
   /// To the goal, each the same as `rest` for `committed` seconds: with other times, and along
-  /// other paths. `is_urgent`: others are in the way, and gone round.
-  [[nodiscard]] std::vector<Way> to_goal(const CutDrive& rest, double committed, bool is_urgent,
-                                         bool rest_reaches_goal, const Effort& effort) const;
+  /// other paths.
+  [[nodiscard]] std::vector<Way> to_goal(const CutDrive& rest, const Wish& wish,
+                                         const Effort& effort) const;
 
   /// To standstills on the way of `rest`, the nearest first.
   [[nodiscard]] std::vector<Way> to_stops(const CutDrive& rest, double margin,
@@ -64,7 +75,8 @@ class Ways {
 
  private:
   [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const Motion& begin, double t,
-                                               double margin, const Effort& effort) const;
+                                               double margin, const Effort& effort,
+                                               double longest) const;
   [[nodiscard]] std::vector<Segment> segments_to_goal(const Pose& pose, double curvature, double t,
                                                       const PlanOptions& options) const;
   [[nodiscard]] double braking_distance(double v) const;

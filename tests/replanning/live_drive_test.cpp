@@ -36,7 +36,7 @@ LiveDriveOptions with_margin(double margin) {
 }
 
 TEST(LiveDrive, Arrives) {
-  const LiveDriveResult result = drive_live(yard());
+  const LiveDriveResult result = drive_live(yard(), with_margin(0));
   EXPECT_TRUE(result.has_arrived);
   EXPECT_FALSE(result.contact);
   EXPECT_LT(result.end_distance, 0.03);
@@ -64,7 +64,7 @@ TEST(LiveDrive, SeesWhoIsHitThoughNobodyToldIt) {
   Scenario scenario = yard();
   scenario.moving = {
       {box(-1, -1, 3, 1), {{0, {18, -30, 1.5708}}, {16, {18, 30, 1.5708}}}, Afterwards::leaves}};
-  LiveDriveOptions options;
+  LiveDriveOptions options = with_margin(0);
   options.sensor_range = 0.5;  // from its rear axle: it sees nobody
   const LiveDriveResult result = drive_live(scenario, options);
   ASSERT_TRUE(result.contact);
@@ -112,7 +112,7 @@ TEST(LiveDrive, RepeatsBitForBit) {
 }
 
 TEST(LiveDrive, HandsOutActionsAtTheirRate) {
-  LiveDriveOptions options;
+  LiveDriveOptions options = with_margin(0);
   options.action_rate = 20;
   std::vector<Action> actions;
   const LiveDriveResult result =
@@ -125,7 +125,7 @@ TEST(LiveDrive, HandsOutActionsAtTheirRate) {
 }
 
 TEST(LiveDrive, RefusesOptionsThatAreNone) {
-  LiveDriveOptions options;
+  LiveDriveOptions options = with_margin(0);
   options.period = 0.03;
   EXPECT_THROW((void)drive_live(yard(), options), InputError);
 }
@@ -161,7 +161,7 @@ TEST(Sensor, RevealsCellsUpToTheFirstThatIsBlocked) {
 TEST(Prediction, GoesOnAtTheSpeedThatWasSeen) {
   const std::vector<MovingObstacle> moving = {
       {box(-1, -1, 1, 1), {{0, {0, 0, 0}}, {10, {20, 0, 0}}, {20, {20, 20, 0}}}}};
-  LiveDriveOptions options;
+  LiveDriveOptions options = with_margin(0);
   options.prediction = Prediction::constant_velocity;
   options.horizon = 4;
   const auto seen = replanning::predicted(moving, {}, 5, options);

@@ -205,7 +205,7 @@ TEST(Replanner, AnswersAreSafeAmongMoversThatAppear) {
     for (double t = 0; t < 30; t += tick_period) {
       if (std::abs(t - 3) < 1e-9 || std::abs(t - 12) < 1e-9) {
         const double x = pose_at(replanner.answer(), now.vehicle, t).x + 20 + seed;
-        now.moving.push_back(car({{t, {x, -20, 1.5708}}, {t + 5 + seed, {x, 24, 1.5708}}}));
+        now.moving.push_back(car({{t, {x, -20, 1.5708}}, {t + 13 + seed, {x, 24, 1.5708}}}));
         replanner.set_moving(now.moving);
       }
       const ReplanAnswer& answer = replanner.tick(t);
