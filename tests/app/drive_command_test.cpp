@@ -193,5 +193,58 @@ TEST_F(DriveCommand, JumpsAndClothoidsAreDriven) {
       << outcome.out;
 }
 
+class ReplanCommand : public DriveCommand {
+ protected:
+  Outcome replan(const std::vector<std::string>& options = {}) {
+    std::vector<std::string> arguments = {"drive", scenario_, "--replan", "0.1"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_vandplan(arguments);
+  }
+};
+
+TEST_F(ReplanCommand, DrivesWithoutAResult) {
+  const Outcome outcome = replan({"--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json.at("arrived"), 1);
+  EXPECT_EQ(json.at("contacts"), 0);
+  EXPECT_EQ(json.at("ticks_without_answer"), 0);
+  EXPECT_GT(json.at("ticks"), 20);
+  EXPECT_LT(json.at("end_distance"), 0.03);
+}
+
+TEST_F(ReplanCommand, WritesLogActionsAndAPictureThatPlays) {
+  const std::string actions = folder_ / "actions.csv";
+  EXPECT_EQ(replan({"-o", csv_, "--actions", actions, "--rate", "10", "--draw", picture_}).status,
+            0);
+  EXPECT_EQ(content_of(csv_).find("t,s,x,y,heading,"), 0u);
+  EXPECT_EQ(content_of(actions).find("t,steering_angle,v,a\n0,"), 0u);
+  EXPECT_NE(content_of(actions).find("\n0.1,"), std::string::npos);
+  EXPECT_NE(content_of(picture_).find("<animateTransform"), std::string::npos);
+}
+
+TEST_F(ReplanCommand, RefusesWhatIsWrongAndLeavesFilesAlone) {
+  write_content(csv_, "mine");
+  EXPECT_EQ(replan({"--prediction", "crystal-ball", "-o", csv_}).status, 2);
+  const Outcome odd = run_vandplan({"drive", scenario_, "--replan", "0.03", "-o", csv_});
+  EXPECT_EQ(odd.status, 2);
+  EXPECT_NE(odd.err.find("--replan: is 0.03, expected a multiple of 0.02 s"), std::string::npos)
+      << odd.err;
+  const Outcome none = run_vandplan({"drive", scenario_, "-o", csv_});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("RESULT: is not given"), std::string::npos) << none.err;
+  EXPECT_EQ(content_of(csv_), "mine");
+}
+
+TEST_F(ReplanCommand, ComparesScenarios) {
+  const Outcome outcome =
+      run_vandplan({"evaluate", "--replan", "0.1", "--scenarios", scenario_, "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json.at("scenario"), "yard");
+  EXPECT_DOUBLE_EQ(json.at("duration_ratio"), 1.0);
+  EXPECT_DOUBLE_EQ(json.at("route_changes_per_minute"), 0.0);
+}
+
 }  // namespace
 }  // namespace vandplan
