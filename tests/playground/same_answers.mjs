@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Does WebAssembly plan the same paths as the command line, bit for bit? Nine scenarios, three planners.
+// Does WebAssembly plan the same paths as the command line, bit for bit? Nine scenarios, three planners; a trailer, and
+// somebody on foot.
 // usage: node same_answers.mjs PLAYGROUND VANDPLAN [--timing]
 
 import {execFileSync} from 'node:child_process';
 import {mkdtempSync, readdirSync, readFileSync, rmSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
-import {join, resolve} from 'node:path';
+import {basename, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const [playground, program] = process.argv.slice(2, 4).map((path) => resolve(path));
@@ -16,7 +17,8 @@ const timing = process.argv.includes('--timing');
 const require = createRequire(import.meta.url);
 const {load, InputError} = require(join(playground, 'vandplan.cjs'));
 const yaml = require('/usr/share/nodejs/js-yaml/dist/js-yaml.js');
-const thesis = fileURLToPath(new URL('../../scenarios/thesis', import.meta.url));
+const scenarios = fileURLToPath(new URL('../../scenarios', import.meta.url));
+const thesis = join(scenarios, 'thesis');
 const runs = [['anytime', 300], ['rrt-opt-hlut-4', 500], ['rrt-connect', 500]];
 const work = mkdtempSync(join(tmpdir(), 'vandplan-'));
 const vandplan = await load();
@@ -40,9 +42,18 @@ function native(file, planner, iterations) {
   return result.goals ?? [result];
 }
 
+const read = (file) => yaml.load(readFileSync(file, 'utf8'));
+
+/** The lengths of a vehicle of the catalogue, or those that are given. */
+function vehicleOf(given) {
+  const {max_steering_angle: angle, ...vehicle} = typeof given === 'string' ? read(join(scenarios, '../vehicles', `${given}.yaml`)) : given;
+  return angle ? {...vehicle, min_turning_radius: (vehicle.wheelbase * Math.cos(angle)) / Math.sin(angle)} : vehicle;
+}
+
 /** The scenario of each goal of a file, as the module takes it. */
 function scenariosOf(file) {
-  const {goals, options: _, ...scenario} = yaml.load(readFileSync(file, 'utf8'));
+  const {goals, options: _, ...given} = read(file);
+  const scenario = {...given, vehicle: vehicleOf(given.vehicle)};
   if (!goals) return [scenario];
   return goals.map(({goal, obstacles = []}) => ({...scenario, goal, obstacles: [...scenario.obstacles, ...obstacles]}));
 }
@@ -56,14 +67,19 @@ function pathOf({path}, {min_turning_radius: radius}) {
   };
 }
 
+const files = readdirSync(thesis).filter((one) => one.endsWith('.yaml')).sort().map((name) => [join(thesis, name), runs]);
+files.push([join(scenarios, 'trailer/turn-round-yard.yaml'), [['anytime', 6000]]]);
+files.push([join(scenarios, 'moving/reversing-truck.yaml'), [['anytime', 100]]]);
 let compared = 0;
-for (const name of readdirSync(thesis).filter((one) => one.endsWith('.yaml')).sort()) {
-  const file = join(thesis, name);
-  for (const [planner, max_iterations] of runs) {
+for (const [file, its] of files) {
+  const name = basename(file);
+  for (const [planner, max_iterations] of its) {
     const theirs = native(file, planner, max_iterations);
     let ratio = '';
     scenariosOf(file).slice(0, 3).forEach((scenario, i) => {
-      const own = vandplan.plan(scenario, {planner, max_iterations, time_limit: null});
+      const own = vandplan.plan(scenario, {...read(file).options, planner, max_iterations, time_limit: null});
+      const solved = !own.path || (own.check.valid && (own.duration > 0) === Boolean(scenario.moving));
+      expect(solved, `${name}: ${own.check?.reason}, driven in ${own.duration} s`);
       const hash = own.path ? vandplan.hash(own.path) : own.status;
       const other = theirs[i].path ? vandplan.hash(pathOf(theirs[i], scenario.vehicle)) : theirs[i].status;
       expect(hash === other, `${name}, goal ${i + 1}, ${planner}: ${hash}, the command line has ${other}`);
@@ -94,6 +110,9 @@ refuses('vehicle.width', () => vandplan.plan({...yard, vehicle: {...truck, width
 refuses('goal.heading', () => vandplan.plan({...yard, goal: {x: 1, y: 1}}));
 refuses('obstacles[0]', () => vandplan.plan({...yard, obstacles: [[[0, 9], [1, 10], [0, 10], [1, 9]]]}));
 refuses('margin', () => vandplan.plan(yard, {margin: -1}));
+refuses('start.hitch_angles', () => vandplan.plan({...yard, start: {...yard.start, hitch_angles: [0.1]}}));
+refuses('goal.trailer', () => vandplan.plan({...yard, goal: {trailer: {x: 0, y: 0, heading: 0}}}));
+refuses('moving[0].trajectory[0]', () => vandplan.plan({...yard, moving: [{outline: [[0, 0], [1, 0], [0, 1]], trajectory: [[0, 1]]}]}));
 refuses('map.cells', () => vandplan.plan({...yard, map: {origin: {x: 0, y: 0, heading: 0}, resolution: 1, columns: 2, rows: 2, cells: new Uint8Array(3)}}));
 
 const planned = vandplan.plan(yard, {max_iterations: 500, time_limit: null, margin: 0.3});
@@ -112,6 +131,19 @@ const [table] = vandplan.distances('hlut-4', nodes, {x: 0, y: 0, heading: 0}, 7)
 expect(table > 0 && Math.abs(table - exact) < 3, `the table says ${table}, the exact length is ${exact}`);
 const drive = vandplan.drive(planned.path, truck);
 expect(drive.length % 7 === 0 && Math.abs(drive.at(-6) - planned.check.length) < 1e-6, 'the drive ends at the end of the path');
+
+// A trailer follows: its axle stays as far from the hitch as it is, and what a path of many arcs does, its arcs do.
+const rig = {...truck, hitch: -1.6, max_hitch_angle: 0.9, trailers: [{wheelbase: 5.8, front_overhang: -1, rear_overhang: 3.6, width: 2.55}]};
+const arc = {start: {x: 0, y: 0, heading: 0}, segments: [{curvature: 0.1, length: 6}]};
+const [places, trailer] = [vandplan.sample(arc, 0.5), vandplan.trailer(arc, rig, 0.2, 0.5)];
+expect(trailer.length / 3 === places.length / 6, 'a place of the trailer for each of the vehicle');
+for (let i = 0; 6 * i < places.length; ++i) {
+  const [, x, y, heading] = places.slice(6 * i);
+  const off = Math.hypot(x - 1.6 * Math.cos(heading) - trailer[3 * i], y - 1.6 * Math.sin(heading) - trailer[3 * i + 1]);
+  expect(Math.abs(off - 5.8) < 1e-9, `the axle of the trailer is ${off} m from the hitch`);
+}
+const there = vandplan.advance({x: 0, y: 0, heading: 0, hitch_angles: [0.2]}, rig, {curvature: 0.1, length: 6});
+expect(Math.abs(there.heading - there.hitch_angles[0] - trailer.at(-1)) < 1e-9, 'the trailer ends as it stands after the arc');
 
 console.log(`${compared} paths compared, ${faults} faults`);
 process.exit(faults ? 1 : 0);
