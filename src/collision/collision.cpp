@@ -91,7 +91,8 @@ bool is_crossed(const Obstacles& obstacles, const Footprint& footprint, double m
   const auto touches = [&](const Sides& s) { return sweep.touches(s) && may_touch(s); };
   const double reach = reach_of(footprint) + margin + 1e-3;  // more than it is inflated by
   if (placed.length > 16 * reach && obstacles.are_many()) {
-    return AlongTheWay{obstacles, placed, touches, reach}.is_crossed(0, placed.length);
+    const AlongTheWay<decltype(touches)> along{obstacles, placed, touches, reach};
+    return along.is_crossed(0, placed.length);
   }
   return obstacles.any_near(sweep.box(), touches);  // [2]
 }

@@ -143,7 +143,7 @@ double clearance_of_side(const Passage& passage, const Outline& body, const Poin
   const Point to_body{-to_side.x, -to_side.y};
   double at_side = std::numeric_limits<double>::infinity();
   for_each_corner(body, [&](const Point& corner) {
-    at_side = std::min(at_side, Mover(passage, corner).ahead(there, to_body));
+    at_side = std::min(at_side, Mover(passage, corner).ahead(gap.on_side, to_body));
   });
   return std::max(at_body, at_side);
 }
