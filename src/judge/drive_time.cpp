@@ -11,7 +11,7 @@ namespace {
 
 constexpr Real ignored_turn = 1e-6;   // of the wheels at a joint [rad]
 constexpr Real shortest_turn = 1e-9;  // what is shorter is driven with the wheels as they are [m]
-constexpr Real least_places = 200;     // of a stretch
+constexpr Real least_places = 200;    // of a stretch
 constexpr Real usual_step = 1e-2;     // from place to place [m]
 constexpr Real most_places = 2e6;     // of a path
 
