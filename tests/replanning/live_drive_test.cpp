@@ -36,7 +36,8 @@ LiveDriveOptions with_margin(double margin) {
 }
 
 TEST(LiveDrive, Arrives) {
-  const LiveDriveResult result = drive_live(yard(), with_margin(0));
+  const LiveDriveOptions options;
+  const LiveDriveResult result = drive_live(yard(), options);
   EXPECT_TRUE(result.has_arrived);
   EXPECT_FALSE(result.contact);
   EXPECT_LT(result.end_distance, 0.03);
