@@ -68,6 +68,8 @@ export interface Vehicle {
   hitch?: number;
   max_hitch_angle?: number;
   trailers?: [Trailer];
+  /** Corners of a convex body around the midpoint of the rear axle, in place of the rectangle. */
+  outline?: Point[];
 }
 
 /** Square cells: 0 free, 1 occupied, 2 unknown, row by row from the corner at `origin`. */

@@ -243,7 +243,7 @@ Vehicle vehicle_from(const val& given) {
       given,
       {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius", "track_width",
        "max_steering_rate", "max_curvature_rate", "max_speed", "max_acceleration", "max_braking",
-       "max_lateral_acceleration", "max_jerk", "hitch", "max_hitch_angle", "trailers"},
+       "max_lateral_acceleration", "max_jerk", "hitch", "max_hitch_angle", "trailers", "outline"},
       "vehicle");
   Vehicle vehicle{.wheelbase = number_at(given, "wheelbase", "vehicle"),
                   .front_overhang = number_at(given, "front_overhang", "vehicle"),
@@ -253,6 +253,7 @@ Vehicle vehicle_from(const val& given) {
   if (has(given, "track_width")) vehicle.track_width = number_at(given, "track_width", "vehicle");
   add_limits(given, vehicle.limits);
   add_trailer(given, vehicle);
+  if (has(given, "outline")) vehicle.outline = polygon_from(given["outline"], "vehicle.outline");
   check_vehicle(vehicle);
   return vehicle;
 }
