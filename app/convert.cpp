@@ -112,7 +112,8 @@ void add_movingai(CLI::App& convert) {
 
 void add_dynobench(CLI::App& convert) {
   CLI::App* const dynobench = convert.add_subcommand(
-      "dynobench", "A problem in the manner of dynobench: one car without trailer among boxes.");
+      "dynobench",
+      "A problem in the manner of dynobench: one car among boxes, with a trailer or without.");
   const auto arguments = std::make_shared<ConvertArguments>();
   dynobench->add_option("PROBLEM", arguments->input, "Problem file (YAML)")->required();
   add_vehicle(*dynobench, arguments->vehicle);

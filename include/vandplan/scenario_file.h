@@ -144,7 +144,8 @@ struct MovingAiProblem {
 /// Reads a MovingAI problem; the scenario has a map, but `map_file` is still to be named.
 [[nodiscard]] Scenario read_movingai(const MovingAiProblem& problem);
 
-/// Reads a problem in the manner of dynobench (YAML): one car among boxes.
+/// Reads a problem in the manner of dynobench (YAML): one car among boxes. Where its states have a
+/// trailer and the vehicle has none, dynobench's own `car1_v0` drives.
 [[nodiscard]] Scenario read_dynobench(const std::string& file, const std::string& vehicle);
 
 }  // namespace vandplan

@@ -3,9 +3,13 @@
 // How is a problem in the manner of dynobench (Ortiz-Haro, Hönig and Toussaint 2023) read?
 //
 // YAML: `environment` with `min`, `max` and `obstacles` (boxes along the axes: `center`, `size`),
-// and `robots` with `start` and `goal`, [x, y, heading].
+// and `robots` with `start` and `goal`, [x, y, heading] or [x, y, heading, heading of the trailer].
 
 #include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "io/document.h"
 #include "vandplan/files.h"
@@ -27,12 +31,28 @@ std::vector<double> numbers_from(const Document& file, const Node& node, std::si
   return numbers;
 }
 
-Pose listed_pose(const Document& file, const Node& node) {
-  if (node.kind == Node::Kind::list && node.items.size() == 4) {
-    file.fail(node, "has 4 elements, expected [x, y, heading]: trailers are not covered");
-  }
-  const std::vector<double> pose = numbers_from(file, node, 3, "[x, y, heading]");
-  return {pose[0], pose[1], pose[2]};
+/// A state of a car that may have a trailer.
+struct ListedState {
+  Pose pose;
+  std::optional<double> hitch_angle;
+};
+
+ListedState listed_state(const Document& file, const Node& node) {
+  const bool is_towing = node.kind == Node::Kind::list && node.items.size() == 4;
+  const std::vector<double> state =
+      numbers_from(file, node, is_towing ? 4 : 3, "[x, y, heading] or [x, y, heading, trailer]");
+  const Pose pose{state[0], state[1], state[2]};
+  if (!is_towing) return {pose, {}};
+  return {pose, wrap_angle(pose.heading - state[3])};
+}
+
+/// `car1_v0` of dynobench's models: 60 degrees at the front wheels, 45 degrees between the bodies.
+Vehicle car_with_trailer() {
+  constexpr double pi = std::numbers::pi;
+  Vehicle car{0.25, 0.0, 0.25, 0.25, 0.25 / std::sqrt(3.0)};
+  car.max_hitch_angle = pi / 4;
+  car.trailer = Trailer{0.5, -0.35, 0.15, 0.25};
+  return car;
 }
 
 Polygon box_from(const Document& file, const Node& node) {
@@ -96,8 +116,17 @@ Scenario read_dynobench(const std::string& name, const std::string& vehicle) {
   const std::vector<double> low = numbers_from(file, file.at(ground, "min"), 2, "[x, y]");
   const std::vector<double> high = numbers_from(file, file.at(ground, "max"), 2, "[x, y]");
   scenario.bounds = {low[0], high[0], low[1], high[1]};
-  scenario.start = listed_pose(file, file.at(robot, "start"));
-  scenario.goal = listed_pose(file, file.at(robot, "goal"));
+  const ListedState start = listed_state(file, file.at(robot, "start"));
+  const ListedState goal = listed_state(file, file.at(robot, "goal"));
+  if (start.hitch_angle.has_value() != goal.hitch_angle.has_value()) {
+    file.fail(file.at(robot, "goal"), "expected as many elements as start has");
+  }
+  scenario.start = start.pose;
+  scenario.goal = goal.pose;
+  if (start.hitch_angle) {
+    if (!scenario.vehicle.trailer) scenario.vehicle = car_with_trailer();
+    scenario.hitch_angles = {*start.hitch_angle, *goal.hitch_angle};
+  }
   for (const Node& item : file.list(file.at(ground, "obstacles"), "a list of boxes")) {
     scenario.obstacles.push_back(box_from(file, item));
   }

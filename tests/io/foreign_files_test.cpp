@@ -128,13 +128,29 @@ TEST_F(Dynobench, ACarAmongBoxesIsRead) {
             (std::vector<Polygon>{{{2, 1.25}, {3, 1.25}, {3, 1.75}, {2, 1.75}}}));
 }
 
+TEST_F(Dynobench, AFourthElementIsTheHeadingOfATrailer) {
+  std::string text = exchanged(dynobench, "start: [0.7, 0.6, 0]", "start: [0.7, 0.6, 3, -3]");
+  text = exchanged(text, "goal: [1.9, 0.3, 1.5]", "goal: [1.9, 0.3, 1.5, 1.2]");
+  const Scenario scenario = read(text);
+  ASSERT_TRUE(scenario.vehicle.trailer);
+  EXPECT_NEAR(scenario.vehicle.min_turning_radius, 0.1443, 1e-4);
+  EXPECT_EQ(scenario.vehicle.trailer->wheelbase, 0.5);
+  EXPECT_NEAR(scenario.hitch_angles.start, 6 - 2 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(scenario.hitch_angles.goal, 0.3, 1e-12);
+  const Scenario named = read_dynobench(folder_.put("named.yaml", text), "tractor-semitrailer");
+  EXPECT_EQ(named.vehicle, vehicle_named("tractor-semitrailer"));
+}
+
 TEST_F(Dynobench, WhatIsNotCoveredHasOneLineEach) {
   EXPECT_EQ(
       message("car1_v0", "quad2d_v0"),
       "d.yaml:8: robots[0].type: is \"quad2d_v0\", expected a car: other robots are not covered");
   EXPECT_EQ(message("start: [0.7, 0.6, 0]", "start: [0.7, 0.6, 0, 0]"),
-            "d.yaml:9: robots[0].start: has 4 elements, expected [x, y, heading]: trailers are not "
-            "covered");
+            "d.yaml:10: robots[0].goal: expected as many elements as start has");
+  EXPECT_EQ(
+      message("start: [0.7, 0.6, 0]", "start: [0.7, 0.6]"),
+      "d.yaml:9: robots[0].start: has 2 elements, expected [x, y, heading] or [x, y, heading, "
+      "trailer]");
   EXPECT_EQ(message("type: box", "type: sphere"),
             "d.yaml:6: environment.obstacles[0].type: is \"sphere\", expected box, all that is "
             "covered");
