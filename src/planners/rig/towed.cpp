@@ -37,6 +37,7 @@ Task towed_task(const Task& task) {
   Task towed = task;
   towed.vehicle = Vehicle{trailer.wheelbase, trailer.front_overhang, trailer.rear_overhang,
                           trailer.width, trailer.wheelbase * cos / sin};
+  towed.vehicle.outline = trailer.outline;
   towed.start = trailer_pose(task.vehicle, {task.start, task.hitch_angles.start});
   towed.goal = trailer_pose(task.vehicle, {task.goal, task.hitch_angles.goal});
   towed.steering = Steering::reeds_shepp;
