@@ -133,8 +133,7 @@ TEST_F(EvaluateCommand, StoresOnlyWhatTheJudgeAccepts) {
     if (!run.result.path) continue;
     EXPECT_EQ(run.result.path->start, scenario.start);
     const PathCheck check = check_path(problem, *run.result.path, {.length = run.result.cost});
-    EXPECT_TRUE(check.valid) << run.planner << ", seed " << run.seed << ": "
-                             << check.reason;
+    EXPECT_TRUE(check.valid) << run.planner << ", seed " << run.seed << ": " << check.reason;
     ++judged;
   }
   EXPECT_GT(judged, 10);
