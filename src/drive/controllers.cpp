@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/trigonometry.h"
 #include "drive/preview.h"
@@ -87,6 +88,19 @@ double planned_speed(const Sight& sight, double s) {
   return sight.stroke.speed_at(s < sight.behind ? (s + sight.behind) / 2 : s);
 }
 
+/// Wheels that are far from where they are wanted turn within half a metre: who drives on at full
+/// speed with them is soon further from the path than any controller finds back from.
+double speed_for_wheels(const Sight& sight, double wanted_steering) {
+  constexpr double usual = 0.4;    // that wheels take [s]
+  constexpr double way = 0.5;      // [m]
+  constexpr double slowest = 0.2;  // [m/s]
+  const double largest = largest_steering_angle(sight.vehicle);
+  const double turn =
+      std::abs(std::clamp(wanted_steering, -largest, largest) - sight.state.steering_angle);
+  const double time = turn / sight.vehicle.limits.max_steering_rate;
+  return time <= usual ? std::numeric_limits<double>::infinity() : std::max(way / time, slowest);
+}
+
 constexpr std::array all = {
     Controller{{"rear-axle-feedback", "error of the rear axle and its heading, both gears", true},
                rear_axle_feedback},
@@ -110,7 +124,7 @@ const Controller* find_controller(std::string_view name) noexcept {
   return found == all.end() ? nullptr : &*found;
 }
 
-double acceleration(const Sight& sight) noexcept {
+double acceleration(const Sight& sight, double wanted_steering) noexcept {
   const DrivingLimits& limits = sight.vehicle.limits;
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
   const double v = sight.state.v;
@@ -119,11 +133,12 @@ double acceleration(const Sight& sight) noexcept {
   if (left <= 0.0) return -braking;
   // 1. Does it come to stand within the period?
   if (2 * left <= v * control_period) return std::max(-v * v / (2 * left), -braking);
-  // 2. The highest speed at the end of the period that the place there allows.
+  // 2. The highest speed at the end of the period that the place there allows, and the wheels.
+  const double most = speed_for_wheels(sight, wanted_steering);
   double low = std::max(v - braking * control_period, 0.0);
   double high = v + limits.max_acceleration * control_period;
   const auto is_allowed = [&](double next) {
-    return next <= planned_speed(sight, s + (v + next) / 2 * control_period);
+    return next <= std::min(most, planned_speed(sight, s + (v + next) / 2 * control_period));
   };
   if (is_allowed(high)) return limits.max_acceleration;
   constexpr int halvings = 40;

@@ -32,7 +32,8 @@ struct Controller {
 [[nodiscard]] const Controller* find_controller(std::string_view name) noexcept;
 
 /// The acceleration that brings the vehicle to the planned speed of the place where it will be at
-/// the end of the control period, and to stand exactly at the end of the stroke [m/s^2].
-[[nodiscard]] double acceleration(const Sight& sight) noexcept;
+/// the end of the control period, and to stand exactly at the end of the stroke; less where the
+/// wheels are far from where they are wanted [m/s^2].
+[[nodiscard]] double acceleration(const Sight& sight, double wanted_steering) noexcept;
 
 }  // namespace vandplan::driving

@@ -233,8 +233,8 @@ Command Drive::decide() {
 
 Command Drive::command_at(const State& state, const Offset& offset) {
   const Sight sight{strokes_[stroke_], vehicle_, state, offset, behind_};
-  return {controller_.steering_angle(sight), acceleration(sight), strokes_[stroke_].direction(),
-          stroke_};
+  const double wanted = controller_.steering_angle(sight);
+  return {wanted, acceleration(sight, wanted), strokes_[stroke_].direction(), stroke_};
 }
 
 void Drive::execute(const Command& command) {

@@ -131,6 +131,33 @@ TEST_P(EveryController, NoiseIsSteeredAgainst) {
   EXPECT_LT(result.end_distance, 0.1);
 }
 
+// In reverse through turns that leave the wheels little room, the wheels get so late that at full
+// speed one drive of twenty swings out by metres.
+TEST(Drive, SlowsDownForWheelsThatAreLate) {
+  const Vehicle robot{.wheelbase = 1.2,
+                      .front_overhang = 0.35,
+                      .rear_overhang = 0.35,
+                      .width = 0.95,
+                      .min_turning_radius = 1.5};
+  constexpr double rate = 0.4166;
+  const double bent = 2 * rate * 0.8;
+  const double last = rate * 2.6845 - bent;  // to the other side
+  const Path path{{0, 0, 0},
+                  {{0, -0.8, rate},
+                   {bent / 2, -2.356, 0},
+                   {bent / 2, -0.8, rate},
+                   {bent, -2.6845, -rate},
+                   {-last, -last / rate, rate},
+                   {0, -8, 0}}};
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const DriveResult result =
+        driven(path, {.noise = 2, .delay = 0.1, .spare_steering = 0.05, .seed = seed}, {}, robot);
+    EXPECT_TRUE(result.has_arrived);
+    EXPECT_LT(result.largest_lateral, 0.2) << seed;
+    EXPECT_LT(result.duration, result.planned_duration + 1) << seed;
+  }
+}
+
 TEST_P(EveryController, ADelayIsBridged) {
   const Path path{{0, 0, 0}, two_turns(1)};
   const DriveResult prompt = driven(path, {.controller = GetParam()});
