@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "base/trigonometry.h"
-#include "geometry/orientation.h"
 
 namespace vandplan {
 
@@ -46,19 +45,6 @@ Bounds bounding_box(std::span<const Point> points) noexcept {
     box.y_max = std::max(box.y_max, p.y);
   }
   return box;
-}
-
-bool is_convex(std::span<const Point> polygon) {
-  bool left = false;
-  bool right = false;
-  const std::size_t count = polygon.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const int turn =
-        geometry::orientation(polygon[i], polygon[(i + 1) % count], polygon[(i + 2) % count]);
-    left = left || turn > 0;
-    right = right || turn < 0;
-  }
-  return left != right;
 }
 
 }  // namespace vandplan

@@ -171,3 +171,20 @@ std::string flaw_of(const Polygon& polygon, const Point& origin) {
 }
 
 }  // namespace vandplan::geometry
+
+namespace vandplan {
+
+bool is_convex(std::span<const Point> polygon) {
+  bool left = false;
+  bool right = false;
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const int turn =
+        geometry::orientation(polygon[i], polygon[(i + 1) % count], polygon[(i + 2) % count]);
+    left = left || turn > 0;
+    right = right || turn < 0;
+  }
+  return left != right;
+}
+
+}  // namespace vandplan
