@@ -38,8 +38,9 @@ struct NumberedPair {
 bool is_in(const evaluation::Shard& shard, const PosePair& pair) {
   std::uint64_t key = 0;
   for (const Pose& pose : {pair.start, pair.goal}) {
-    for (const double value : {pose.x, pose.y, pose.heading})
+    for (const double value : {pose.x, pose.y, pose.heading}) {
       key = stream_seed(key, std::bit_cast<std::uint64_t>(value));
+    }
   }
   return key % static_cast<std::uint64_t>(shard.of) + 1 == static_cast<std::uint64_t>(shard.number);
 }

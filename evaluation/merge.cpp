@@ -88,9 +88,10 @@ std::vector<Part> parts_of(const std::vector<std::string>& stores) {
   }
   const int of = parts.front().shard.shard.of;
   std::string missing;
-  for (int number = 1; number <= of; ++number)
-    if (!by_number.contains(number))
-      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", number);
+  for (int number = 1; number <= of; ++number) {
+    if (by_number.contains(number)) continue;
+    missing += fmt::format("{}{}", missing.empty() ? "" : ", ", number);
+  }
   if (!missing.empty())
     throw InputError("--merge", fmt::format("of {} shards these are missing: {}", of, missing));
   std::ranges::sort(parts, {}, [](const Part& part) { return part.shard.shard.number; });

@@ -32,9 +32,10 @@ std::string comparable_options(const RunRecord& run) { return comparable_options
 
 ReportOptions options_of(const std::vector<RunRecord>& runs) {
   std::map<std::string, Values> of_planner;
-  for (const RunRecord& run : runs)
-    if (!of_planner.contains(run.planner))
-      of_planner[run.planner] = comparable_values(*run.options);
+  for (const RunRecord& run : runs) {
+    if (of_planner.contains(run.planner)) continue;
+    of_planner[run.planner] = comparable_values(*run.options);
+  }
   std::vector<std::string> names;  // in order of appearance
   std::map<std::string, std::map<std::string, std::vector<std::string>>> planners;
   for (const auto& [planner, values] : of_planner) {

@@ -394,9 +394,10 @@ std::vector<RunRecord> Store::read_runs(Paths paths) {
   Statement rows(database_, fmt::format("SELECT {} FROM runs ORDER BY id", columns_of_runs));
   PartRows costs(database_, "SELECT run, time, iteration, cost FROM costs ORDER BY run, number");
   std::optional<PartRows> segments;
-  if (paths == Paths::whole)
+  if (paths == Paths::whole) {
     segments.emplace(database_,
                      fmt::format("{} FROM segments ORDER BY run, number", columns_of_segments));
+  }
   std::vector<RunRecord> found;
   found.reserve(static_cast<std::size_t>(count_runs()));
   while (rows.step()) {

@@ -255,7 +255,7 @@ Vehicle read_vehicle(const std::string& name) {
   if (file.root().kind != io::Node::Kind::map) {
     file.fail(file.root(), "is no vehicle, expected a map of lengths");
   }
-  const Vehicle vehicle = io::vehicle_from(file, file.root());
+  Vehicle vehicle = io::vehicle_from(file, file.root());
   try {
     check_vehicle(vehicle);
   } catch (const InputError& error) {

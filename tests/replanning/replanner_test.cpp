@@ -147,6 +147,45 @@ TEST(Replanner, GoesRoundWhatComesUpAndKeepsTheNextSecond) {
   }
 }
 
+TEST(Replanner, TakesABetterWayAfterTheNextSecond) {
+  Scenario scenario = lane();
+  scenario.obstacles.push_back(box(30, -20, 33, 24));  // a long way round
+  Replanner replanner(scenario);
+  for (double t = 0; t < 3; t += tick_period) (void)replanner.tick(t);
+  replanner.patch({.removed = {2}});
+  scenario.obstacles.pop_back();
+  ReplanAnswer before = replanner.answer();
+  double t = 3;
+  while (replanner.tick(t).outcome != TickOutcome::new_way && t < 6) {
+    before = replanner.answer();
+    t += tick_period;
+  }
+  const ReplanAnswer& after = replanner.answer();
+  ASSERT_EQ(after.outcome, TickOutcome::new_way);
+  EXPECT_EQ(fault_of(after, scenario, t), "");
+  const auto lasts = [&](const ReplanAnswer& answer) {
+    return rest(answer, scenario.vehicle, t).drive.speeds.duration;
+  };
+  EXPECT_LT(lasts(after), 0.9 * lasts(before));
+  for (double later = t; later <= t + 1; later += tick_period) {
+    EXPECT_NEAR(pose_at(after, scenario.vehicle, later).y,
+                pose_at(before, scenario.vehicle, later).y, 1e-6);
+    EXPECT_NEAR(pose_at(after, scenario.vehicle, later).x,
+                pose_at(before, scenario.vehicle, later).x, 1e-6);
+  }
+}
+
+TEST(Replanner, PlansFromTheSpeedThatIsMeasured) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const Pose here = pose_at(replanner.answer(), scenario.vehicle, 6);
+  const ReplanAnswer& answer = replanner.tick(6, {.pose = here, .v = 1.0});  // not 2.5 m/s
+  EXPECT_EQ(answer.begin, 6);
+  EXPECT_EQ(answer.start_speed, 1.0);
+  EXPECT_EQ(fault_of(answer, scenario, 6), "");
+}
+
 TEST(Replanner, GivesUpWhatWasCommittedIfItMust) {
   Scenario scenario = lane();
   Replanner replanner(scenario, {.committed = 6});
