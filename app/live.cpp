@@ -188,9 +188,9 @@ void print_live(const ScenarioFile& file, const LiveDriveOptions& options,
              seconds_text(totals.duration / totals.runs), metres_text(totals.end_distance));
   fmt::print("  {}, without an answer {}, without a drive to the goal {}\n",
              count_text(totals.ticks, "tick"), totals.ticks_without_answer, totals.stopping_ticks);
-  fmt::print("  {}, {}, {}\n", count_text(totals.stops, "stop on the way"),
-             count_text(totals.new_ways, "change of route"),
-             count_text(totals.new_times, "change of speeds"));
+  fmt::print("  {} on the way, {}, {}\n", count_text(totals.stops, "stop"),
+             count_text(totals.new_ways, "route change"),
+             count_text(totals.new_times, "speed change"));
   fmt::print("  {}", clearance_text(totals.clearance));
   if (std::isfinite(totals.moving_clearance)) {
     fmt::print(", {} from all that moves", metres_text(totals.moving_clearance));
