@@ -165,6 +165,10 @@ void patch_large_map() {
 
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
+  if (seeds < 1) {
+    std::fputs("usage: replan_bench [SEEDS]\n", stderr);
+    return 2;
+  }
   for (const Prediction prediction : {Prediction::known, Prediction::constant_velocity}) {
     Figures polygons;
     Figures cells;
