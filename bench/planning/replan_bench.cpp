@@ -40,11 +40,6 @@ Polygon box_at(double x, double y, double half) {
 Scenario yard(std::uint64_t seed) {
   Rng rng(seed);
   Scenario scenario;
-  scenario.vehicle = {.wheelbase = 4.5,
-                      .front_overhang = 1.4,
-                      .rear_overhang = 1.6,
-                      .width = 2.55,
-                      .min_turning_radius = 7.0};
   scenario.bounds = {-10, 110, -40, 40};
   scenario.goal = {100, 0, 0};
   for (int i = 0; i < 20; ++i) {

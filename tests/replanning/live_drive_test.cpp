@@ -19,11 +19,6 @@ Polygon box(double x0, double y0, double x1, double y1) {
 
 Scenario yard() {
   Scenario scenario;
-  scenario.vehicle = {.wheelbase = 4.5,
-                      .front_overhang = 1.4,
-                      .rear_overhang = 1.6,
-                      .width = 2.55,
-                      .min_turning_radius = 7.0};
   scenario.bounds = {-20, 60, -20, 20};
   scenario.goal = {35, 0, 0};
   return scenario;

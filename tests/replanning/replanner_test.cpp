@@ -23,11 +23,6 @@ constexpr double tick_period = 0.1;  // [s]
 /// A lane of 60 m between two walls far apart.
 Scenario lane() {
   Scenario scenario;
-  scenario.vehicle = {.wheelbase = 4.5,
-                      .front_overhang = 1.4,
-                      .rear_overhang = 1.6,
-                      .width = 2.55,
-                      .min_turning_radius = 7.0};
   scenario.bounds = {-20, 80, -30, 30};
   scenario.goal = {60, 0, 0};
   scenario.obstacles = {{{-20, 25}, {80, 25}, {80, 26}, {-20, 26}},
