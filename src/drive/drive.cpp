@@ -68,17 +68,6 @@ Vehicle with_spare(Vehicle vehicle, double spare) {
   return vehicle;
 }
 
-/// The vehicle whose limits the planned speeds keep.
-Vehicle with_reserve(Vehicle vehicle, double reserve) {
-  constexpr double least = 1e-3;  // that a limit may be
-  const auto less = [&](double limit) { return std::max((1 - reserve) * limit, least); };
-  DrivingLimits& limits = vehicle.limits;
-  limits.max_braking = less(limits.max_braking.value_or(limits.max_acceleration));
-  limits.max_acceleration = less(limits.max_acceleration);
-  limits.max_steering_rate = less(limits.max_steering_rate);
-  return vehicle;
-}
-
 Polygon corners_of(const Footprint& footprint) {
   const std::array<Point, 4> rectangle = corners(footprint, {});
   return {rectangle.begin(), rectangle.end()};

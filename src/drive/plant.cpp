@@ -54,4 +54,14 @@ State after_period(State state, const Command& command, const Vehicle& vehicle) 
   return state;
 }
 
+Vehicle with_reserve(Vehicle vehicle, double reserve) {
+  constexpr double least = 1e-3;  // that a limit may be
+  const auto less = [&](double limit) { return std::max((1 - reserve) * limit, least); };
+  DrivingLimits& limits = vehicle.limits;
+  limits.max_braking = less(limits.max_braking.value_or(limits.max_acceleration));
+  limits.max_acceleration = less(limits.max_acceleration);
+  limits.max_steering_rate = less(limits.max_steering_rate);
+  return vehicle;
+}
+
 }  // namespace vandplan::driving

@@ -41,6 +41,10 @@ struct ActuatorError {
 /// The wheels' angle that the vehicle never exceeds [rad].
 [[nodiscard]] double largest_steering_angle(const Vehicle& vehicle) noexcept;
 
+/// The vehicle whose limits planned speeds keep: a share of steering rate, acceleration and braking
+/// is left for corrections.
+[[nodiscard]] Vehicle with_reserve(Vehicle vehicle, double reserve);
+
 /// How fast the wheels turn to do what a command asks for within a period, at most as fast as they
 /// can [rad/s].
 [[nodiscard]] double steering_rate(const State& state, const Command& command,

@@ -48,9 +48,10 @@ Watch::Watch(const Problem& problem)
   // The judge is asked about the footprint alone: whatever the wheels do, it is not too sharp.
   vehicle_.min_turning_radius = 1e-3;
   checker_ = world_->checker(vehicle_);
-  const Footprint body = footprint(vehicle_);
-  const double x = std::max(body.rear, body.front);
-  reach_ = std::sqrt(x * x + body.half_width * body.half_width);
+  for (const Footprint& part : {footprint(vehicle_), wheel_footprint(vehicle_)}) {
+    const double x = std::max(part.rear, part.front);
+    reach_ = std::max(reach_, std::sqrt(x * x + part.half_width * part.half_width));
+  }
 }
 
 void Watch::look_at(const Pose& pose) {

@@ -38,7 +38,7 @@ class Watch {
   std::shared_ptr<const CollisionChecker> checker_;
   Vehicle vehicle_;
   Bounds bounds_;
-  double reach_;  // of the footprint [m]
+  double reach_ = 0.0;  // of footprint and wheels [m]
   double least_ = std::numeric_limits<double>::infinity();
   double free_ = 0.0;     // so far may any point of the vehicle move without touching [m]
   double nothing_ = 0.0;  // and so far without being nearer than ever [m]

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "drive/plant.h"
 #include "problem/moving.h"
 #include "replanning/known_ground.h"
 #include "replanning/ways.h"
@@ -54,16 +55,6 @@ void check_vehicle_of(const Scenario& scenario) {
   }
 }
 
-/// The vehicle whose limits the planned speeds keep.
-Vehicle with_reserve(Vehicle vehicle, double reserve) {
-  DrivingLimits& limits = vehicle.limits;
-  const double share = 1 - reserve;
-  limits.max_braking = share * limits.max_braking.value_or(limits.max_acceleration);
-  limits.max_acceleration *= share;
-  limits.max_steering_rate *= share;
-  return vehicle;
-}
-
 ReplanAnswer in_frame(const ReplanAnswer& local, const Point& origin) {
   ReplanAnswer answer = local;
   TimedPath drive = *local.drive;
@@ -105,7 +96,7 @@ class Replanner::Impl {
     check_vehicle_of(scenario);
     const Task& task = problem_.task();
     scene_.vehicle = task.vehicle;
-    scene_.planned = with_reserve(task.vehicle, options.reserve);
+    scene_.planned = driving::with_reserve(task.vehicle, options.reserve);
     scene_.goal = task.goal;
     scene_.goal_curvature = task.curvatures.goal;
     moving_ = task.moving;
