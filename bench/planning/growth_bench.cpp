@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -283,4 +284,11 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace vandplan
 
-int main(int argc, char** argv) { return vandplan::run(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return vandplan::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}
