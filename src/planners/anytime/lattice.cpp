@@ -16,17 +16,16 @@ constexpr double straight_cells = 1.5;      // length of a straight step: it lea
 constexpr std::size_t rare_shot = 256;      // poses expanded for one from afar
 constexpr int looks = 8;                    // at open ground, for one entry
 constexpr std::size_t segments_of_leg = 5;  // of arcs and lines
-constexpr int most_locks = 8;               // to either side
 
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
 }
 
 /// As many locks to either side as make the clothoid from one to the next about a step long.
-int locks_for(const Connector& connector, double step) {
+int locks_for(const Connector& connector, double step, int most) {
   if (connector.continuous() == nullptr) return 1;
   const double clothoid = 1 / (connector.radius() * connector.continuous()->curvature_rate());
-  return static_cast<int>(std::clamp(std::round(clothoid / step), 1.0, double{most_locks}));
+  return static_cast<int>(std::clamp(std::round(clothoid / step), 1.0, static_cast<double>(most)));
 }
 
 }  // namespace
@@ -41,7 +40,7 @@ Lattice::Lattice(const Pose& root, const Pose& target, const Gears& gears,
       cutoff_(std::numeric_limits<double>::infinity()),
       step_length_(2 * std::numbers::pi / options.headings * connector.radius()),
       cell_(options.cell * connector.radius()),
-      locks_(locks_for(connector, step_length_)),
+      locks_(locks_for(connector, step_length_, options.most_locks)),
       closed_(1024, 0) {
   route_.start = root;
   open({root, {std::isnan(gears.before.curvature) ? 0.0 : gears.before.curvature, 0.0}, 0.0, -1});
@@ -63,7 +62,7 @@ std::uint64_t Lattice::key_of(const Node& node) const {
   const bool is_continuous = connector_.continuous() != nullptr;
   if (connector_.rule().curvature_change_cost == 0.0 && !is_continuous) return key;
   const int lock = lock_of(last_driven(node.segment).curvature);
-  return (key << 5) | static_cast<std::uint64_t>(lock + most_locks);
+  return (key << 5) | static_cast<std::uint64_t>(lock + LatticeOptions::all_locks);
 }
 
 bool Lattice::is_closed(std::uint64_t key) const {

@@ -26,6 +26,9 @@ struct LatticeOptions {
   bool overlooks_clearance = false;
   /// Beyond, the exact path to the target is tried once in a while only [turning radii].
   double far_shot = std::numeric_limits<double>::infinity();
+  static constexpr int all_locks = 8;
+  /// Where the curvature is continuous: locks to either side of straight; 1 to `all_locks`.
+  int most_locks = all_locks;
 };
 
 /// One search from `root` to `target`; what is driven before and after it are its gears.

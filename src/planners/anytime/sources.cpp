@@ -25,6 +25,10 @@ constexpr double first_guide_side = 1.0;             // [vehicle widths]
 constexpr double fine_guide_side = 0.5;              // of all searches but the first
 constexpr double last_guide_side = 0.25;
 constexpr std::size_t last_coarse_level = 4;
+// Where the curvature is continuous, at most so many locks to either side: each is a cell more at
+// every pose.
+constexpr int coarse_locks = 2;
+constexpr int fine_locks = 3;
 // Over a whole site: a search that gets there at once, then others along a way that is the shortest
 // on the grid.
 constexpr double far_shot = 40.0;  // [turning radii]
@@ -86,7 +90,8 @@ void Ladder::next_search() {
     return;
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
-  const LatticeOptions& options = goes_far() ? far_searches[level_].lattice : searches[level_];
+  LatticeOptions options = goes_far() ? far_searches[level_].lattice : searches[level_];
+  options.most_locks = level_ < last_coarse_level ? coarse_locks : fine_locks;
   lattice_.emplace(from_, to_, gears_from(connector.rule()), options, *guide_, connector);
   ++level_;
   is_done_ = false;
