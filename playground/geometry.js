@@ -21,13 +21,16 @@ export function inFrame(pose, [x, y]) {
   return [c * (x - pose.x) + s * (y - pose.y), -s * (x - pose.x) + c * (y - pose.y)];
 }
 
-/** The corners of the body of a vehicle, from the rear right one. */
-export function outline(vehicle, pose) {
-  const front = vehicle.wheelbase + vehicle.front_overhang;
-  const half = vehicle.width / 2;
-  const rear = -vehicle.rear_overhang;
-  return [[rear, -half], [front, -half], [front, half], [rear, half]].map(([x, y]) => placed(pose, x, y));
+/** The corners of the body of a vehicle or a trailer in its own frame: its outline, or the rectangle of its lengths. */
+export function bodyOf({wheelbase, front_overhang: ahead, rear_overhang: behind, width, outline: corners}) {
+  if (corners) return corners;
+  const front = wheelbase + ahead;
+  const half = width / 2;
+  return [[-behind, -half], [front, -half], [front, half], [-behind, half]];
 }
+
+/** The corners of a body at a pose. */
+export const outline = (body, pose) => bodyOf(body).map(([x, y]) => placed(pose, x, y));
 
 /** Where the trailer of a vehicle stands: the midpoint of its axle. */
 export function trailerPose(vehicle, pose, hitch = pose.hitch_angles?.[0] ?? 0) {

@@ -155,11 +155,11 @@ async function start() {
   listenToButtons(page);
   setTheme(page, dark.matches ? 'dark' : 'light');
   page.vandplan.plan(scenarioOf(scenesFrom(scenarios[0].text, scenarios[0].name)[0]), {time_limit: 0.02}); // what has run once runs faster
-  let scene = null;
   await told(async () => {
-    scene = await sceneFromLink(location.hash);
+    const scene = await sceneFromLink(location.hash);
+    if (scene) page.open(scene);
   })();
-  page.open(scene ?? scenesFrom(scenarios[0].text, scenarios[0].name)[0]);
+  if (!page.scene) page.open(scenesFrom(scenarios[0].text, scenarios[0].name)[0]);
   globalThis.vandplanPage = page; // for those who look behind the page, and its tests
 }
 

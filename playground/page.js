@@ -47,8 +47,10 @@ export class Page {
 
   // ---- what is shown ----
 
-  /** Shows a scene, and all of it. */
+  /** Shows a scene, and all of it. What the planner refuses throws its InputError, and changes nothing. */
   open(scene, {keep = false} = {}) {
+    ++this.planning.groundVersion;
+    this.planning.yard(scene);
     if (keep && this.scene) this.history.remember(this.scene);
     this.scene = scene;
     this.editor.selected = null;
@@ -58,10 +60,10 @@ export class Page {
       if (scene.options?.[key] !== undefined) this.settings[key] = scene.options[key];
     }
     panel.fillSettings(this.settings);
-    const lengths = ({wheelbase, width, min_turning_radius: radius, trailers}) => JSON.stringify([wheelbase, width, radius, trailers]);
+    const lengths = ({wheelbase, width, min_turning_radius: radius, outline, trailers}) => JSON.stringify([wheelbase, width, radius, outline, trailers]);
     const same = Object.keys(vehicles).find((name) => lengths(vehicle(name)) === lengths(scene.vehicle));
     byId('vehicle').value = same ?? '';
-    this.changed('ground');
+    this.changed('ends');
     this.fit();
   }
 

@@ -106,6 +106,13 @@ function wheel(context, x, y, angle, size) {
   context.restore();
 }
 
+/** Traces a body in its own frame: rectangles have round corners. */
+function traceBody(context, body, round) {
+  context.beginPath();
+  if (body.outline) trace(context, body.outline);
+  else context.roundRect(-body.rear_overhang, -body.width / 2, body.wheelbase + body.front_overhang + body.rear_overhang, body.width, round);
+}
+
 /** A trailer seen from above, and its drawbar. */
 function paintTrailer(context, view, vehicle, pose, colours, {ghost, bad}) {
   const [trailer] = vehicle.trailers;
@@ -127,8 +134,7 @@ function paintTrailer(context, view, vehicle, pose, colours, {ghost, bad}) {
     context.lineTo(trailer.wheelbase, 0);
     context.stroke();
   }
-  context.beginPath();
-  context.roundRect(-trailer.rear_overhang, -trailer.width / 2, front + trailer.rear_overhang, trailer.width, 0.15);
+  traceBody(context, trailer, 0.15);
   context.fillStyle = bad ? colours.bad : ghost ? colours.accent : colours.body;
   context.globalAlpha = ghost || bad ? 0.2 : 1;
   context.fill();
@@ -160,8 +166,7 @@ export function paintTruck(context, view, vehicle, pose, colours, {curvature = 0
       wheel(context, vehicle.wheelbase, side * (width / 2 - size / 8), turn, size);
     }
   }
-  context.beginPath();
-  context.roundRect(-vehicle.rear_overhang, -width / 2, length, width, 0.22);
+  traceBody(context, vehicle, 0.22);
   context.fillStyle = bad ? colours.bad : ghost ? colours.accent : colours.body;
   context.globalAlpha = ghost || bad ? 0.2 : 1;
   context.fill();
@@ -171,6 +176,7 @@ export function paintTruck(context, view, vehicle, pose, colours, {curvature = 0
   if (ghost) context.setLineDash([5 / view.scale, 4 / view.scale]);
   context.stroke();
   context.setLineDash([]);
+  if (vehicle.outline) context.clip(); // a cab is as slim as the body is there
   context.beginPath(); // where the cab ends, and its windscreen
   context.moveTo(front - cab, -width / 2);
   context.lineTo(front - cab, width / 2);

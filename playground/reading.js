@@ -8,7 +8,7 @@
 
 import {vehicles} from 'catalogue';
 
-import {tractorPose} from './geometry.js';
+import {boxOf, tractorPose} from './geometry.js';
 
 export class ReadError extends Error {}
 
@@ -16,7 +16,7 @@ const fail = (where, problem) => {
   throw new ReadError(`${where}: ${problem}`);
 };
 
-export const most = {polygons: 2000, corners: 20000, movers: 40, rows: 2000, text: 2e6};
+export const most = {polygons: 2000, corners: 20000, outline: 100, movers: 40, rows: 2000, text: 2e6};
 
 function object(value, where, keys) {
   if (value === null || typeof value !== 'object' || Array.isArray(value)) fail(where, 'expected a map of keys');
@@ -102,8 +102,24 @@ const limits = ['max_steering_rate', 'max_curvature_rate', 'max_acceleration', '
 /** The limits of the vehicle of the catalogue that has these lengths. */
 function usualLimits(vehicle) {
   const keys = [...lengths, 'min_turning_radius', 'track_width'];
-  const known = Object.values(vehicles).find((one) => keys.every((key) => one[key] === vehicle[key]));
+  const known = Object.values(vehicles).find((one) => !vehicle.outline && keys.every((key) => one[key] === vehicle[key]));
   return Object.fromEntries(Object.entries(known ?? {}).filter(([key]) => limits.includes(key) || key === 'max_speed'));
+}
+
+/** Lengths of the body of a vehicle or a trailer, and its outline; those left out beside it are those of the box around it. */
+function body(value, where, leastFront = 0) {
+  const read = {wheelbase: number(value.wheelbase, `${where}.wheelbase`, 0, 1000)};
+  const box = {};
+  if (value.outline !== undefined) {
+    [read.outline] = polygons([value.outline], `${where}.outline`);
+    if (read.outline.length > most.outline) fail(`${where}.outline`, `more than ${most.outline} corners`);
+    const [behind, right, front, left] = boxOf(read.outline);
+    Object.assign(box, {front_overhang: front - read.wheelbase, rear_overhang: -behind, width: 2 * Math.max(-right, left)});
+  }
+  for (const key of lengths.slice(1)) {
+    read[key] = value[key] === undefined && key in box ? box[key] : number(value[key], `${where}.${key}`, key === 'front_overhang' ? leastFront : 0, 1000);
+  }
+  return read;
 }
 
 /** A vehicle by its name in the catalogue, or by its lengths. */
@@ -111,8 +127,8 @@ export function vehicle(value) {
   if (typeof value === 'string') {
     return Object.hasOwn(vehicles, value) ? vehicle(vehicles[value]) : fail('vehicle', `there is no "${value.slice(0, 40)}" in the catalogue`);
   }
-  object(value, 'vehicle', [...lengths, ...limits, 'min_turning_radius', 'max_steering_angle', 'track_width', 'max_speed', 'hitch', 'max_hitch_angle', 'trailers']);
-  const read = Object.fromEntries(lengths.map((key) => [key, number(value[key], `vehicle.${key}`, 0, 1000)]));
+  object(value, 'vehicle', [...lengths, ...limits, 'min_turning_radius', 'max_steering_angle', 'track_width', 'max_speed', 'hitch', 'max_hitch_angle', 'trailers', 'outline']);
+  const read = body(value, 'vehicle');
   if (value.max_steering_angle !== undefined) {
     const angle = number(value.max_steering_angle, 'vehicle.max_steering_angle', 1e-3, 1.57);
     read.min_turning_radius = (read.wheelbase * Math.cos(angle)) / Math.sin(angle);
@@ -122,8 +138,8 @@ export function vehicle(value) {
   if (value.trailers !== undefined) {
     if (!Array.isArray(value.trailers) || value.trailers.length !== 1) fail('vehicle.trailers', 'expected a list with one trailer');
     const [trailer] = value.trailers;
-    object(trailer, 'vehicle.trailers[0]', lengths);
-    read.trailers = [Object.fromEntries(lengths.map((key) => [key, number(trailer[key], `vehicle.trailers[0].${key}`, key === 'front_overhang' ? -100 : 0, 1000)]))];
+    object(trailer, 'vehicle.trailers[0]', [...lengths, 'outline']);
+    read.trailers = [body(trailer, 'vehicle.trailers[0]', -100)];
     if (value.hitch !== undefined) read.hitch = number(value.hitch, 'vehicle.hitch', -100, 100);
     if (value.max_hitch_angle !== undefined) read.max_hitch_angle = number(value.max_hitch_angle, 'vehicle.max_hitch_angle', 0, 3.14);
   }

@@ -38,6 +38,8 @@ export interface Trailer {
   front_overhang: number;
   rear_overhang: number;
   width: number;
+  /** As that of a vehicle, in the frame of the axle's midpoint. */
+  outline?: Point[];
 }
 
 /** What moves while the vehicle drives: an outline in a frame of its own, and where that is when. */
@@ -68,7 +70,7 @@ export interface Vehicle {
   hitch?: number;
   max_hitch_angle?: number;
   trailers?: [Trailer];
-  /** Corners of a convex body around the midpoint of the rear axle, in place of the rectangle. */
+  /** Corners of a convex body around the midpoint of the rear axle, in place of the rectangle; overhangs and width may be left out then. */
   outline?: Point[];
 }
 

@@ -6,7 +6,7 @@
 // usage: node same_answers.mjs PLAYGROUND VANDPLAN [--timing]
 
 import {execFileSync} from 'node:child_process';
-import {mkdtempSync, readdirSync, readFileSync, rmSync} from 'node:fs';
+import {mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {basename, join, resolve} from 'node:path';
@@ -70,6 +70,17 @@ function pathOf({path}, {min_turning_radius: radius}) {
 const files = readdirSync(thesis).filter((one) => one.endsWith('.yaml')).sort().map((name) => [join(thesis, name), runs]);
 files.push([join(scenarios, 'trailer/turn-round-yard.yaml'), [['anytime', 6000]]]);
 files.push([join(scenarios, 'moving/reversing-truck.yaml'), [['anytime', 100]]]);
+const slim = join(work, 'slim.yaml'); // its outline makes another path than the rectangle of the same lengths would
+writeFileSync(slim, `name: slim
+vehicle:
+  {wheelbase: 4, min_turning_radius: 6, outline: [[-1, -1.2], [5, -0.3], [5, 0.3], [-1, 1.2]], hitch: -0.8,
+   trailers: [{wheelbase: 4, outline: [[-2, -0.4], [1, -1.2], [3, 0], [1, 1.2], [-2, 0.4]]}]}
+bounds: {x: [-20, 40], y: [-20, 20]}
+start: {x: 0, y: 0, heading: 0}
+goal: {x: 24, y: 3, heading: 0}
+obstacles: [[[5.1, 0.9], [12, 0.9], [12, 9], [5.1, 9]], [[5.1, -9], [12, -9], [12, -1.4], [5.1, -1.4]]]
+`);
+files.push([slim, [['anytime', 2000]]]);
 let compared = 0;
 for (const [file, its] of files) {
   const name = basename(file);
@@ -113,6 +124,8 @@ refuses('margin', () => vandplan.plan(yard, {margin: -1}));
 refuses('start.hitch_angles', () => vandplan.plan({...yard, start: {...yard.start, hitch_angles: [0.1]}}));
 refuses('goal.trailer', () => vandplan.plan({...yard, goal: {trailer: {x: 0, y: 0, heading: 0}}}));
 refuses('moving[0].trajectory[0]', () => vandplan.plan({...yard, moving: [{outline: [[0, 0], [1, 0], [0, 1]], trajectory: [[0, 1]]}]}));
+refuses('vehicle.outline', () => vandplan.plan({...yard, vehicle: {...truck, outline: [[-1, -1], [5, 0], [-1, 1], [1, 0]]}}));
+refuses('vehicle.outline', () => vandplan.plan({...yard, vehicle: {wheelbase: 4, min_turning_radius: 6, outline: []}}));
 refuses('map.cells', () => vandplan.plan({...yard, map: {origin: {x: 0, y: 0, heading: 0}, resolution: 1, columns: 2, rows: 2, cells: new Uint8Array(3)}}));
 
 const planned = vandplan.plan(yard, {max_iterations: 500, time_limit: null, margin: 0.3});

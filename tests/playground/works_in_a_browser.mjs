@@ -177,6 +177,32 @@ async function links(browser, page, size) {
   await page.send('Page.bringToFront'); // frames are painted in front only
 }
 
+/** A body that is no rectangle is read, drawn, planned for and linked; what the planner refuses changes nothing. */
+async function drawsOutlines(browser, page, size) {
+  const drop = (corners) => page.value(`(() => { const data = new DataTransfer(); const text = 'name: slim\\nvehicle: {wheelbase: 4, min_turning_radius: 6, outline: ${corners}}\\n'
+      + 'bounds: {x: [-20, 40], y: [-20, 20]}\\nstart: {x: 0, y: 0, heading: 0}\\ngoal: {x: 24, y: 3, heading: 0}\\nobstacles: []\\n';
+    data.items.add(new File([text], 'slim.yaml')); document.getElementById('note').textContent = '';
+    dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
+  const name = await page.value('vandplanPage.scene.name');
+  await drop('[[-1, -1.2], [5, 0], [-1, 1.2], [1, 0]]');
+  await page.until('document.getElementById("note").textContent.includes("vehicle.outline")');
+  expect((await page.value('vandplanPage.scene.name')) === name, 'an outline that is not convex changes nothing');
+  await drop('[[-1, -1.2], [5, -0.3], [5, 0.3], [-1, 1.2]]');
+  await page.until('vandplanPage.scene.name === "slim"');
+  await found(page);
+  const white = (x, y) => page.value(`(() => { const p = vandplanPage, [u, v] = p.view.toPage([${x}, ${y}]).map((one) => Math.round(one * p.view.ratio));
+    return p.context.getImageData(u, v, 1, 1).data.every((shade) => shade > 250); })()`);
+  expect(await white(2, 0.5), 'the body is drawn');
+  expect(!(await white(4.7, 0.9)), 'it is as slim ahead as its outline says');
+  await picture(page, 'desk-outline');
+  await click(page, 'link');
+  await page.until('location.hash.length > 20');
+  const other = await browser.page(url + await page.value('location.hash'), size);
+  expect((await other.value('JSON.stringify(vandplanPage.scene.vehicle)')) === (await page.value('JSON.stringify(vandplanPage.scene.vehicle)')), 'a link carries the outline');
+  await page.value('location.hash = ""');
+  await page.send('Page.bringToFront');
+}
+
 async function explains(page, name) {
   await click(page, 'show-how');
   await page.until('document.querySelectorAll("#how .maps b")[2].textContent.endsWith("m")');
@@ -222,6 +248,7 @@ async function onADesk(browser) {
   await picture(page, 'desk-cage');
   await pulls(page);
   await opensFiles(page);
+  await drawsOutlines(browser, page, size);
   await links(browser, page, size);
   await plays(page);
   await page.until('vandplanPage.drive?.at > 0'); // the truck drives

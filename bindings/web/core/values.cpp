@@ -119,13 +119,33 @@ void add_limits(const val& given, DrivingLimits& limits) {
   if (has(given, "max_jerk")) limits.max_jerk = number_at(given, "max_jerk", "vehicle");
 }
 
+/// Lengths and outline of the body of a vehicle or a trailer. With an outline the lengths of the
+/// body may be left out: they are those of the box around it then.
+void read_body(const val& given, const std::string& where, auto& body) {
+  body.wheelbase = number_at(given, "wheelbase", where);
+  const bool has_outline = has(given, "outline");
+  if (has_outline) {
+    body.outline = polygon_from(given["outline"], where + ".outline");
+    if (body.outline.empty()) throw InputError(where + ".outline", "has 0 corners");
+    const Footprint box = footprint(body);
+    body.front_overhang = box.front - body.wheelbase;
+    body.rear_overhang = box.rear;
+    body.width = 2 * box.half_width;
+  }
+  const auto read = [&](const char* key, double& length) {
+    if (!has_outline || has(given, key)) length = number_at(given, key, where);
+  };
+  read("front_overhang", body.front_overhang);
+  read("rear_overhang", body.rear_overhang);
+  read("width", body.width);
+}
+
 Trailer trailer_from(const val& given) {
   const std::string where = "vehicle.trailers[0]";
-  allow_only(given, {"wheelbase", "front_overhang", "rear_overhang", "width"}, where);
-  return {.wheelbase = number_at(given, "wheelbase", where),
-          .front_overhang = number_at(given, "front_overhang", where),
-          .rear_overhang = number_at(given, "rear_overhang", where),
-          .width = number_at(given, "width", where)};
+  allow_only(given, {"wheelbase", "front_overhang", "rear_overhang", "width", "outline"}, where);
+  Trailer trailer;
+  read_body(given, where, trailer);
+  return trailer;
 }
 
 void add_trailer(const val& given, Vehicle& vehicle) {
@@ -245,15 +265,12 @@ Vehicle vehicle_from(const val& given) {
        "max_steering_rate", "max_curvature_rate", "max_speed", "max_acceleration", "max_braking",
        "max_lateral_acceleration", "max_jerk", "hitch", "max_hitch_angle", "trailers", "outline"},
       "vehicle");
-  Vehicle vehicle{.wheelbase = number_at(given, "wheelbase", "vehicle"),
-                  .front_overhang = number_at(given, "front_overhang", "vehicle"),
-                  .rear_overhang = number_at(given, "rear_overhang", "vehicle"),
-                  .width = number_at(given, "width", "vehicle"),
-                  .min_turning_radius = number_at(given, "min_turning_radius", "vehicle")};
+  Vehicle vehicle;
+  read_body(given, "vehicle", vehicle);
+  vehicle.min_turning_radius = number_at(given, "min_turning_radius", "vehicle");
   if (has(given, "track_width")) vehicle.track_width = number_at(given, "track_width", "vehicle");
   add_limits(given, vehicle.limits);
   add_trailer(given, vehicle);
-  if (has(given, "outline")) vehicle.outline = polygon_from(given["outline"], "vehicle.outline");
   check_vehicle(vehicle);
   return vehicle;
 }
