@@ -21,7 +21,7 @@ const words = {
 };
 
 export const duration = (seconds) =>
-  seconds < 0.01 ? `${(1000 * seconds).toFixed(2)} ms` : seconds < 1 ? `${(1000 * seconds).toFixed(0)} ms` : `${seconds.toFixed(1)} s`;
+  seconds < 1e-4 ? '< 0.1 ms' : seconds < 0.01 ? `${(1000 * seconds).toFixed(2)} ms` : seconds < 1 ? `${(1000 * seconds).toFixed(0)} ms` : `${seconds.toFixed(1)} s`;
 
 const metres = (value) => (value === Infinity ? 'none near' : value === null ? '' : `${value.toFixed(value < 10 ? 2 : 1)} m`);
 

@@ -8,7 +8,7 @@ import {load} from 'vandplan';
 import {scenarioOf} from './scene.js';
 
 /** How long a plan may take while something is dragged, its judge included, and once it rests [s]. */
-const frameBudget = 0.009;
+const frameBudget = 0.006;
 const leastBudget = 0.002;
 const restBudgets = [0.2, 1.5];
 /** A trailer, or what moves, takes longer than a frame: all of it is left to the second thread. */
