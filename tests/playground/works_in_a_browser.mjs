@@ -193,7 +193,7 @@ async function drawsOutlines(browser, page, size) {
   const white = (x, y) => page.value(`(() => { const p = vandplanPage, [u, v] = p.view.toPage([${x}, ${y}]).map((one) => Math.round(one * p.view.ratio));
     return p.context.getImageData(u, v, 1, 1).data.every((shade) => shade > 250); })()`);
   expect(await white(2, 0.5), 'the body is drawn');
-  expect(!(await white(4.7, 0.9)), 'it is as slim ahead as its outline says');
+  expect(!(await white(3.8, 0.8)), 'it is as slim ahead as its outline says');
   await picture(page, 'desk-outline');
   await click(page, 'link');
   await page.until('location.hash.length > 20');
