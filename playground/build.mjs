@@ -23,14 +23,15 @@ const titled = (name) => name[0].toUpperCase() + name.slice(1).replaceAll('-', '
 /** Vehicles and scenarios, as a module. */
 function catalogue() {
   const vehicles = Object.fromEntries(filesOf('vehicles').map((file) => [basename(file, '.yaml'), yaml.load(readFileSync(file, 'utf8'))]));
-  const scenarios = ['docks', 'street', 'dead-end'].map((name) => ({
-    label: titled(name), name: `${name}.yaml`, text: readFileSync(join(here, 'yards', `${name}.yaml`), 'utf8'),
+  const scenarios = ['docks', 'street', 'dead-end', 'container-stacks', 'bus-depot', 'ferry-lane'].map((name) => ({
+    group: 'Yards by the Vändplan authors (BSD-3-Clause)', label: titled(name), name: `${name}.yaml`, text: readFileSync(join(here, 'yards', `${name}.yaml`), 'utf8'),
   }));
-  for (const [folder, label] of [['thesis', 'Thesis'], ['trailer', 'Trailer'], ['moving', 'Moving']]) {
+  const shared = [['thesis', 'Thesis', 'Scenarios of the thesis'], ['trailer', 'Trailer', 'With a trailer'], ['moving', 'Moving', 'Among what moves']];
+  for (const [folder, label, group] of shared) {
     for (const file of filesOf(`scenarios/${folder}`)) {
       const name = basename(file, '.yaml');
       const text = readFileSync(file, 'utf8');
-      scenarios.push({label: `${label}: ${name.replaceAll('-', ' ')}`, name: `${name}.yaml`, text, ...(/^goals:/m.test(text) ? {goal: 2} : {})});
+      scenarios.push({group, label: `${label}: ${name.replaceAll('-', ' ')}`, name: `${name}.yaml`, text, ...(/^goals:/m.test(text) ? {goal: 2} : {})});
     }
   }
   return `export const vehicles = ${JSON.stringify(vehicles)};\nexport const scenarios = ${JSON.stringify(scenarios)};\n`;

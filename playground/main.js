@@ -16,6 +16,12 @@ import {scenarioOf} from './scene.js';
 
 const byId = (id) => document.getElementById(id);
 
+/** The scene of a yard of the list. */
+function listed(source) {
+  const {text, name, goal = 0} = scenarios[source];
+  return {...scenesFrom(text, name)[goal], source};
+}
+
 // ---- files ----
 
 function download(blob, name) {
@@ -132,8 +138,7 @@ function listenToButtons(page) {
   for (const [id, act] of Object.entries(clicks)) byId(id).addEventListener('click', act);
   panel.listen((key, value) => page.set(key, value));
   byId('scenario').addEventListener('change', told(({target}) => {
-    const chosen = scenarios[Number(target.value)];
-    page.open(scenesFrom(chosen.text, chosen.name)[chosen.goal ?? 0], {keep: true});
+    if (target.value !== '') page.open(listed(Number(target.value)), {keep: true});
   }));
   addEventListener('keydown', (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
@@ -148,18 +153,18 @@ async function start() {
   const page = new Page(await load());
   const dark = matchMedia('(prefers-color-scheme: dark)');
   dark.addEventListener('change', () => setTheme(page, dark.matches ? 'dark' : 'light'));
-  panel.fillChoice('scenario', scenarios.map(({label}, value) => ({value, label})));
+  panel.fillChoice('scenario', scenarios.map(({label, group}, value) => ({value, label, group})));
   panel.fillChoice('vehicle', [{value: '', label: 'of the scenario'}, ...Object.keys(vehicles).map((name) => ({value: name, label: name.replaceAll('-', ' ')}))]);
   panel.fillChoice('planner', [...page.planners.keys()].map((name) => ({value: name, label: name})), 'anytime');
   listenToFiles(page);
   listenToButtons(page);
   setTheme(page, dark.matches ? 'dark' : 'light');
-  page.vandplan.plan(scenarioOf(scenesFrom(scenarios[0].text, scenarios[0].name)[0]), {time_limit: 0.02}); // what has run once runs faster
+  page.vandplan.plan(scenarioOf(listed(0)), {time_limit: 0.02}); // what has run once runs faster
   await told(async () => {
     const scene = await sceneFromLink(location.hash);
     if (scene) page.open(scene);
   })();
-  if (!page.scene) page.open(scenesFrom(scenarios[0].text, scenarios[0].name)[0]);
+  if (!page.scene) page.open(listed(0));
   globalThis.vandplanPage = page; // for those who look behind the page, and its tests
 }
 

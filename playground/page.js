@@ -60,11 +60,16 @@ export class Page {
       if (scene.options?.[key] !== undefined) this.settings[key] = scene.options[key];
     }
     panel.fillSettings(this.settings);
-    const lengths = ({wheelbase, width, min_turning_radius: radius, outline, trailers}) => JSON.stringify([wheelbase, width, radius, outline, trailers]);
-    const same = Object.keys(vehicles).find((name) => lengths(vehicle(name)) === lengths(scene.vehicle));
-    byId('vehicle').value = same ?? '';
+    this.named();
     this.changed('ends');
     this.fit();
+  }
+
+  /** Lets the lists say which yard and which vehicle are shown. */
+  named() {
+    panel.showYard(this.scene);
+    const lengths = ({wheelbase, width, min_turning_radius: radius, outline, trailers}) => JSON.stringify([wheelbase, width, radius, outline, trailers]);
+    byId('vehicle').value = Object.keys(vehicles).find((name) => lengths(vehicle(name)) === lengths(this.scene.vehicle)) ?? '';
   }
 
   fit() {
@@ -185,6 +190,7 @@ export class Page {
     this.scene = scene;
     const {selected} = this.editor;
     if (selected?.index !== undefined && !polygonAt(scene, selected)) this.editor.selected = null;
+    this.named();
     this.changed('ground');
   }
 

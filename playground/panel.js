@@ -140,12 +140,37 @@ export function enable(info) {
   byId('steering').disabled = !info.honours_steering;
 }
 
+const option = (value, label) => Object.assign(document.createElement('option'), {value, textContent: label});
+
+/** Fills a list; choices with a `group` stand below its name. */
 export function fillChoice(id, choices, value) {
+  const groups = new Map();
+  const entries = [];
+  for (const {value: own, label, group} of choices) {
+    if (group && !groups.has(group)) {
+      groups.set(group, Object.assign(document.createElement('optgroup'), {label: group}));
+      entries.push(groups.get(group));
+    }
+    const entry = option(own, label);
+    if (group) groups.get(group).append(entry);
+    else entries.push(entry);
+  }
   const select = byId(id);
-  select.replaceChildren(
-    ...choices.map(({value: own, label}) => Object.assign(document.createElement('option'), {value: own, textContent: label})),
-  );
+  select.replaceChildren(...entries);
   if (value !== undefined) select.value = value;
+}
+
+/** Which yard the list names: one of its own, or, above these, what came from a file or a link; below the verdict, what to do there. */
+export function showYard({source, name, description}) {
+  const select = byId('scenario');
+  select.querySelector('[data-foreign]')?.remove();
+  if (source === undefined) {
+    const entry = option('', name.slice(0, 60));
+    entry.dataset.foreign = '';
+    select.prepend(entry);
+  }
+  select.value = source ?? '';
+  byId('task').textContent = description;
 }
 
 let hiding = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// What there is on the page: a scenario, and what was there before each change.
+// What there is on the page: a scenario, and what was there before each change. `source` of a scene is its number in
+// the list of yards; one from a file or a link has none.
 
 import {boxOf, centreOf, mapCorners, middle, outlines, placed, turned, wrap} from './geometry.js';
 

@@ -115,6 +115,31 @@ async function slides(page) {
   await page.until('vandplanPage.result.time > 0.15', 60);
 }
 
+/** Each yard of our own has a path and says what to do; the list names what is shown, also what came from a file, and after undo. */
+async function lists(page) {
+  const named = () => page.value('document.getElementById("scenario").selectedOptions[0].text');
+  const ours = await page.value('[...document.querySelectorAll("#scenario optgroup")].filter((g) => g.label.includes("BSD-3-Clause")).flatMap((g) => [...g.children].map((o) => o.text))');
+  expect(['Container stacks', 'Bus depot', 'Ferry lane'].every((name) => ours.includes(name)), `our yards are ${ours}`);
+  for (const name of ours) {
+    await choose(page, 'scenario', name);
+    await found(page);
+    expect((await status(page)) === 'solved' && (await page.value('vandplanPage.result.check.valid')), `${name} has a path`);
+    expect((await page.value('document.getElementById("task").textContent')).length > 10, `${name} says what to do`);
+    await picture(page, `desk-${name.toLowerCase().replace(' ', '-')}`);
+  }
+  const yaml = 'name: mine\nvehicle: van\nbounds: {x: [-30, 30], y: [-30, 30]}\nstart: {x: 0, y: 0, heading: 0}\ngoal: {x: 9, y: 4, heading: 0}\nobstacles: []\n';
+  await page.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(yaml)}], 'mine.yaml')); dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
+  await page.until('vandplanPage.scene.name === "mine"');
+  expect((await named()) === 'mine', 'the list names the file that was dropped');
+  await click(page, 'undo');
+  expect((await named()) === ours.at(-1), 'undo brings back the name, too');
+  expect((await page.value('document.getElementById("vehicle").value')) !== 'van', 'and that of the vehicle');
+  await click(page, 'redo');
+  await choose(page, 'scenario', 'Docks');
+  expect(!(await page.value('[...document.getElementById("scenario").options].some((o) => o.text === "mine")')), 'a yard of the list takes the place of the file');
+  await found(page);
+}
+
 async function pulls(page) {
   await choose(page, 'scenario', 'Trailer: turn round yard');
   await page.until('vandplanPage.result?.path');
@@ -244,6 +269,7 @@ async function onADesk(browser) {
   await isAccessible(page);
   await drags(page);
   await edits(page);
+  await lists(page);
   await slides(page);
   await picture(page, 'desk-cage');
   await pulls(page);
