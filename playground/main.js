@@ -73,11 +73,11 @@ function listenToFiles(page) {
     await openFiles(page, target.files);
     target.value = '';
   }));
-  byId('save').addEventListener('click', () => download(new Blob([yamlOf(page.scene)], {type: 'text/yaml'}), `${fileName(page.scene)}.yaml`));
+  byId('save').addEventListener('click', () => download(new Blob([yamlOf(page.sceneAsSet())], {type: 'text/yaml'}), `${fileName(page.scene)}.yaml`));
   byId('picture').addEventListener('click', async () => download(await page.picture(), `${fileName(page.scene)}.png`));
   byId('link').addEventListener('click', told(async () => {
     if (page.scene.map) throw new ReadError('A scene with a map is too large for a link: save it instead');
-    location.hash = await linkOf(page.scene);
+    location.hash = await linkOf(page.sceneAsSet());
     let copied = false;
     try {
       await navigator.clipboard.writeText(location.href);
@@ -141,11 +141,20 @@ function listenToButtons(page) {
     if (target.value !== '') page.open(listed(Number(target.value)), {keep: true});
   }));
   addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || (key !== 'z' && key !== 'y') || byId('plan').hidden) return;
     event.preventDefault();
-    if (event.shiftKey) page.redo();
+    if (event.shiftKey || key === 'y') page.redo();
     else page.undo();
   });
+  for (const button of document.querySelectorAll('#pad [data-key]')) {
+    const press = (down) => () => page.parked?.key(button.dataset.key, down);
+    button.addEventListener('pointerdown', press(true));
+    for (const kind of ['pointerup', 'pointercancel', 'lostpointercapture', 'pointerleave']) button.addEventListener(kind, press(false));
+    button.addEventListener('contextmenu', (event) => event.preventDefault()); // a long press on a phone
+  }
+  byId('give-up').addEventListener('click', () => page.togglePark());
+  addEventListener('blur', () => page.parked?.release()); // whoever leaves the page lets go of its keys
   addEventListener('keyup', (event) => page.parked?.key(event.key, false));
 }
 
@@ -165,6 +174,7 @@ async function start() {
     if (scene) page.open(scene);
   })();
   if (!page.scene) page.open(listed(0));
+  page.canvas.focus({preventScroll: true}); // keys work at once
   globalThis.vandplanPage = page; // for those who look behind the page, and its tests
 }
 

@@ -185,6 +185,15 @@ export class Page {
     this.drawn();
   }
 
+  /** The scene with those settings among its options that it came with or that are not a driver's, for files and links. */
+  sceneAsSet() {
+    const options = {...this.scene.options};
+    for (const [key, value] of Object.entries(this.settings)) {
+      if (key in options || value !== panel.driver[key]) options[key] = value;
+    }
+    return {...this.scene, options};
+  }
+
   restore(scene) {
     if (!scene) return;
     this.scene = scene;
@@ -322,13 +331,15 @@ export class Page {
     this.parkedAt = performance.now();
     byId('park').setAttribute('aria-pressed', 'true');
     this.canvas.focus({preventScroll: true});
-    panel.note('Your turn: arrow keys drive the truck to the dashed one. Esc gives up.');
+    byId('pad').hidden = false;
+    panel.note('Your turn: arrow keys, or the buttons, drive the truck to the dashed one. Esc gives up.');
     this.drawn();
   }
 
   stopParking() {
     if (!this.parked) return;
     this.parked = null;
+    byId('pad').hidden = true;
     byId('park').setAttribute('aria-pressed', 'false');
   }
 
@@ -348,7 +359,7 @@ export class Page {
     const more = own ? price(length, reverse, gearChanges) / Math.max(1, price(own.length, own.reverse_length, own.gear_changes)) - 1 : 0;
     const planned = own
       ? ` The planner: ${own.length.toFixed(0)} m, gear changes: ${own.gear_changes}. Your way costs ${Math.abs(100 * more).toFixed(0)} % ${more < 0 ? 'less' : 'more'}.` : '';
-    panel.note(`Parked! You: ${length.toFixed(0)} m, gear changes: ${gearChanges}.${planned}`);
+    panel.note(`Parked! You: ${length.toFixed(0)} m, gear changes: ${gearChanges}.${planned}`, 12);
     this.stopParking();
   }
 

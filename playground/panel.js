@@ -25,11 +25,14 @@ export const duration = (seconds) =>
 
 const metres = (value) => (value === Infinity ? 'none near' : value === null ? '' : `${value.toFixed(value < 10 ? 2 : 1)} m`);
 
+/** A reason of the planner without the keys of scenario files. */
+const said = (reason) => reason.replace(/\bobstacles\[\d+\]/g, 'a wall').replace(/\bkerbs\[\d+\]/g, 'a kerb').replace(/\bmoving\[\d+\]/g, 'what moves');
+
 export function showResult(result, hash) {
   const status = byId('status');
   const {path, check} = result;
   status.className = path ? 'good' : result.status === 'searching' ? '' : 'bad';
-  status.textContent = path ? `Judged: nothing touches` : words[result.status] + (result.reason ? `: ${result.reason}` : '');
+  status.textContent = path ? `Judged: nothing touches` : words[result.status] + (result.reason ? `: ${said(result.reason)}` : '');
   const first = result.first ?? result.anytime[0];
   const gap = result.lower_bound > 0 && path ? result.cost / result.lower_bound - 1 : null;
   const texts = {
@@ -175,13 +178,13 @@ export function showYard({source, name, description}) {
 
 let hiding = 0;
 
-/** A line at the bottom of the page for a few seconds. */
-export function note(message) {
+/** A line at the bottom of the page for some seconds. */
+export function note(message, seconds = 4.5) {
   const element = byId('note');
   element.textContent = String(message).slice(0, 300);
   element.hidden = false;
   clearTimeout(hiding);
   hiding = setTimeout(() => {
     element.hidden = true;
-  }, 4500);
+  }, 1000 * seconds);
 }

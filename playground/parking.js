@@ -39,6 +39,11 @@ export class Parking {
     return true;
   }
 
+  /** Lets go of all keys. */
+  release() {
+    this.#held.clear();
+  }
+
   /** Drives on for some seconds; true if anything moved. */
   step(seconds) {
     const drive = (this.#held.has('ArrowUp') ? 1 : 0) - (this.#held.has('ArrowDown') ? 1 : 0);

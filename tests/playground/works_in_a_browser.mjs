@@ -65,6 +65,10 @@ async function drags(page) {
   await page.key('z', 2 | 8);
   await settled(page);
   expect((await pose(page, 'goal')).x === after.x, 'redo takes it there again');
+  await page.key('z', 2);
+  await page.key('y', 2);
+  await settled(page);
+  expect((await pose(page, 'goal')).x === after.x, 'so does Ctrl Y');
 }
 
 async function edits(page) {
@@ -188,6 +192,80 @@ async function opensFiles(page) {
   await settled(page);
 }
 
+/** Drops one file; `content` is an expression of the page. */
+const dropped = (page, name, content) => page.value(`(async () => { const data = new DataTransfer(); data.items.add(new File([${content}], ${JSON.stringify(name)}));
+  document.getElementById('note').textContent = ''; dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
+const straight = 'name: straight\nvehicle: van\nbounds: {x: [-30, 30], y: [-30, 30]}\nstart: {x: 0, y: 0, heading: 0}\ngoal: {x: 9, y: 0, heading: 0}\nobstacles:\n  - [[-9, 5], [20, 5], [20, 7], [-9, 7]]\n';
+
+/** What is saved opens again as it was, sliders, too; pictures are images; a PNG is a map; reasons are words. */
+async function saves(page) {
+  await dropped(page, 'straight.yaml', JSON.stringify(straight));
+  await page.until('vandplanPage.scene.name === "straight"');
+  await found(page);
+  await page.value(`(() => { const s = document.getElementById('gear_change_cost'); s.value = 17; s.dispatchEvent(new Event('input'));
+    globalThis.saved = []; const make = URL.createObjectURL; URL.createObjectURL = (blob) => { saved.push(blob); return make.call(URL, blob); }; })()`);
+  await found(page);
+  await click(page, 'save');
+  const text = await page.value('saved.find(({type}) => type === "text/yaml").text()');
+  expect(/gear_change_cost: 17/.test(text) && !/reverse_weight/.test(text), `a saved scenario has the price that was set, and no other: ${text}`);
+  const scene = await page.value('JSON.stringify({...vandplanPage.scene, options: 0})');
+  await click(page, 'as-driver');
+  await dropped(page, 'again.yaml', JSON.stringify(text));
+  await page.until('vandplanPage.settings.gear_change_cost === 17');
+  expect((await page.value('JSON.stringify({...vandplanPage.scene, options: 0})')) === scene, 'what was saved opens as it was');
+  expect(await page.value('document.getElementById("gear_change_cost").value === "17"'), 'with its price on the slider');
+  await click(page, 'picture');
+  await page.until('saved.some(({type}) => type === "image/png")');
+  const image = await page.value('(async () => { const own = await createImageBitmap(saved.find(({type}) => type === "image/png")); return [own.width, own.height]; })()');
+  expect(image[0] === 1440 && image[1] === 900, `a picture is ${image}`);
+  await page.value('vandplanPage.scene.goal.y = 5; vandplanPage.changed("ends")');
+  await page.until('vandplanPage.result?.status === "goal_in_collision"');
+  const reason = await page.value('document.getElementById("status").textContent');
+  expect(reason.includes('a wall') && !reason.includes('['), `the reason is in words: ${reason}`);
+  await dropped(page, 'yard.png', `await (async () => { const c = new OffscreenCanvas(60, 50); const d = c.getContext('2d'); d.fillStyle = '#fff'; d.fillRect(0, 0, 60, 50);
+    d.fillStyle = '#000'; d.fillRect(0, 0, 60, 2); return c.convertToBlob(); })()`);
+  await page.until('vandplanPage.scene.map?.grid.rows === 50');
+  expect(await page.value('(({cells}) => cells[0] === 0 && cells[60 * 49] === 1)(vandplanPage.scene.map.grid)'), 'the black rows of a PNG are occupied');
+}
+
+/** Somebody parks by hand with the arrow keys, and is told what it costs. */
+async function parks(page) {
+  await dropped(page, 'straight.yaml', JSON.stringify(straight));
+  await page.until('vandplanPage.scene.name === "straight"');
+  await click(page, 'as-driver');
+  await found(page);
+  await click(page, 'park');
+  const key = (type) => page.send('Input.dispatchKeyEvent', {type, key: 'ArrowUp'});
+  await key('keyDown');
+  await page.until('vandplanPage.parked?.length > 3');
+  await picture(page, 'desk-park');
+  await page.until('document.getElementById("note").textContent.startsWith("Parked!")');
+  await key('keyUp');
+  const note = await page.value('document.getElementById("note").textContent');
+  expect(/You: [89] m, gear changes: 0\. The planner: 9 m.*Your way costs \d+ %/.test(note), `it says "${note}"`);
+  expect(await page.value('document.getElementById("pad").hidden && document.getElementById("park").getAttribute("aria-pressed") === "false"'), 'and it is over');
+}
+
+/** On a phone there are buttons for it, that drive as long as a finger is on them. */
+async function parksByTouch(page) {
+  await dropped(page, 'straight.yaml', JSON.stringify(straight));
+  await page.until('vandplanPage.scene.name === "straight"');
+  await found(page);
+  await click(page, 'park');
+  const boxes = await page.value('[...document.querySelectorAll("#pad button")].map((b) => { const r = b.getBoundingClientRect(); return [r.left, r.right, r.bottom - r.top, document.elementFromPoint((r.left + r.right) / 2, (r.top + r.bottom) / 2) === b]; })');
+  expect(boxes.every(([left, right, high, seen]) => left >= 0 && right <= 390 && right - left > 40 && high > 40 && seen), `buttons are on the phone, and large enough: ${JSON.stringify(boxes)}`);
+  await picture(page, 'phone-park');
+  const at = await page.value('(() => { const r = document.querySelector("#pad [data-key=ArrowUp]").getBoundingClientRect(); return [(r.left + r.right) / 2, (r.top + r.bottom) / 2]; })()');
+  await page.touch([at], 'touchStart');
+  await page.until('vandplanPage.parked?.length > 1');
+  await page.touch([], 'touchEnd');
+  const length = await page.value('vandplanPage.parked.length');
+  await pause(200);
+  expect((await page.value('vandplanPage.parked.length')) - length < 0.5, 'it stops when the finger leaves');
+  await click(page, 'give-up');
+  expect(await page.value('vandplanPage.parked === null && document.getElementById("pad").hidden'), 'one can give up');
+}
+
 async function links(browser, page, size) {
   await choose(page, 'scenario', 'Street');
   await settled(page);
@@ -267,6 +345,7 @@ async function onADesk(browser) {
   await settled(page);
   await picture(page, 'desk-docks');
   await isAccessible(page);
+  expect(await page.value('document.activeElement.id === "yard"'), 'keys work at once');
   await drags(page);
   await edits(page);
   await lists(page);
@@ -275,6 +354,8 @@ async function onADesk(browser) {
   await pulls(page);
   await opensFiles(page);
   await drawsOutlines(browser, page, size);
+  await saves(page);
+  await parks(page);
   await links(browser, page, size);
   await plays(page);
   await page.until('vandplanPage.drive?.at > 0'); // the truck drives
@@ -308,6 +389,7 @@ async function onAPhone(browser) {
   await whenLookedAt(200);
   await picture(page, 'phone-panel');
   await click(page, 'more');
+  await parksByTouch(page);
   await explains(page, 'phone');
   expect(page.faults.length === 0, `the page complains on a phone: ${page.faults.join('\n')}`);
 }
