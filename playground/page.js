@@ -359,7 +359,9 @@ export class Page {
     const more = own ? price(length, reverse, gearChanges) / Math.max(1, price(own.length, own.reverse_length, own.gear_changes)) - 1 : 0;
     const planned = own
       ? ` The planner: ${own.length.toFixed(0)} m, gear changes: ${own.gear_changes}. Your way costs ${Math.abs(100 * more).toFixed(0)} % ${more < 0 ? 'less' : 'more'}.` : '';
-    panel.note(`Parked! You: ${length.toFixed(0)} m, gear changes: ${gearChanges}.${planned}`, 12);
+    const gap = own && this.result.lower_bound > 0 ? this.result.cost / this.result.lower_bound - 1 : null;
+    const proven = gap === null ? '' : gap < 0.0005 ? ' Its path is proven to be the best.' : ` Its path is proven to cost at most ${Math.ceil(100 * gap)} % more than the best.`;
+    panel.note(`Parked! You: ${length.toFixed(0)} m, gear changes: ${gearChanges}.${planned}${proven}`, 12);
     this.stopParking();
   }
 

@@ -242,7 +242,7 @@ async function parks(page) {
   await page.until('document.getElementById("note").textContent.startsWith("Parked!")');
   await key('keyUp');
   const note = await page.value('document.getElementById("note").textContent');
-  expect(/You: [89] m, gear changes: 0\. The planner: 9 m.*Your way costs \d+ %/.test(note), `it says "${note}"`);
+  expect(/You: [89] m, gear changes: 0\. The planner: 9 m.*Your way costs \d+ % .*proven to/.test(note), `it says "${note}"`);
   expect(await page.value('document.getElementById("pad").hidden && document.getElementById("park").getAttribute("aria-pressed") === "false"'), 'and it is over');
 }
 
@@ -254,6 +254,8 @@ async function parksByTouch(page) {
   await click(page, 'park');
   const boxes = await page.value('[...document.querySelectorAll("#pad button")].map((b) => { const r = b.getBoundingClientRect(); return [r.left, r.right, r.bottom - r.top, document.elementFromPoint((r.left + r.right) / 2, (r.top + r.bottom) / 2) === b]; })');
   expect(boxes.every(([left, right, high, seen]) => left >= 0 && right <= 390 && right - left > 40 && high > 40 && seen), `buttons are on the phone, and large enough: ${JSON.stringify(boxes)}`);
+  const note = await page.value('(({width}) => width)(document.getElementById("note").getBoundingClientRect())');
+  expect(note > 300, `what is said takes the width of the phone: ${note}`);
   await picture(page, 'phone-park');
   const at = await page.value('(() => { const r = document.querySelector("#pad [data-key=ArrowUp]").getBoundingClientRect(); return [(r.left + r.right) / 2, (r.top + r.bottom) / 2]; })()');
   await page.touch([at], 'touchStart');
