@@ -119,6 +119,10 @@ async function slides(page) {
   await page.until('vandplanPage.result.time > 0.15', 60);
 }
 
+/** Drops one file; `content` is an expression of the page. */
+const dropped = (page, name, content) => page.value(`(async () => { const data = new DataTransfer(); data.items.add(new File([${content}], ${JSON.stringify(name)}));
+  document.getElementById('note').textContent = ''; dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
+
 /** Each yard of our own has a path and says what to do; the list names what is shown, also what came from a file, and after undo. */
 async function lists(page) {
   const named = () => page.value('document.getElementById("scenario").selectedOptions[0].text');
@@ -132,7 +136,7 @@ async function lists(page) {
     await picture(page, `desk-${name.toLowerCase().replace(' ', '-')}`);
   }
   const yaml = 'name: mine\nvehicle: van\nbounds: {x: [-30, 30], y: [-30, 30]}\nstart: {x: 0, y: 0, heading: 0}\ngoal: {x: 9, y: 4, heading: 0}\nobstacles: []\n';
-  await page.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(yaml)}], 'mine.yaml')); dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
+  await dropped(page, 'mine.yaml', JSON.stringify(yaml));
   await page.until('vandplanPage.scene.name === "mine"');
   expect((await named()) === 'mine', 'the list names the file that was dropped');
   await click(page, 'undo');
@@ -165,8 +169,6 @@ async function pulls(page) {
 async function opensFiles(page) {
   const text = await page.value(`(async () => { const p = vandplanPage; return p.vandplan.version; })()`);
   expect(/^\d+\.\d+/.test(text), 'it knows its version');
-  const drop = (name, content) => page.value(`(async () => { const data = new DataTransfer(); data.items.add(new File([${content}], ${JSON.stringify(name)}));
-    document.getElementById('note').textContent = ''; dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
   const broken = [
     ['bad.yaml', '"name: [1, 2"', 'bad.yaml:'], ['bad.yaml', '"__proto__: {x: 1}"', 'not known'],
     ['bad.yaml', '"a: &a [x, x]\\nb: &b [*a, *a]\\nname: [*b, *b]"', 'not known'], ['bad.yaml', '"wals: []"', 'wals'], ['bad.txt', '"x"', 'expected'], ['bad.pgm', '"P5 9 9 255 "', 'ends'],
@@ -174,7 +176,7 @@ async function opensFiles(page) {
   ];
   for (const [name, content, part] of broken) {
     const before = await page.value('JSON.stringify([vandplanPage.scene.name, vandplanPage.scene.goal])');
-    await drop(name, content);
+    await dropped(page, name, content);
     await page.until('document.getElementById("note").textContent');
     const note = await page.value('document.getElementById("note").textContent');
     expect((await page.value('JSON.stringify([vandplanPage.scene.name, vandplanPage.scene.goal])')) === before, `${name} changes nothing`);
@@ -182,19 +184,16 @@ async function opensFiles(page) {
   }
   const evil = '<img src=x onerror="globalThis.evil=1"><script>globalThis.evil=1</' + 'script>';
   const yaml = `name: '${evil}'\nvehicle: van\nbounds: {x: [-30, 30], y: [-30, 30]}\nstart: {x: 0, y: 0, heading: 0}\ngoal: {x: 9, y: 4, heading: 0}\nobstacles: []\n`;
-  await drop('mine.yaml', JSON.stringify(yaml));
+  await dropped(page, 'mine.yaml', JSON.stringify(yaml));
   await page.until('vandplanPage.scene.goal.x === 9'); // it is shown
   await found(page);
   expect((await page.value('globalThis.evil')) === undefined, 'nothing in a file runs');
   const map = 'P2\n40 40\n255\n' + Array.from({length: 1600}, (_, i) => (Math.floor(i / 40) === 20 && i % 40 < 28 ? 0 : 254)).join(' ');
-  await drop('yard.pgm', JSON.stringify(map));
+  await dropped(page, 'yard.pgm', JSON.stringify(map));
   await page.until('vandplanPage.scene.map?.grid.columns === 40');
   await settled(page);
 }
 
-/** Drops one file; `content` is an expression of the page. */
-const dropped = (page, name, content) => page.value(`(async () => { const data = new DataTransfer(); data.items.add(new File([${content}], ${JSON.stringify(name)}));
-  document.getElementById('note').textContent = ''; dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
 const straight = 'name: straight\nvehicle: van\nbounds: {x: [-30, 30], y: [-30, 30]}\nstart: {x: 0, y: 0, heading: 0}\ngoal: {x: 9, y: 0, heading: 0}\nobstacles:\n  - [[-9, 5], [20, 5], [20, 7], [-9, 7]]\n';
 
 /** What is saved opens again as it was, sliders, too; pictures are images; a PNG is a map; reasons are words. */
@@ -284,10 +283,8 @@ async function links(browser, page, size) {
 
 /** A body that is no rectangle is read, drawn, planned for and linked; what the planner refuses changes nothing. */
 async function drawsOutlines(browser, page, size) {
-  const drop = (corners) => page.value(`(() => { const data = new DataTransfer(); const text = 'name: slim\\nvehicle: {wheelbase: 4, min_turning_radius: 6, outline: ${corners}}\\n'
-      + 'bounds: {x: [-20, 40], y: [-20, 20]}\\nstart: {x: 0, y: 0, heading: 0}\\ngoal: {x: 24, y: 3, heading: 0}\\nobstacles: []\\n';
-    data.items.add(new File([text], 'slim.yaml')); document.getElementById('note').textContent = '';
-    dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
+  const drop = (corners) => dropped(page, 'slim.yaml', JSON.stringify(`name: slim\nvehicle: {wheelbase: 4, min_turning_radius: 6, outline: ${corners}}\n`
+      + 'bounds: {x: [-20, 40], y: [-20, 20]}\nstart: {x: 0, y: 0, heading: 0}\ngoal: {x: 24, y: 3, heading: 0}\nobstacles: []\n'));
   const name = await page.value('vandplanPage.scene.name');
   await drop('[[-1, -1.2], [5, 0], [-1, 1.2], [1, 0]]');
   await page.until('document.getElementById("note").textContent.includes("vehicle.outline")');
