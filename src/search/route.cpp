@@ -18,14 +18,15 @@ Gears gears_at_ends(const Task& task, const CostRule& rule) {
   return {{rule.initial_gear, task.curvatures.start}, {0, task.curvatures.goal}};
 }
 
-Gears gears_around(const CostRule& rule, const Route& route, std::size_t first, std::size_t last) {
-  Gears gears{rule.initial_gear, 0};
+Gears gears_around(const Gears& beside, const Route& route, std::size_t first, std::size_t last) {
+  Gears gears{beside.before, 0};
   for (std::size_t i = first; i > 0 && (i == first || gears.before.gear == 0); --i) {
     gears.before = last_driven(route.legs[i - 1].piece);
   }
   for (std::size_t i = last; i < route.legs.size() && gears.after.gear == 0; ++i) {
     gears.after = first_driven(route.legs[i].piece);
   }
+  if (gears.after.gear == 0) gears.after = beside.after;
   return gears;
 }
 

@@ -32,8 +32,9 @@ struct Route {
 /// What is driven before the start and after the goal, as far as the task and the rule say.
 [[nodiscard]] Gears gears_at_ends(const Task& task, const CostRule& rule);
 
-/// The gears driven before leg `first` and from leg `last` on.
-[[nodiscard]] Gears gears_around(const CostRule& rule, const Route& route, std::size_t first,
+/// The gears driven before leg `first` and from leg `last` on; `beside` is what is driven before
+/// and after the route.
+[[nodiscard]] Gears gears_around(const Gears& beside, const Route& route, std::size_t first,
                                  std::size_t last);
 
 /// From the first leg to the last, with the `clearance_cost` that they have.

@@ -149,6 +149,46 @@ TEST(Detours, FindAnotherWayBetweenTwoPlacesOfARoute) {
   }
 }
 
+// Of a turn between straight wheels, which only its ends cut. Its length and the place of the last
+// cut differ by rounding.
+Piece turn_that_rounds(double radius) {
+  const double rate = 0.5 / (radius * radius);
+  Piece turn;
+  turn.count = 3;
+  turn.segments.data()[0] = {0.0, radius, rate};
+  turn.segments.data()[1] = {0.5 / radius, radius, 0.0};
+  turn.segments.data()[2] = {0.5 / radius, radius, -rate};
+  turn.length = std::nextafter(3 * radius, 4 * radius);
+  return turn;
+}
+
+TEST(Detours, CutsThatOnlyRoundingTellsApartHaveNothingBetweenThem) {
+  Task task = problem_of({0, 0, 0}, {1, 0, 0}, {}).task();
+  task.steering = Steering::continuous;
+  const Piece turn = turn_that_rounds(task.vehicle.min_turning_radius);
+  Route route{task.start, {}, 0.0};
+  task.goal = task.start;
+  for (int i = 0; i < 3; ++i) {
+    task.goal = search::end_of(task.goal, turn);
+    route.legs.push_back({turn, task.goal});
+  }
+  const CostRule rule;
+  route.cost = cost_of(rule, route);
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Detours detours(task, rule, seed);
+    detours.set_route(route);
+    for (int i = 0; i < 1000; ++i) {
+      if (!detours.step()) continue;
+      ++found;
+      const Pose end = end_pose(path_of(detours.route()));
+      EXPECT_NEAR(end.x, task.goal.x, 1e-9);
+      EXPECT_NEAR(end.y, task.goal.y, 1e-9);
+    }
+  }
+  EXPECT_GT(found, 0);
+}
+
 TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
   for_each_case(3, 60, [](Rng& rng) {
     const Problem problem = random_problem(rng);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "../support/cases.h"
+#include "../support/continuity.h"
 #include "../support/grids.h"
 #include "../support/problems.h"
 #include "planners/anytime/detours.h"
@@ -213,6 +214,37 @@ TEST(Detours, OfALongRoutePutShorterStretchesInTheirPlace) {
     }
     EXPECT_LT(best, 0.6 * route.cost);
   }
+}
+
+// Where a route changes gear the wheels are bent: what ends there in the same gear may not.
+TEST(Detours, OfALongRouteAreFollowedByWhatIsDrivenThere) {
+  int found = 0;
+  for_each_case(5, 60, [&](Rng& rng) {
+    Task task = problem_of({0, 0, 0}, {1, 0, 0}, {}).task();
+    task.steering = Steering::continuous_between_stops;
+    const CostRule rule{1.0, 1.5, 1.0, 0};
+    Connector connector(task, rule);
+    Route route{task.start, {}, 0.0};
+    for (int i = 0; i < 4; ++i) {
+      const Pose from = route.legs.empty() ? route.start : route.legs.back().end;
+      const search::Driven before =
+          route.legs.empty() ? search::Driven{} : search::last_driven(route.legs.back().piece);
+      const Pose via = uniform_pose({-12, 12, -12, 12}, rng);
+      const auto piece = connector.steer(from, via, {before, 0});
+      if (piece) route.legs.push_back({*piece, via});
+    }
+    task.goal = route.legs.back().end;
+    route.cost = cost_of(rule, route);
+    ASSERT_LT(largest_jump(path_of(route), task.steering, {}), 1e-9);
+    anytime::Detours detours(task, rule, rng(), Scope::windows);
+    detours.set_route(route);
+    for (int i = 0; i < 3000; ++i) {
+      if (!detours.step()) continue;
+      ++found;
+      EXPECT_LT(largest_jump(path_of(detours.route()), task.steering, {}), 1e-9);
+    }
+  });
+  EXPECT_GT(found, is_sanitized ? 0 : 10);
 }
 
 // 1.4 km from corner to corner; a grid over all of it had cells of 5 m, and found nothing for long.

@@ -129,7 +129,7 @@ TEST(CurvatureCost, OfARouteIsThatOfItsPath) {
     for (int i = 0; i < 4; ++i) {
       const Pose via = uniform_pose({-20, 20, -20, 20}, rng);
       const std::size_t n = route.legs.size();
-      const search::Gears gears = gears_around(rule, route, n, n);
+      const search::Gears gears = gears_around({rule.initial_gear, 0}, route, n, n);
       route.legs.push_back({*connector.steer(route.begin_of(n), via, gears), via});
     }
     EXPECT_NEAR(search::cost_of(rule, route), cost_of(rule, path_of(route).segments), 1e-9);

@@ -76,10 +76,14 @@ void Detours::choose() {
   if (task_.steering != Steering::reeds_shepp) {
     begin = nearest_cut(base_, begin, task_.vehicle.min_turning_radius);
     end = nearest_cut(base_, end, task_.vehicle.min_turning_radius);
-    if (begin >= end) begin = 0.0, end = whole;
+  }
+  old_ = part_of(base_, begin, end);
+  if (old_.legs.empty()) {  // the cuts are one, or only rounding tells them apart
+    begin = 0.0;
+    end = whole;
+    old_ = part_of(base_, begin, end);
   }
   before_ = part_of(base_, 0.0, begin);
-  old_ = part_of(base_, begin, end);
   after_ = part_of(base_, end, whole);
   backwards_ = uniform01(rng_) < 0.5;
   options_ = detour_searches[rng_() % detour_searches.size()];
@@ -192,7 +196,8 @@ bool Detours::search() {
   }
   if (!lattice_->step()) return false;
   if (scope_ == Scope::all) return offer();
-  patch_.emplace(*connector_, lattice_->route(), rng_());
+  patch_.emplace(*connector_, lattice_->route(), rng_(), Scope::all,
+                 std::function<double(const Route&)>(), gears_);
   trials_ = 0;
   return false;
 }

@@ -39,11 +39,12 @@ Driven driven_first(std::span<const Leg> legs) {
 }  // namespace
 
 Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope,
-                     std::function<double(const Route&)> measure)
+                     std::function<double(const Route&)> measure, std::optional<Gears> beside)
     : connector_(connector),
       measure_(std::move(measure)),
       route_(std::move(route)),
       start_(route_.start),
+      beside_(beside.value_or(Gears{connector.rule().initial_gear, 0})),
       cost_(route_.cost),
       visit_cost_(cost_),
       rng_(seed),
@@ -116,7 +117,8 @@ void Shortener::next_window() {
 Gears Shortener::gears_beside(std::size_t first, std::size_t last) const {
   const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
   if (!needs_gears) return {};
-  Gears gears = gears_around(connector_.rule(), route_, first, last);
+  const Gears ends{beside_.before, ahead_.empty() ? beside_.after : Driven{}};
+  Gears gears = gears_around(ends, route_, first, last);
   if (!passed_.empty() && driven_last(std::span(route_.legs).first(first), {}).gear == 0) {
     gears.before = driven_last(passed_, gears.before);
   }

@@ -4,6 +4,7 @@
 // How does a path get cheaper without leaving its surroundings?
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "search/route.h"
@@ -23,10 +24,11 @@ enum class Scope {
 /// Improves one route by random trials; a trial is kept only if it is free and cheaper.
 class Shortener {
  public:
-  /// With a `measure` a route is cheaper when that says so; the prices of the connector are a guide
-  /// only, the scope is all, and the route comes with the cost that the measure gives it.
+  /// `beside` is what is driven before the route and after it, if that is known: of a part of a
+  /// route. With a `measure` a route is cheaper when that says so; the prices of the connector are
+  /// a guide only, the scope is all, and the route comes with the cost that the measure gives it.
   Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope = Scope::all,
-            std::function<double(const Route&)> measure = {});
+            std::function<double(const Route&)> measure = {}, std::optional<Gears> beside = {});
 
   /// One trial. True when the route got cheaper.
   bool step();
@@ -77,8 +79,9 @@ class Shortener {
 
   Connector& connector_;
   std::function<double(const Route&)> measure_;
-  Route route_;  // or the window of it
-  Pose start_;   // of the whole route
+  Route route_;   // or the window of it
+  Pose start_;    // of the whole route
+  Gears beside_;  // what is driven before and after it
   // The legs before the window, and those after it, the last one first.
   std::vector<Leg> passed_;
   std::vector<Leg> ahead_;
