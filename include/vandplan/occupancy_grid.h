@@ -32,7 +32,15 @@ struct OccupancyGrid {
 };
 
 /// The most cells that a grid may have.
-inline constexpr std::int64_t most_map_cells = 100'000'000;
+inline constexpr std::int64_t most_map_cells = 400'000'000;
+
+/// A rectangle of cells of a grid.
+struct CellRange {
+  std::int32_t column = 0;  ///< of its first cell
+  std::int32_t row = 0;
+  std::int32_t columns = 0;
+  std::int32_t rows = 0;
+};
 
 /// Whether a cell is an obstacle; the cell may lie outside of the grid.
 [[nodiscard]] inline bool is_blocked(const OccupancyGrid& grid, std::int32_t column,

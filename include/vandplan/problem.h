@@ -26,6 +26,9 @@ namespace vandplan {
 namespace base {
 class Derived;
 }
+namespace replanning {
+class KnownGround;
+}
 
 /// How far the wheels are turned at the ends of a path; of account for `Steering::continuous`
 /// alone, as they may be turned at standstill otherwise.
@@ -70,6 +73,9 @@ class World {
   /// touches itself. Repeated corners are dropped; a polygon of one repeated corner stands for
   /// that point.
   World(const Surroundings& surroundings, const Point& near);
+  /// Another world with more obstacles, in the frame of that one, whose origin is 0 here. What was
+  /// made of the map is shared. Throws InputError naming "more[2]" as above.
+  World(const World& ground, const std::vector<Polygon>& more);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -95,7 +101,12 @@ class World {
  private:
   Point origin_;
   Surroundings local_;
-  std::shared_ptr<const collision::Ground> ground_;
+  friend class replanning::KnownGround;  // changes a world that nobody else has
+  /// Other obstacles, in the world's frame and cleaned, and other cells of the map in some ranges.
+  /// What was kept is forgotten.
+  void change(std::vector<Polygon> obstacles, std::span<const CellRange> cells);
+
+  std::shared_ptr<collision::Ground> ground_;
   std::unique_ptr<base::Derived> derived_;
 };
 

@@ -38,11 +38,6 @@ CellBox cells_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, int s
   return {x_begin << shift, (x_end << shift) - 1, y << shift, ((y + 1) << shift) - 1};
 }
 
-CellBox shared(const CellBox& a, const CellBox& b) {
-  return {std::max(a.x_min, b.x_min), std::min(a.x_max, b.x_max), std::max(a.y_min, b.y_min),
-          std::min(a.y_max, b.y_max)};
-}
-
 }  // namespace
 
 /// For an edge cell in the way of one segment, in the frame of the cells.
@@ -197,13 +192,21 @@ class GridObstacles::Search {
 GridObstacles::GridObstacles(const OccupancyGrid& grid)
     : side_(grid.resolution),
       cells_(grid),
-      field_(cells_, doublings(grid.resolution, field_block)),
+      field_(cells_, doublings(grid.resolution, field_block),
+             geometry::field_shift(std::int64_t{grid.columns} * grid.rows)),
       block_shift_(doublings(grid.resolution, block)),
       blocks_(geometry::blocks_of(cells_.edges(), block_shift_)) {
   const auto [sin, cos] = base::sin_cos(grid.origin.heading);
   along_ = {cos, sin};
   // The frame is a cell wide.
   origin_ = {grid.origin.x - side_ * (cos - sin), grid.origin.y - side_ * (sin + cos)};
+}
+
+void GridObstacles::update(const OccupancyGrid& grid, const CellRange& changed) {
+  const CellBox box = geometry::in_frame(changed);
+  cells_.update(grid, box);
+  field_.update(cells_, box);
+  geometry::update_blocks(cells_.edges(), block_shift_, widened(box, 1), blocks_);
 }
 
 Point GridObstacles::in_frame(const Point& point) const noexcept {

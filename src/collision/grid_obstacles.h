@@ -17,10 +17,13 @@ namespace vandplan::collision {
 
 using geometry::BitGrid, geometry::BlockedCells, geometry::CellBox, geometry::DistanceField;
 
-/// The blocked cells of a grid as obstacles. Immutable.
+/// The blocked cells of a grid as obstacles.
 class GridObstacles {
  public:
   explicit GridObstacles(const OccupancyGrid& grid);
+
+  /// Some cells of the grid have become others: as if made anew, and much faster.
+  void update(const OccupancyGrid& grid, const CellRange& changed);
 
   /// Whether the point lies in a blocked cell.
   [[nodiscard]] bool contain(const Point& point) const noexcept;

@@ -3,7 +3,7 @@
 #pragma once
 // What can be hit, whoever drives? The part of collision checks that vehicles share.
 
-#include <optional>
+#include <memory>
 
 #include "collision/grid_obstacles.h"
 #include "collision/obstacles.h"
@@ -11,17 +11,17 @@
 
 namespace vandplan::collision {
 
-/// Surroundings, ready to be asked quickly. Immutable.
+/// Surroundings, ready to be asked quickly.
 struct Ground {
   explicit Ground(const Surroundings& surroundings)
       : bounds(surroundings.bounds), walls(surroundings.obstacles), kerbs(surroundings.kerbs) {
-    if (surroundings.map) map.emplace(*surroundings.map);
+    if (surroundings.map) map = std::make_shared<GridObstacles>(*surroundings.map);
   }
 
   Bounds bounds;
-  Obstacles walls;  ///< the body keeps clear of them
-  Obstacles kerbs;  ///< the wheels do
-  std::optional<GridObstacles> map = {};
+  Obstacles walls;                          ///< the body keeps clear of them
+  Obstacles kerbs;                          ///< the wheels do
+  std::shared_ptr<GridObstacles> map = {};  ///< that all who have it share; none: there is no map
 };
 
 }  // namespace vandplan::collision

@@ -16,6 +16,21 @@ struct CellBox {
   std::int32_t x_min, x_max, y_min, y_max;
 };
 
+/// The cells of a box and those up to so many beside it.
+[[nodiscard]] inline CellBox widened(const CellBox& box, std::int32_t by) noexcept {
+  return {box.x_min - by, box.x_max + by, box.y_min - by, box.y_max + by};
+}
+
+/// What two boxes share.
+[[nodiscard]] inline CellBox shared(const CellBox& a, const CellBox& b) noexcept {
+  return {std::max(a.x_min, b.x_min), std::min(a.x_max, b.x_max), std::max(a.y_min, b.y_min),
+          std::min(a.y_max, b.y_max)};
+}
+
+[[nodiscard]] inline bool is_empty(const CellBox& box) noexcept {
+  return box.x_min > box.x_max || box.y_min > box.y_max;
+}
+
 /// Rows of bits in words of 64.
 class BitGrid {
  public:
@@ -46,6 +61,10 @@ class BitGrid {
   void set(std::int32_t x, std::int32_t y) noexcept {
     const auto column = static_cast<std::size_t>(x);
     word(column / 64, y) |= std::uint64_t{1} << (column % 64);
+  }
+  void clear(std::int32_t x, std::int32_t y) noexcept {
+    const auto column = static_cast<std::size_t>(x);
+    word(column / 64, y) &= ~(std::uint64_t{1} << (column % 64));
   }
 
   /// Calls `visit(y, x_begin, x_end)` for the runs of ones that meet a box, cut where words end,

@@ -2,7 +2,13 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "geometry/blocked_cells.h"
 
+#include <algorithm>
+
 namespace vandplan::geometry {
+
+CellBox in_frame(const CellRange& cells) noexcept {
+  return {cells.column + 1, cells.column + cells.columns, cells.row + 1, cells.row + cells.rows};
+}
 
 BlockedCells::BlockedCells(const OccupancyGrid& grid)
     : blocked_(grid.columns + 2, grid.rows + 2), edges_(grid.columns + 2, grid.rows + 2) {
@@ -25,10 +31,24 @@ BlockedCells::BlockedCells(const OccupancyGrid& grid)
       blocked_.set(columns() - 1, y);
     }
   }
-  mark_edges(!grid.unknown_is_free);
+  mark_edges({0, columns() - 1, 0, rows() - 1}, !grid.unknown_is_free);
 }
 
-void BlockedCells::mark_edges(bool outside_is_blocked) {
+void BlockedCells::update(const OccupancyGrid& grid, const CellBox& changed) {
+  for (std::int32_t y = changed.y_min; y <= changed.y_max; ++y) {
+    for (std::int32_t x = changed.x_min; x <= changed.x_max; ++x) {
+      if (vandplan::is_blocked(grid, x - 1, y - 1)) {
+        blocked_.set(x, y);
+      } else {
+        blocked_.clear(x, y);
+      }
+    }
+  }
+  mark_edges(widened(changed, 1), !grid.unknown_is_free);
+}
+
+/// In the box, and in the words that it shares with others.
+void BlockedCells::mark_edges(const CellBox& box, bool outside_is_blocked) {
   const std::uint64_t outside = outside_is_blocked ? ~std::uint64_t{0} : 0;
   const auto tail = static_cast<std::uint32_t>(columns()) % 64;  // bits of the last word; 0: all
   const std::uint64_t beyond = tail == 0 ? 0 : ~std::uint64_t{0} << tail;
@@ -38,8 +58,10 @@ void BlockedCells::mark_edges(bool outside_is_blocked) {
     if (y < 0 || y >= rows() || i >= words) return outside;
     return i + 1 == words ? blocked_.word(i, y) | (outside & beyond) : blocked_.word(i, y);
   };
-  for (std::int32_t y = 0; y < rows(); ++y) {
-    for (std::size_t i = 0; i < words; ++i) {
+  const auto first = static_cast<std::size_t>(std::max(box.x_min, 0)) / 64;
+  const auto last = static_cast<std::size_t>(std::min(box.x_max, columns() - 1)) / 64;
+  for (std::int32_t y = std::max(box.y_min, 0); y <= std::min(box.y_max, rows() - 1); ++y) {
+    for (std::size_t i = first; i <= last; ++i) {
       const std::uint64_t bits = word(i, y);
       const std::uint64_t left = bits << 1 | word(i - 1, y) >> 63;
       const std::uint64_t right = bits >> 1 | word(i + 1, y) << 63;
@@ -58,6 +80,26 @@ BitGrid blocks_of(const BitGrid& cells, int shift) {
     return false;
   });
   return result;
+}
+
+bool update_blocks(const BitGrid& cells, int shift, const CellBox& changed, BitGrid& blocks) {
+  const CellBox box = shared(changed, {0, cells.columns() - 1, 0, cells.rows() - 1});
+  bool has_changed = false;
+  for (std::int32_t y = box.y_min >> shift; y <= box.y_max >> shift; ++y) {
+    for (std::int32_t x = box.x_min >> shift; x <= box.x_max >> shift; ++x) {
+      const CellBox block{x << shift, ((x + 1) << shift) - 1, y << shift, ((y + 1) << shift) - 1};
+      const bool is_set =
+          cells.any_run(block, [](std::int32_t, std::int32_t, std::int32_t) { return true; });
+      if (is_set == blocks.is_set(x, y)) continue;
+      has_changed = true;
+      if (is_set) {
+        blocks.set(x, y);
+      } else {
+        blocks.clear(x, y);
+      }
+    }
+  }
+  return has_changed;
 }
 
 }  // namespace vandplan::geometry

@@ -12,10 +12,16 @@
 
 namespace vandplan::geometry {
 
-/// Bits of a frame and the grid in it. Immutable.
+/// Cells of a grid, in the frame.
+[[nodiscard]] CellBox in_frame(const CellRange& cells) noexcept;
+
+/// Bits of a frame and the grid in it.
 class BlockedCells {
  public:
   explicit BlockedCells(const OccupancyGrid& grid);
+
+  /// The cells of the grid in a box have become others.
+  void update(const OccupancyGrid& grid, const CellBox& changed);
 
   /// The number of columns, and of rows, with those of the frame.
   [[nodiscard]] std::int32_t columns() const noexcept { return blocked_.columns(); }
@@ -34,7 +40,7 @@ class BlockedCells {
   }
 
  private:
-  void mark_edges(bool outside_is_blocked);
+  void mark_edges(const CellBox& box, bool outside_is_blocked);
 
   BitGrid blocked_;
   BitGrid edges_;
@@ -42,5 +48,8 @@ class BlockedCells {
 
 /// Whether a block of 2^shift times 2^shift cells holds one that is set.
 [[nodiscard]] BitGrid blocks_of(const BitGrid& cells, int shift);
+
+/// The same again for the blocks of a box of cells; says whether one became another.
+bool update_blocks(const BitGrid& cells, int shift, const CellBox& changed, BitGrid& blocks);
 
 }  // namespace vandplan::geometry

@@ -2,30 +2,34 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "geometry/distance_field.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 namespace vandplan::geometry {
 namespace {
 
-constexpr std::uint8_t far = 255;  // this far up and down, or further
+constexpr std::uint8_t far = CornerSquares::furthest;  // this far up and down, or further
+constexpr std::uint16_t beyond = far * far;
 
-/// [1] How far up or down the nearest corner of a blocked cell is, for every corner.
-std::vector<std::uint8_t> column_distances(const BitGrid& blocked, std::size_t columns,
-                                           std::size_t rows) {
+/// [1] How far up or down the nearest corner of a cell that is set is, for the corners in a box: of
+/// those in the box, or less.
+std::vector<std::uint8_t> column_distances(const BitGrid& cells, const CellBox& corners) {
+  const auto columns = static_cast<std::size_t>(corners.x_max - corners.x_min) + 1;
+  const auto rows = static_cast<std::size_t>(corners.y_max - corners.y_min) + 1;
   std::vector<std::uint8_t> distances(columns * rows, far);
-  for (std::size_t y = 0; y < rows; ++y) {
-    std::uint8_t* const row = distances.data() + y * columns;
-    const auto mark = [&](std::int32_t cell_row) {
-      const CellBox box{0, blocked.columns() - 1, cell_row, cell_row};
-      (void)blocked.any_run(box, [&](std::int32_t, std::int32_t begin, std::int32_t end) {
-        std::fill(row + begin, row + end + 1, std::uint8_t{0});
-        return false;
-      });
-    };
-    mark(static_cast<std::int32_t>(y) - 1);
-    mark(static_cast<std::int32_t>(y));
+  for (std::size_t i = 0; i < rows; ++i) {
+    std::uint8_t* const row = distances.data() + i * columns;
+    const auto y = corners.y_min + static_cast<std::int32_t>(i);
+    (void)cells.any_run({corners.x_min - 1, corners.x_max, y - 1, y},
+                        [&](std::int32_t, std::int32_t begin, std::int32_t end) {
+                          std::fill(row + (std::max(begin, corners.x_min) - corners.x_min),
+                                    row + (std::min(end, corners.x_max) - corners.x_min) + 1,
+                                    std::uint8_t{0});
+                          return false;
+                        });
   }
   const auto spread = [&](std::size_t from, std::size_t to) {
     const std::uint8_t* const near = distances.data() + from * columns;
@@ -65,105 +69,233 @@ struct Envelope {
   }
 };
 
-/// [2] The least of all parabolas over a row of column distances.
-void fill_row(std::span<const std::uint8_t> distances, Envelope& envelope,
+/// [2] The least of all parabolas over a row of column distances, from one of its places on.
+void fill_row(std::span<const std::uint8_t> distances, std::size_t first, Envelope& envelope,
               std::span<std::uint16_t> squares) {
-  constexpr std::int64_t most = std::int64_t{far} * far;
   envelope.parts.clear();
   for (std::size_t x = 0; x < distances.size(); ++x) {
     const std::int64_t distance = distances[x];
     if (distance < far) envelope.add(static_cast<std::int64_t>(x), distance * distance);
   }
-  std::fill(squares.begin(), squares.end(), static_cast<std::uint16_t>(most));
+  std::fill(squares.begin(), squares.end(), beyond);
+  const auto begin_of_all = static_cast<std::int64_t>(first);
+  const auto end_of_all = static_cast<std::int64_t>(first + squares.size());
   for (std::size_t i = 0; i < envelope.parts.size(); ++i) {
     const auto& [centre, height, begin] = envelope.parts[i];
-    const auto size = static_cast<std::int64_t>(squares.size());
-    const std::int64_t end = i + 1 < envelope.parts.size() ? envelope.parts[i + 1].begin : size;
-    for (std::int64_t x = begin; x < std::min(end, size); ++x) {
+    const std::int64_t end =
+        i + 1 < envelope.parts.size() ? envelope.parts[i + 1].begin : end_of_all;
+    for (std::int64_t x = std::max(begin, begin_of_all); x < std::min(end, end_of_all); ++x) {
       const std::int64_t square = (x - centre) * (x - centre) + height;
-      squares[static_cast<std::size_t>(x)] = static_cast<std::uint16_t>(std::min(square, most));
+      squares[static_cast<std::size_t>(x) - first] =
+          static_cast<std::uint16_t>(std::min<std::int64_t>(square, beyond));
     }
   }
 }
 
-/// The squared distances of all corners from the nearest blocked cell, row by row.
-std::vector<std::uint16_t> corner_squares(const BitGrid& blocked) {
-  const std::size_t columns = static_cast<std::size_t>(blocked.columns()) + 1;
-  const std::size_t rows = static_cast<std::size_t>(blocked.rows()) + 1;
-  std::vector<std::uint16_t> squares(columns * rows);
-  const std::vector<std::uint8_t> distances = column_distances(blocked, columns, rows);
-  Envelope envelope;
-  for (std::size_t y = 0; y < rows; ++y) {
-    fill_row(std::span(distances).subspan(y * columns, columns), envelope,
-             std::span(squares).subspan(y * columns, columns));
-  }
-  return squares;
-}
-
-/// The least of the corners of every block of 2^shift times 2^shift cells, those on its sides, too.
-std::vector<std::uint16_t> least_in_blocks(const std::vector<std::uint16_t>& corners,
-                                           std::size_t columns, int shift) {
-  const std::size_t rows = corners.size() / columns;
-  const std::size_t side = std::size_t{1} << shift;
+/// The least of the corners of blocks of 2^shift times 2^shift cells, those on their sides, too.
+std::vector<std::uint16_t> least_in_blocks(const CornerSquares& squares, const CellBox& blocks,
+                                           int shift) {
+  const std::int32_t side = std::int32_t{1} << shift;
+  const std::int32_t first = blocks.x_min * side;
+  const std::int32_t last = std::min((blocks.x_max + 1) * side, squares.columns() - 1);
   std::vector<std::uint16_t> result;
-  std::vector<std::uint16_t> row(columns);
-  for (std::size_t y = 0; y + 1 < rows; y += side) {
+  std::vector<std::uint16_t> row(static_cast<std::size_t>(last - first) + 1);
+  for (std::int32_t y = blocks.y_min; y <= blocks.y_max; ++y) {
     std::fill(row.begin(), row.end(), std::numeric_limits<std::uint16_t>::max());
-    for (std::size_t i = y; i < std::min(y + side + 1, rows); ++i) {
-      const std::uint16_t* const other = corners.data() + i * columns;
-      for (std::size_t x = 0; x < columns; ++x) row[x] = std::min(row[x], other[x]);
+    for (std::int32_t i = y * side; i <= std::min((y + 1) * side, squares.rows() - 1); ++i) {
+      const std::uint16_t* const other = squares.from(first, i);
+      for (std::size_t x = 0; x < row.size(); ++x) row[x] = std::min(row[x], other[x]);
     }
-    for (std::size_t x = 0; x + 1 < columns; x += side) {
-      const auto begin = row.begin() + static_cast<std::ptrdiff_t>(x);
-      const std::size_t count = std::min(side + 1, columns - x);
-      result.push_back(*std::min_element(begin, begin + static_cast<std::ptrdiff_t>(count)));
+    for (std::int32_t x = 0; x < last - first; x += side) {
+      const auto begin = row.begin() + x;
+      result.push_back(*std::min_element(begin, begin + std::min(side, last - first - x) + 1));
     }
   }
   return result;
 }
 
+/// The distance of the nearest point of a block [cells], whose corners are so far from blocked
+/// squares, in their sides, and from blocks with one, in theirs, both squared.
+double distance_of(std::uint16_t near, double side, std::uint16_t far_away, double block_side) {
+  const double distance = side * std::sqrt(static_cast<double>(near));
+  if (distance < side * DistanceField::furthest) return distance;
+  return std::max(distance, block_side * std::sqrt(static_cast<double>(far_away)));
+}
+
+std::uint16_t in_parts(double distance) {
+  return static_cast<std::uint16_t>(std::min(distance * DistanceField::parts, 65535.0));
+}
+
+/// The least whole number whose square is no less.
+std::int32_t root_of(std::uint16_t square) {
+  return static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(square))));
+}
+
 }  // namespace
 
-DistanceField::DistanceField(const BlockedCells& cells, int coarseness)
+CornerSquares::CornerSquares(const BitGrid& cells)
+    : columns_(cells.columns() + 1),
+      rows_(cells.rows() + 1),
+      squares_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+  std::vector<Stretch> all;
+  all.reserve(static_cast<std::size_t>(rows_));
+  for (std::int32_t y = 0; y < rows_; ++y) all.push_back({y, 0, columns_, 0, columns_ - 1});
+  fill(cells, all);
+}
+
+/// The squares of corners of rows one below the other, from column distances.
+void CornerSquares::fill(const BitGrid& cells, const std::vector<Stretch>& stretches) {
+  CellBox box{columns_, -1, std::max(stretches.front().y - furthest, 0),
+              std::min(stretches.back().y + furthest, rows_ - 1)};
+  for (const Stretch& stretch : stretches) {
+    box.x_min = std::min(box.x_min, stretch.first_source);
+    box.x_max = std::max(box.x_max, stretch.last_source);
+  }
+  const std::vector<std::uint8_t> distances = column_distances(cells, box);
+  const auto width = static_cast<std::size_t>(box.x_max - box.x_min) + 1;
+  Envelope envelope;
+  for (const auto& [y, begin, end, first, last] : stretches) {
+    const std::size_t row = static_cast<std::size_t>(y - box.y_min) * width;
+    fill_row(
+        std::span(distances).subspan(row + static_cast<std::size_t>(first - box.x_min),
+                                     static_cast<std::size_t>(last - first) + 1),
+        static_cast<std::size_t>(begin - first), envelope,
+        std::span(squares_).subspan(index_of(begin, y), static_cast<std::size_t>(end - begin)));
+  }
+}
+
+// What is nearer to something else than to all that has changed stays as it is. Beside what does
+// not stay is a corner that does: no corner beyond is further from its nearest cell than from that
+// of this one.
+CornerSquares::Stretch CornerSquares::affected(std::int32_t y, const CellBox& changed) const {
+  const auto beside = [](std::int32_t place, std::int32_t low, std::int32_t high) {
+    return std::max({low - place, place - high, 0});
+  };
+  const std::int32_t dy = beside(y, changed.y_min, changed.y_max + 1);
+  const std::uint16_t* const row = from(0, y);
+  const auto stays = [&](std::int32_t x) {
+    const std::int32_t dx = beside(x, changed.x_min, changed.x_max + 1);
+    const std::int32_t square = dx * dx + dy * dy;
+    return square > row[x] || square >= furthest * furthest;
+  };
+  std::int32_t begin = std::max(changed.x_min - furthest, 0);
+  std::int32_t end = std::min(changed.x_max + 1 + furthest, columns_ - 1) + 1;
+  while (begin < end && stays(begin)) ++begin;
+  while (end > begin && stays(end - 1)) --end;
+  const std::int32_t left = begin == 0 ? 0 : begin - 1 - root_of(row[begin - 1]);
+  const std::int32_t right = end == columns_ ? columns_ - 1 : end + root_of(row[end]);
+  return {y, begin, end, std::max(left, 0), std::min(right, columns_ - 1)};
+}
+
+CellBox CornerSquares::update(const BitGrid& cells, const CellBox& changed) {
+  std::vector<Stretch> stretches;
+  CellBox box{columns_, -1, rows_, -1};
+  const std::int32_t last = std::min(changed.y_max + 1 + furthest, rows_ - 1);
+  for (std::int32_t y = std::max(changed.y_min - furthest, 0); y <= last; ++y) {
+    const Stretch stretch = affected(y, changed);
+    if (stretch.begin == stretch.end) continue;
+    stretches.push_back(stretch);
+    box = {std::min(box.x_min, stretch.begin), std::max(box.x_max, stretch.end - 1),
+           std::min(box.y_min, y), y};
+  }
+  if (!stretches.empty()) fill(cells, stretches);
+  return box;
+}
+
+int field_shift(std::int64_t cells) noexcept {
+  constexpr std::int64_t most = 100'000'000;
+  int shift = 0;
+  while (cells >> (2 * shift) > most) ++shift;
+  return shift;
+}
+
+DistanceField::DistanceField(const BlockedCells& cells, int coarseness, int shift)
     : last_x_(cells.columns() - 0.5),
       last_y_(cells.rows() - 0.5),
       outside_is_free_(cells.is_blocked(0, 0) ? 0.0 : 1.0),
-      columns_(static_cast<std::size_t>(cells.columns()) + 1),
-      squares_(corner_squares(cells.blocked())) {
-  build_blocks(cells, coarseness);
+      shift_(shift),
+      side_(std::ldexp(1.0, shift)),
+      per_side_(1 / side_),
+      blocked_squares_(shift == 0 ? BitGrid(0, 0) : blocks_of(cells.blocked(), shift)),
+      squares_(shift == 0 ? cells.blocked() : blocked_squares_),
+      coarseness_(coarseness),
+      per_block_(std::ldexp(1.0, -coarseness)),
+      blocked_blocks_(blocks_of(cells.blocked(), coarseness)),
+      between_blocks_(blocked_blocks_),
+      block_columns_(static_cast<std::size_t>(blocked_blocks_.columns())),
+      blocks_(block_columns_ * static_cast<std::size_t>(blocked_blocks_.rows())) {
+  assert(coarseness >= shift);
+  fill_blocks({0, blocked_blocks_.columns() - 1, 0, blocked_blocks_.rows() - 1});
 }
 
-// [3] The nearest point of a block is a corner of a cell. Beyond what the field knows it is as far
-// as the nearest block with a blocked cell.
-void DistanceField::build_blocks(const BlockedCells& cells, int coarseness) {
-  const BitGrid grid = blocks_of(cells.blocked(), coarseness);
-  block_columns_ = static_cast<std::size_t>(grid.columns());
-  const double side = std::ldexp(1.0, coarseness);
-  per_block_ = 1 / side;
-  const auto near = least_in_blocks(squares_, columns_, coarseness);
-  const auto far_away = least_in_blocks(corner_squares(grid), block_columns_ + 1, 0);
-  blocks_.reserve(near.size());
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    double distance = std::sqrt(static_cast<double>(near[i]));
-    if (distance >= furthest) {
-      distance = std::max(distance, side * std::sqrt(static_cast<double>(far_away[i])));
+// [3] The nearest point of a block is a corner of a square. Beyond what the field knows it is as
+// far as the nearest block with a blocked cell.
+void DistanceField::fill_blocks(const CellBox& blocks) {
+  const double side = 1 / per_block_;
+  const auto near = least_in_blocks(squares_, blocks, coarseness_ - shift_);
+  const auto far_away = least_in_blocks(between_blocks_, blocks, 0);
+  std::size_t i = 0;
+  for (std::int32_t y = blocks.y_min; y <= blocks.y_max; ++y) {
+    for (std::int32_t x = blocks.x_min; x <= blocks.x_max; ++x, ++i) {
+      blocks_[static_cast<std::size_t>(y) * block_columns_ + static_cast<std::size_t>(x)] =
+          in_parts(distance_of(near[i], side_, far_away[i], side));
     }
-    blocks_.push_back(static_cast<std::uint16_t>(std::min(distance * parts, 65535.0)));
+  }
+}
+
+void DistanceField::update(const BlockedCells& cells, const CellBox& changed) {
+  const CellBox all{0, blocked_blocks_.columns() - 1, 0, blocked_blocks_.rows() - 1};
+  const auto blocks_at = [&](const CellBox& box, int shift) {
+    return shared({box.x_min >> shift, box.x_max >> shift, box.y_min >> shift, box.y_max >> shift},
+                  all);
+  };
+  const auto left_of = [](const CellBox& corners) {
+    return CellBox{corners.x_min - 1, corners.x_max, corners.y_min - 1, corners.y_max};
+  };
+  CellBox corners{0, -1, 0, -1};
+  if (shift_ == 0) {
+    corners = squares_.update(cells.blocked(), changed);
+  } else if (update_blocks(cells.blocked(), shift_, changed, blocked_squares_)) {
+    corners = squares_.update(blocked_squares_, {changed.x_min >> shift_, changed.x_max >> shift_,
+                                                 changed.y_min >> shift_, changed.y_max >> shift_});
+  }
+  CellBox far_away{0, -1, 0, -1};
+  if (update_blocks(cells.blocked(), coarseness_, changed, blocked_blocks_)) {
+    far_away = between_blocks_.update(blocked_blocks_, blocks_at(changed, coarseness_));
+  }
+  if (!is_empty(corners)) fill_blocks(blocks_at(left_of(corners), coarseness_ - shift_));
+  if (is_empty(far_away)) return;
+  // Only what is beyond what the field knows is told from these.
+  const CellBox blocks = blocks_at(left_of(far_away), 0);
+  const auto squares = least_in_blocks(between_blocks_, blocks, 0);
+  std::size_t i = 0;
+  for (std::int32_t y = blocks.y_min; y <= blocks.y_max; ++y) {
+    for (std::int32_t x = blocks.x_min; x <= blocks.x_max; ++x, ++i) {
+      std::uint16_t& block =
+          blocks_[static_cast<std::size_t>(y) * block_columns_ + static_cast<std::size_t>(x)];
+      if (block >= side_ * furthest * parts) {
+        block = in_parts(distance_of(beyond, side_, squares[i], 1 / per_block_));
+      }
+    }
   }
 }
 
 DistanceField::Range DistanceField::around(const Point& point) const noexcept {
   const double x = std::clamp(point.x, 0.0, last_x_ + 0.5);
   const double y = std::clamp(point.y, 0.0, last_y_ + 0.5);
-  const double i = std::floor(x + 0.5);
-  const double j = std::floor(y + 0.5);
-  const double distance =
+  const double i = std::floor(x * per_side_ + 0.5);
+  const double j = std::floor(y * per_side_ + 0.5);
+  const double squares =
       std::sqrt(square_at(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)));
-  const double aside = std::sqrt((x - i) * (x - i) + (y - j) * (y - j));
+  const double dx = x - i * side_;
+  const double dy = y - j * side_;
+  const double aside = std::sqrt(dx * dx + dy * dy);
   const double outside = std::abs(point.x - x) + std::abs(point.y - y);
-  const double most =
-      distance < furthest ? distance + aside + outside : std::numeric_limits<double>::infinity();
-  return {distance - aside, most};
+  // The blocked cell of a square may lie in the corner that is furthest away.
+  const double within = std::numbers::sqrt2 * (side_ - 1);
+  const double most = squares < furthest ? side_ * squares + within + aside + outside
+                                         : std::numeric_limits<double>::infinity();
+  return {side_ * squares - aside, most};
 }
 
 }  // namespace vandplan::geometry

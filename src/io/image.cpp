@@ -11,10 +11,13 @@
 namespace vandplan::io {
 
 void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where) {
+  constexpr std::uint64_t longest = 100'000'000;  // side
   const auto most = static_cast<std::uint64_t>(most_map_cells);
-  if (columns >= 1 && rows >= 1 && columns <= most && rows <= most / columns) return;
-  throw InputError(where, fmt::format("is {} x {} pixels, expected at least one and at most {}",
-                                      columns, rows, most));
+  const bool has_sides = columns >= 1 && rows >= 1 && columns <= longest && rows <= longest;
+  if (has_sides && rows <= most / columns) return;
+  throw InputError(where, fmt::format("is {} x {} pixels, expected at least one and at most {}, {} "
+                                      "along a side",
+                                      columns, rows, most, longest));
 }
 
 void check_image_bytes(const ImageShape& shape, std::size_t bytes, double least, const char* kind,

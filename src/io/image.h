@@ -14,6 +14,9 @@
 
 namespace vandplan::io {
 
+/// The largest image file that is read [bytes].
+inline constexpr std::size_t largest_image = std::size_t{1} << 30;
+
 /// What becomes of transparent pixels.
 enum class Alpha {
   marked,  ///< a pixel that is not opaque has no brightness
@@ -35,7 +38,8 @@ inline constexpr std::uint32_t transparent_pixel = UINT32_MAX;
 using TakeRow =
     std::function<void(const ImageShape& shape, std::span<const std::uint32_t> brightness)>;
 
-/// Throws InputError, `where` standing for the file, for no pixels or more than `most_map_cells`.
+/// Throws InputError, `where` standing for the file, for no pixels, more than `most_map_cells`, or
+/// more than 10^8 along a side.
 void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where);
 
 /// Throws InputError if the bytes of a file are fewer than its pixels take at least: nobody is

@@ -13,7 +13,7 @@ namespace vandplan::io {
 namespace {
 
 /// What a file is that we do not read, from how it begins.
-std::string kind_of(const std::string& bytes) {
+std::string kind_of(std::string_view bytes) {
   struct Kind {
     std::string_view begin, name;
   };
@@ -36,11 +36,12 @@ std::string kind_of(const std::string& bytes) {
 
 }  // namespace
 
-void read_image(const std::string& bytes, const std::string& where, Alpha alpha,
-                const TakeRow& take_row) {
-  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return read_pgm(bytes, where, take_row);
-  if (bytes.starts_with("\x89PNG")) return read_png(bytes, where, alpha, take_row);
-  throw InputError(where, "is " + kind_of(bytes) + ", expected a PGM (P2 or P5) or PNG image");
+void read_image(FileReader& file, Alpha alpha, const TakeRow& take_row) {
+  const std::string_view begin = file.ahead(4);
+  if (begin.starts_with("P2") || begin.starts_with("P5")) return read_pgm(file, take_row);
+  if (begin.starts_with("\x89PNG")) return read_png(file, alpha, take_row);
+  throw InputError(file.name(),
+                   "is " + kind_of(begin) + ", expected a PGM (P2 or P5) or PNG image");
 }
 
 }  // namespace vandplan::io

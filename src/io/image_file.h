@@ -3,15 +3,13 @@
 #pragma once
 // Which kind of image is a file?
 
-#include <string>
-
 #include "io/image.h"
+#include "io/input_file.h"
 
 namespace vandplan::io {
 
-/// Hands out the rows of a PGM (P2, P5) or PNG file. Throws InputError, `where` standing for the
-/// file, if it is neither, broken, or has more than `most_map_cells` pixels.
-void read_image(const std::string& bytes, const std::string& where, Alpha alpha,
-                const TakeRow& take_row);
+/// Hands out the rows of a PGM (P2, P5) or PNG file, of which it never holds much. Throws
+/// InputError if it is neither, broken, or too large.
+void read_image(FileReader& file, Alpha alpha, const TakeRow& take_row);
 
 }  // namespace vandplan::io

@@ -70,16 +70,22 @@ bool InputFile::append_to(std::string& content, std::size_t largest) {
   return count > 0;
 }
 
+std::optional<std::size_t> InputFile::size() const {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return static_cast<std::size_t>(status.st_size);
+}
+
 void InputFile::expect_at_most(std::size_t size, std::size_t largest) const {
   if (size > largest) refuse(name_, largest);
 }
 
-std::optional<std::string> LineReader::next(std::size_t largest) {
+std::optional<std::string> FileReader::next(std::size_t largest) {
   std::size_t end = buffer_.find('\n', used_);
   while (end == std::string::npos) {
     buffer_.erase(0, std::exchange(used_, 0));
     const std::size_t searched = buffer_.size();
-    if (!file_.append_to(buffer_, largest + chunk)) break;
+    if (!file_ || !file_->append_to(buffer_, largest + chunk)) break;
     end = buffer_.find('\n', searched);
   }
   const bool is_last = end == std::string::npos;
@@ -99,16 +105,30 @@ std::optional<std::string> LineReader::next(std::size_t largest) {
   return line;
 }
 
-std::string_view LineReader::next_piece(std::size_t largest) {
-  if (used_ == buffer_.size() || handed_out_ > 0) {
-    buffer_.clear();
-    used_ = 0;
-    (void)file_.append_to(buffer_, chunk);
-  }
-  const std::string_view piece = std::string_view(buffer_).substr(std::exchange(used_, 0));
+std::string_view FileReader::next_piece(std::size_t largest) {
+  const std::string_view piece = ahead(1);
+  skip(piece.size());
   handed_out_ += piece.size();
-  file_.expect_at_most(handed_out_, largest);
+  if (handed_out_ > largest) refuse(name_, largest);
   return piece;
+}
+
+void FileReader::fill(std::size_t count) {
+  gone_ += used_;
+  buffer_.erase(0, std::exchange(used_, 0));
+  while (buffer_.size() < count && file_ && file_->append_to(buffer_, buffer_.max_size())) {
+  }
+}
+
+std::size_t FileReader::size(std::size_t largest) {
+  const std::optional<std::size_t> stated = file_ ? file_->size() : std::nullopt;
+  if (file_ && !stated) {
+    while (file_->append_to(buffer_, largest)) {
+    }
+  }
+  const std::size_t size = stated.value_or(gone_ + buffer_.size());
+  if (size > largest) refuse(name_, largest);
+  return size;
 }
 
 }  // namespace vandplan::io

@@ -26,8 +26,6 @@ namespace {
 
 using namespace io;
 
-constexpr std::size_t largest_image = std::size_t{256} << 20;  // bytes
-
 enum class Mode { trinary, scale, raw };
 
 /// How the brightness of a pixel says what a cell is.
@@ -99,11 +97,12 @@ Cell cell_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
   return cell_between(rule, static_cast<double>(part) / white);
 }
 
-/// The cells of an image as it comes, the top row first.
+/// The cells of an image as it comes: the top row first, which has the largest y.
 struct Cells {
   std::int32_t columns = 0;
   std::int32_t rows = 0;
   std::vector<Cell> cells;
+  std::size_t missing = 0;               // the first so many are not there yet
   std::vector<Cell> cell_of_brightness;  // few brightnesses, many pixels
 
   void take(const Rule& rule, const io::ImageShape& shape,
@@ -114,10 +113,14 @@ struct Cells {
       for (std::uint32_t i = 0; i <= shape.white; ++i) {
         cell_of_brightness.push_back(cell_of(rule, i, shape.white));
       }
+      missing = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+      cells.resize(missing);
     }
-    for (const std::uint32_t pixel : brightness) {
-      cells.push_back(pixel == io::transparent_pixel ? Cell::unknown : cell_of_brightness[pixel]);
-    }
+    missing -= brightness.size();
+    std::ranges::transform(
+        brightness, cells.begin() + static_cast<std::ptrdiff_t>(missing), [&](std::uint32_t pixel) {
+          return pixel == io::transparent_pixel ? Cell::unknown : cell_of_brightness[pixel];
+        });
   }
 };
 
@@ -128,14 +131,14 @@ Cells cells_from(const Document& file, const std::string& map, const Rule& rule)
   const io::Alpha alpha = rule.mode == Mode::raw ? io::Alpha::ignored : io::Alpha::marked;
   Cells cells;
   try {
-    io::read_image(read_file(path.string(), largest_image), path.string(), alpha,
+    io::FileReader image(path.string());
+    io::read_image(image, alpha,
                    [&](const io::ImageShape& shape, std::span<const std::uint32_t> brightness) {
                      cells.take(rule, shape, brightness);
                    });
   } catch (const InputError& error) {
     file.fail(node, error.what());
   }
-  io::turn_over(cells.cells, cells.columns);
   return cells;
 }
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 #include <vector>
@@ -22,71 +22,98 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& where) : text_(text), where_(where) {}
+  explicit Reader(FileReader& file) : file_(file) {
+    constexpr std::size_t magic_number = 2;  // bytes
+    (void)bytes(magic_number);
+  }
 
   /// The next decimal number.
   std::uint64_t number(const char* name, std::uint64_t most) {
     skip_blanks();
+    const std::string_view text = file_.ahead(longest_number).substr(0, longest_number);
     std::uint64_t value = 0;
-    const char* const begin = text_.data() + at_;
-    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (at_ == text_.size()) fail(fmt::format("ends before its {}", name), "a whole PGM image");
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty()) fail(fmt::format("ends before its {}", name), "a whole PGM image");
     if (error == std::errc::invalid_argument) {
       fail(fmt::format("has no {} at byte {}", name, at_), "a decimal number");
     }
-    if (error != std::errc() || value > most) {
-      fail(fmt::format("has a {} of {}", name, std::string(begin, end)),
+    const auto size = static_cast<std::size_t>(end - text.data());
+    if (error != std::errc() || value > most || size == longest_number) {
+      fail(fmt::format("has a {} of {}", name, text.substr(0, size)),
            fmt::format("at most {}", most));
     }
-    at_ = static_cast<std::size_t>(end - text_.data());
+    skip(size);
     return value;
   }
 
-  /// What follows the single blank behind the header.
-  std::string_view raster() {
-    if (at_ == text_.size() || !is_blank(text_[at_])) {
+  /// The single blank behind the header.
+  void blank() {
+    const std::string_view next = file_.ahead(1);
+    if (next.empty() || !is_blank(next.front())) {
       fail("has no pixels behind its header", "a blank and then the pixels");
     }
-    return text_.substr(at_ + 1);
+    skip(1);
   }
 
+  /// The next bytes; fewer at the end of the file.
+  std::string_view bytes(std::size_t count) {
+    const std::string_view next = file_.ahead(count).substr(0, count);
+    skip(next.size());
+    return next;
+  }
+
+  /// How many bytes are left.
+  [[nodiscard]] std::size_t left() { return file_.size(largest_image) - at_; }
+
   [[noreturn]] void fail(const std::string& problem, const std::string& expected) const {
-    throw InputError(where_, problem + ", expected " + expected);
+    throw InputError(file_.name(), problem + ", expected " + expected);
   }
 
  private:
+  static constexpr std::size_t longest_number = 1024;  // with all its zeros [bytes]
+
+  void skip(std::size_t count) {
+    file_.skip(count);
+    at_ += count;
+  }
+
   void skip_blanks() {
-    while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '#')) {
-      if (text_[at_] == '#') at_ = std::min(text_.find('\n', at_), text_.size());
-      if (at_ < text_.size()) ++at_;
+    bool is_comment = false;  // up to the end of its line
+    for (std::string_view next = file_.ahead(1); !next.empty(); next = file_.ahead(1)) {
+      const char c = next.front();
+      is_comment = is_comment ? c != '\n' : c == '#';
+      if (!is_comment && !is_blank(c)) return;
+      skip(1);
     }
   }
 
-  std::string_view text_;
-  const std::string& where_;
-  std::size_t at_ = 2;  // behind the magic number
+  FileReader& file_;
+  std::size_t at_ = 0;  // so many bytes are read
 };
 
 void read_binary(Reader& reader, const ImageShape& shape, const TakeRow& take_row) {
-  const std::string_view raster = reader.raster();
+  reader.blank();
   const auto columns = static_cast<std::size_t>(shape.columns);
   const std::size_t width = shape.white < 256 ? 1 : 2;
   const std::size_t needed = columns * static_cast<std::size_t>(shape.rows) * width;
-  if (raster.size() < needed) {
-    reader.fail(fmt::format("ends after {} of {} bytes of pixels", raster.size(), needed),
+  const auto expect_whole = [&](std::size_t found) {
+    if (found >= needed) return;
+    reader.fail(fmt::format("ends after {} of {} bytes of pixels", found, needed),
                 "a whole PGM image");
-  }
+  };
+  expect_whole(reader.left());
   std::vector<std::uint32_t> row(columns);
   for (std::size_t at = 0; at < needed; at += columns * width) {
+    const std::string_view raster = reader.bytes(columns * width);
+    if (raster.size() < columns * width) expect_whole(at + raster.size());
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(raster[i]); };
     for (std::size_t i = 0; i < columns; ++i) {
-      const auto byte = [&](std::size_t k) {
-        return static_cast<unsigned char>(raster[at + width * i + k]);
-      };
-      row[i] = width == 1 ? byte(0) : byte(0) * 256U + byte(1);
-      if (row[i] > shape.white) {
-        reader.fail(fmt::format("has a pixel of {}", row[i]),
-                    fmt::format("at most {}", shape.white));
-      }
+      row[i] = width == 1 ? byte(i) : byte(2 * i) * 256U + byte(2 * i + 1);
+    }
+    const std::uint32_t brightest = *std::max_element(row.begin(), row.end());
+    if (brightest > shape.white) {
+      reader.fail(fmt::format("has a pixel of {}", brightest),
+                  fmt::format("at most {}", shape.white));
     }
     take_row(shape, row);
   }
@@ -104,19 +131,21 @@ void read_decimal(Reader& reader, const ImageShape& shape, const TakeRow& take_r
 
 }  // namespace
 
-void read_pgm(const std::string& bytes, const std::string& where, const TakeRow& take_row) {
-  Reader reader(bytes, where);
+void read_pgm(FileReader& file, const TakeRow& take_row) {
+  const bool is_binary = file.ahead(2).substr(0, 2) == "P5";
+  Reader reader(file);
   constexpr std::uint64_t largest_side = INT64_MAX;
   const std::uint64_t columns = reader.number("width", largest_side);
   const std::uint64_t rows = reader.number("height", largest_side);
-  check_image_size(columns, rows, where);
+  check_image_size(columns, rows, file.name());
   const std::uint64_t greatest = reader.number("greatest value", 65535);
   if (greatest == 0) reader.fail("has a greatest value of 0", "1 to 65535");
   const ImageShape shape{static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
                          static_cast<std::uint32_t>(greatest)};
   // A pixel takes a byte at least.
-  check_image_bytes(shape, bytes.size(), static_cast<double>(columns * rows), "PGM", where);
-  if (bytes[1] == '5') {
+  check_image_bytes(shape, file.size(largest_image), static_cast<double>(columns * rows), "PGM",
+                    file.name());
+  if (is_binary) {
     read_binary(reader, shape, take_row);
   } else {
     read_decimal(reader, shape, take_row);

@@ -3,14 +3,13 @@
 #pragma once
 // How is a portable grey map read?
 
-#include <string>
-
 #include "io/image.h"
+#include "io/input_file.h"
 
 namespace vandplan::io {
 
-/// Hands out the rows of a PGM file, whose bytes begin with P2 or P5. Throws InputError, `where`
-/// standing for the file, if it is broken or has more than `most_map_cells` pixels.
-void read_pgm(const std::string& bytes, const std::string& where, const TakeRow& take_row);
+/// Hands out the rows of a PGM file, which begins with P2 or P5. Throws InputError if it is broken
+/// or has more pixels than `check_image_size` allows.
+void read_pgm(FileReader& file, const TakeRow& take_row);
 
 }  // namespace vandplan::io

@@ -2,11 +2,13 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "io/png_image.h"
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
 #include <csetjmp>
 #include <cstring>
+#include <exception>
 #include <vector>
 
 #include "vandplan/input_error.h"
@@ -14,11 +16,11 @@
 namespace vandplan::io {
 namespace {
 
-/// Bytes that libpng reads from, and what it says when it gives up. libpng jumps out of its own
+/// A file that libpng reads from, and what it says when it gives up. libpng jumps out of its own
 /// functions to where it was called from; nothing there has a destructor that would be missed.
 class PngFile {
  public:
-  explicit PngFile(const std::string& bytes) : bytes_(bytes) {
+  explicit PngFile(FileReader& file) : file_(file) {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, give_up, ignore);
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
   }
@@ -75,9 +77,20 @@ class PngFile {
  private:
   static void take(png_structp png, png_bytep to, std::size_t size) {
     auto* const file = static_cast<PngFile*>(png_get_io_ptr(png));
-    if (file->bytes_.size() - file->at_ < size) png_error(png, "it ends too early");
-    std::memcpy(to, file->bytes_.data() + file->at_, size);
-    file->at_ += size;
+    if (const char* const problem = file->copy(to, size)) png_error(png, problem);
+  }
+
+  /// What is wrong, or null. Throws nothing: a C library would be in the way.
+  const char* copy(png_bytep to, std::size_t size) noexcept {
+    try {
+      const std::string_view bytes = file_.ahead(size);
+      if (bytes.size() < size) return "it ends too early";
+      std::memcpy(to, bytes.data(), size);
+      file_.skip(size);
+      return nullptr;
+    } catch (const std::exception&) {
+      return "it cannot be read";
+    }
   }
 
   [[noreturn]] static void give_up(png_structp png, png_const_charp problem) {
@@ -88,8 +101,7 @@ class PngFile {
 
   static void ignore(png_structp, png_const_charp) {}
 
-  const std::string& bytes_;
-  std::size_t at_ = 0;
+  FileReader& file_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   char problem_[120] = {};
@@ -98,6 +110,17 @@ class PngFile {
 [[noreturn]] void fail(const PngFile& file, const std::string& where) {
   throw InputError(
       where, std::string("is a broken PNG image (") + file.problem() + "), expected a whole one");
+}
+
+/// The rows of an interlaced image are whole after its last pass alone, and all are kept until
+/// then.
+void check_interlaced(const PngFile& file, const std::string& where) {
+  constexpr double most = 1e8;  // pixels
+  if (file.passes == 1 || static_cast<double>(file.columns) * file.rows <= most) return;
+  throw InputError(where,
+                   fmt::format("is {} x {} pixels and interlaced, expected at most {:.0f}, or "
+                               "one row after the other",
+                               file.columns, file.rows, most));
 }
 
 /// Of a pixel whose channels begin at `bytes`.
@@ -122,14 +145,15 @@ void check_bytes(const PngFile& file, const ImageShape& shape, std::size_t bytes
 
 }  // namespace
 
-void read_png(const std::string& bytes, const std::string& where, Alpha alpha,
-              const TakeRow& take_row) {
-  PngFile file(bytes);
+void read_png(FileReader& reader, Alpha alpha, const TakeRow& take_row) {
+  const std::string& where = reader.name();
+  PngFile file(reader);
   if (!file.read_header()) fail(file, where);
   check_image_size(file.columns, file.rows, where);
   ImageShape shape{static_cast<std::int32_t>(file.columns), static_cast<std::int32_t>(file.rows)};
-  check_bytes(file, shape, bytes.size(), where);
+  check_bytes(file, shape, reader.size(largest_image), where);
   if (!file.begin()) fail(file, where);
+  check_interlaced(file, where);
   shape.white = 3 * ((1U << file.depth) - 1);
   const auto step =
       static_cast<std::size_t>(file.channels) * static_cast<std::size_t>(file.depth / 8);
@@ -139,7 +163,6 @@ void read_png(const std::string& bytes, const std::string& where, Alpha alpha,
       row[x] = brightness(file, pixels + x * step, alpha);
     take_row(shape, row);
   };
-  // The rows of an interlaced image are whole after its last pass; else one after the other is.
   const bool at_once = file.passes > 1;
   std::vector<png_byte> raster(file.row_size * (at_once ? file.rows : 1));
   for (int pass = 0; pass < file.passes; ++pass) {

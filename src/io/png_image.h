@@ -3,15 +3,13 @@
 #pragma once
 // How is a PNG image read?
 
-#include <string>
-
 #include "io/image.h"
+#include "io/input_file.h"
 
 namespace vandplan::io {
 
-/// Hands out the rows of a PNG file. Throws InputError, `where` standing for the file, if it is
-/// broken or has more than `most_map_cells` pixels.
-void read_png(const std::string& bytes, const std::string& where, Alpha alpha,
-              const TakeRow& take_row);
+/// Hands out the rows of a PNG file. Throws InputError if it is broken or has more pixels than
+/// `check_image_size` allows; or, interlaced, more than 10^8, as it has to be held as a whole then.
+void read_png(FileReader& file, Alpha alpha, const TakeRow& take_row);
 
 }  // namespace vandplan::io

@@ -38,10 +38,29 @@ struct VehicleChecker {
 World::World(const Surroundings& surroundings, const Point& near)
     : origin_(problem::local_origin(near)),
       local_(checked(surroundings, origin_)),
-      ground_(std::make_shared<const collision::Ground>(local_)),
+      ground_(std::make_shared<collision::Ground>(local_)),
       derived_(std::make_unique<base::Derived>()) {}
 
+World::World(const World& ground, const std::vector<Polygon>& more)
+    : local_(ground.local_),
+      ground_(std::make_shared<collision::Ground>(*ground.ground_)),
+      derived_(std::make_unique<base::Derived>()) {
+  for (Polygon& polygon : problem::local_polygons(more, {}, "more")) {
+    local_.obstacles.push_back(std::move(polygon));
+  }
+  ground_->walls = collision::Obstacles(local_.obstacles);
+}
+
 World::~World() = default;
+
+void World::change(std::vector<Polygon> obstacles, std::span<const CellRange> cells) {
+  if (obstacles != local_.obstacles) {
+    local_.obstacles = std::move(obstacles);
+    ground_->walls = collision::Obstacles(local_.obstacles);
+  }
+  for (const CellRange& range : cells) ground_->map->update(*local_.map, range);
+  derived_ = std::make_unique<base::Derived>();
+}
 
 std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle,
                                                        const Margin& margin) const {

@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "support/cases.h"
 #include "support/collision_oracle.h"
@@ -105,6 +108,45 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracle) {
     apart += gap > 0 && gap < most;
   });
   EXPECT_GT(apart, cases(count) / 8);
+}
+
+/// The grid in the lower left corner of so much free ground.
+OccupancyGrid in_free_ground(const OccupancyGrid& grid, std::int32_t columns, std::int32_t rows) {
+  std::vector<Cell> cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (std::int32_t row = 0; row < grid.rows; ++row) {
+    std::copy_n(grid.cells->begin() + row * grid.columns, grid.columns,
+                cells.begin() + std::ptrdiff_t{row} * columns);
+  }
+  OccupancyGrid result = grid;
+  result.columns = columns;
+  result.rows = rows;
+  result.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+  return result;
+}
+
+// Its distance field is that of squares of 2 x 2 cells.
+TEST(MapLaw, MoreThan100MillionCellsGiveTheSameAnswers) {
+  Rng rng(6);
+  OccupancyGrid grid = random_grid(301, 299, 1e-3, rng);
+  grid.unknown_is_free = true;
+  grid.resolution = 0.1;
+  grid.origin = {-12, -15, 0.1};
+  const Surroundings small{.bounds = wide, .map = grid};
+  const Surroundings large{.bounds = wide, .map = in_free_ground(grid, 10'001, 10'000)};
+  int free = 0;
+  constexpr int edges = 1000;
+  const CollisionChecker expected(Vehicle{}, small);
+  const CollisionChecker found(Vehicle{}, large);
+  for (int i = 0; i < edges; ++i) {
+    const Path path = any_edge(rng);
+    const bool is_free = expected.is_free(path.start, path.segments);
+    EXPECT_EQ(found.is_free(path.start, path.segments), is_free) << as_code(path);
+    EXPECT_NEAR(found.clearance(path.start, 10), expected.clearance(path.start, 10), 1e-9)
+        << as_code(path);
+    free += is_free;
+  }
+  EXPECT_GT(free, edges / 20);
+  EXPECT_LT(free, edges * 19 / 20);
 }
 
 TEST(MapLaw, AMarginIsKeptAndNoMoreThanThat) {

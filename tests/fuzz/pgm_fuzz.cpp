@@ -10,7 +10,8 @@ using namespace vandplan;
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::may_refuse([&] {
     fuzz::expect_an_image(false, [&](const io::TakeRow& take_row) {
-      io::read_pgm(fuzz::text_of(data, size), "fuzz.pgm", take_row);
+      io::FileReader file(fuzz::text_of(data, size), "fuzz.pgm");
+      io::read_pgm(file, take_row);
     });
   });
   return 0;

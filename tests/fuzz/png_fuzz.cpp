@@ -40,7 +40,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const io::Alpha alpha : {io::Alpha::marked, io::Alpha::ignored}) {
     fuzz::may_refuse([&] {
       fuzz::expect_an_image(true, [&](const io::TakeRow& take_row) {
-        io::read_png(bytes, "fuzz.png", alpha, take_row);
+        io::FileReader file(bytes, "fuzz.png");
+        io::read_png(file, alpha, take_row);
       });
     });
   }

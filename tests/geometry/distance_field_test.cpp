@@ -48,6 +48,52 @@ TEST(DistanceField, IsExactAtTheCornersOfCells) {
   });
 }
 
+/// How far what a field says may be off [cells]: between both bounds, and below, inside and
+/// outside.
+struct Leeway {
+  double between, below, outside_below;
+};
+
+void expect_bounds(const geometry::BlockedCells& cells, const geometry::DistanceField& field,
+                   const Leeway& leeway, Rng& rng) {
+  for (int i = 0; i < 500; ++i) {
+    const double x = uniform(-20, cells.columns() + 20, rng);
+    const double y = uniform(-20, cells.rows() + 20, rng);
+    const double expected = std::sqrt(squared_distance(cells, x, y));
+    const auto [least, most] = field.around({x, y});
+    const double at_least = field.at_least({x, y});
+    EXPECT_LE(least, expected + 1e-12);
+    EXPECT_LE(at_least, expected + 1e-12);
+    EXPECT_GE(most, expected - 1e-12);
+    if (expected > geometry::DistanceField::furthest) continue;
+    const bool is_inside = x >= 0 && y >= 0 && x <= cells.columns() && y <= cells.rows();
+    EXPECT_LE(most - least, is_inside ? leeway.between : 60);
+    EXPECT_GE(at_least, expected - (is_inside ? leeway.below : leeway.outside_below));
+  }
+}
+
+TEST(DistanceField, BoundsDistancesEverywhere) {
+  for_each_case(2, 60, [](Rng& rng) {
+    const geometry::BlockedCells cells(any_grid(rng));
+    expect_bounds(cells, geometry::DistanceField(cells, 2), {1.4143, 4 * 1.4143 + 0.1, 60}, rng);
+  });
+}
+
+TEST(DistanceField, OfLargerSquaresBoundsDistancesEverywhere) {
+  for_each_case(4, 60, [](Rng& rng) {
+    const geometry::BlockedCells cells(any_grid(rng));
+    const Leeway leeway{3 * 1.4143, 9 * 1.4143 + 0.1, 70};
+    expect_bounds(cells, geometry::DistanceField(cells, 3, 1), leeway, rng);
+  });
+}
+
+TEST(DistanceField, HasLargerSquaresForMoreThan100MillionCells) {
+  EXPECT_EQ(geometry::field_shift(1), 0);
+  EXPECT_EQ(geometry::field_shift(100'000'000), 0);
+  EXPECT_EQ(geometry::field_shift(101'000'000), 1);
+  EXPECT_EQ(geometry::field_shift(400'000'000), 1);
+}
+
 TEST(DistanceField, KnowsNoMoreThan255Cells) {
   std::vector<std::string> rows(3, std::string(400, '.'));
   rows[1][0] = '#';
@@ -74,6 +120,79 @@ TEST(DistanceField, KnowsRoughlyHowFarItIsBeyond255Cells) {
   }
 }
 
+CellRange any_range(const OccupancyGrid& grid, std::int32_t most, Rng& rng) {
+  const auto part = [&](std::int32_t count, std::int32_t& first, std::int32_t& size) {
+    size = static_cast<std::int32_t>(uniform(1, std::min(most, count) + 1, rng));
+    first = static_cast<std::int32_t>(uniform(0, count - size + 1, rng));
+  };
+  CellRange range;
+  part(grid.columns, range.column, range.columns);
+  part(grid.rows, range.row, range.rows);
+  return range;
+}
+
+/// Other cells in a range: of one kind, or of all kinds.
+void write_any(OccupancyGrid& grid, const CellRange& range, Rng& rng) {
+  auto cells = *grid.cells;
+  const auto any_cell = [&] { return static_cast<Cell>(static_cast<int>(uniform(0, 3, rng))); };
+  const bool is_mixed = uniform01(rng) < 0.3;
+  const Cell one = any_cell();
+  for (std::int32_t row = range.row; row < range.row + range.rows; ++row) {
+    for (std::int32_t column = range.column; column < range.column + range.columns; ++column) {
+      cells[static_cast<std::size_t>(row * grid.columns + column)] = is_mixed ? any_cell() : one;
+    }
+  }
+  grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+}
+
+void expect_same(const geometry::BlockedCells& cells, const geometry::BlockedCells& expected) {
+  for (std::int32_t y = 0; y < cells.rows(); ++y) {
+    for (std::int32_t x = 0; x < cells.columns(); ++x) {
+      ASSERT_EQ(cells.is_blocked(x, y), expected.is_blocked(x, y)) << x << " " << y;
+      ASSERT_EQ(cells.edges().is_set(x, y), expected.edges().is_set(x, y)) << x << " " << y;
+    }
+  }
+}
+
+void expect_same(const geometry::DistanceField& field, const geometry::DistanceField& expected,
+                 const OccupancyGrid& grid, int shift) {
+  for (std::int32_t y = 0; y <= grid.rows + 2; ++y) {
+    for (std::int32_t x = 0; x <= grid.columns + 2; ++x) {
+      const std::int32_t i = x >> shift;
+      const std::int32_t j = y >> shift;
+      ASSERT_EQ(field.square_at(i, j), expected.square_at(i, j)) << x << " " << y;
+      const Point corner{x - 0.5, y - 0.5};
+      ASSERT_EQ(field.at_least(corner), expected.at_least(corner)) << x << " " << y;
+    }
+  }
+}
+
+TEST(DistanceField, IsAsMadeAnewWhenCellsBecomeOthers) {
+  for_each_case(2, 60, [](Rng& rng) {
+    // Some much larger than what the field knows, and almost empty.
+    const bool is_large = uniform01(rng) < 0.3;
+    const auto side = [&] {
+      return static_cast<std::int32_t>(uniform(1, is_large ? 900 : 90, rng));
+    };
+    OccupancyGrid grid =
+        random_grid(side(), side(), std::pow(uniform01(rng), is_large ? 60 : 6), rng);
+    grid.unknown_is_free = uniform01(rng) < 0.7;
+    const int coarseness = 1 + static_cast<int>(uniform(0, 4, rng));
+    geometry::BlockedCells cells(grid);
+    const int shift = uniform01(rng) < 0.3 ? 1 : 0;
+    geometry::DistanceField field(cells, coarseness, shift);
+    for (int i = 0; i < (is_large ? 3 : 8); ++i) {
+      const CellRange range = any_range(grid, i % 2 == 0 ? 4 : 60, rng);
+      write_any(grid, range, rng);
+      cells.update(grid, geometry::in_frame(range));
+      field.update(cells, geometry::in_frame(range));
+      const geometry::BlockedCells anew(grid);
+      expect_same(cells, anew);
+      expect_same(field, geometry::DistanceField(anew, coarseness, shift), grid, shift);
+    }
+  });
+}
+
 TEST(DistanceField, OutsideItIsAtLeastAsFarAsTheFrameUnlessThatIsBlocked) {
   OccupancyGrid grid = grid_of({"#."}, 1);
   grid.unknown_is_free = true;
@@ -83,27 +202,6 @@ TEST(DistanceField, OutsideItIsAtLeastAsFarAsTheFrameUnlessThatIsBlocked) {
   grid.unknown_is_free = false;
   const geometry::DistanceField blocked{geometry::BlockedCells(grid), 2};
   EXPECT_EQ(blocked.at_least({1e9, 0.5}), 0);
-}
-
-TEST(DistanceField, BoundsDistancesEverywhere) {
-  for_each_case(2, 60, [](Rng& rng) {
-    const geometry::BlockedCells cells(any_grid(rng));
-    const geometry::DistanceField field(cells, 2);
-    for (int i = 0; i < 500; ++i) {
-      const double x = uniform(-20, cells.columns() + 20, rng);
-      const double y = uniform(-20, cells.rows() + 20, rng);
-      const double expected = std::sqrt(squared_distance(cells, x, y));
-      const auto [least, most] = field.around({x, y});
-      const double at_least = field.at_least({x, y});
-      EXPECT_LE(least, expected + 1e-12);
-      EXPECT_LE(at_least, expected + 1e-12);
-      EXPECT_GE(most, expected - 1e-12);
-      if (expected > geometry::DistanceField::furthest) continue;
-      const bool is_inside = x >= 0 && y >= 0 && x <= cells.columns() && y <= cells.rows();
-      EXPECT_LE(most - least, is_inside ? 1.4143 : 60);
-      EXPECT_GE(at_least, expected - (is_inside ? 4 * 1.4143 + 0.1 : 60));
-    }
-  });
 }
 
 TEST(BlockedCells, EdgeCellsHaveANeighbourThatIsFree) {

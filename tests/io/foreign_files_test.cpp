@@ -75,7 +75,7 @@ TEST_F(MovingAi, WhatIsNotCoveredHasOneLineEach) {
   EXPECT_EQ(message(exchanged(movingai_map, "height 3", "height x"), problems),
             "a.map:2: is no size, expected height and 1 to 100000");
   EXPECT_EQ(message(exchanged(movingai_map, "3\nwidth 4", "100000\nwidth 100000"), problems),
-            "a.map:2: is too large, expected at most 100000000 cells");
+            "a.map:2: is too large, expected at most 400000000 cells");
   EXPECT_EQ(message(exchanged(movingai_map, "OTW.", "OTX."), problems),
             "a.map:6: has a cell \"X\", expected one of .GS@OTW");
   EXPECT_EQ(message(exchanged(movingai_map, "OTW.", "OTW"), problems),

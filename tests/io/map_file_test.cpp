@@ -2,14 +2,18 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <gtest/gtest.h>
 #include <png.h>
+#include <unistd.h>
 #include <zlib.h>
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/temporary_folder.h"
 #include "support/yard.h"
 #include "vandplan/input_error.h"
+#include "vandplan/random.h"
 #include "vandplan/scenario_file.h"
 
 namespace vandplan {
@@ -276,6 +280,7 @@ TEST_F(MapFile, BadImagesHaveOneLineEach) {
     return text.substr(std::min(begin.size(), text.size()));
   };
   const std::string readable = ", expected a PGM (P2 or P5) or PNG image";
+  const std::string limit = ", expected at least one and at most 400000000, 100000000 along a side";
   EXPECT_EQ(image("GIF89a"), "is a GIF image" + readable);
   EXPECT_EQ(image("\xFF\xD8\xFF\xE0 JFIF"), "is a JPEG image" + readable);
   EXPECT_EQ(image("BM6"), "is a BMP image" + readable);
@@ -284,9 +289,9 @@ TEST_F(MapFile, BadImagesHaveOneLineEach) {
   EXPECT_EQ(image(""), "is empty" + readable);
   EXPECT_EQ(image("P5"), "ends before its width, expected a whole PGM image");
   EXPECT_EQ(image("P5 x"), "has no width at byte 3, expected a decimal number");
-  EXPECT_EQ(image("P5 100000 200000 255\n"),
-            "is 100000 x 200000 pixels, expected at least one and at most 100000000");
-  EXPECT_EQ(image("P5 0 4 255\n"), "is 0 x 4 pixels, expected at least one and at most 100000000");
+  EXPECT_EQ(image("P5 100000 200000 255\n"), "is 100000 x 200000 pixels" + limit);
+  EXPECT_EQ(image("P5 0 4 255\n"), "is 0 x 4 pixels" + limit);
+  EXPECT_EQ(image("P5 1 100000001 255\n"), "is 1 x 100000001 pixels" + limit);
   EXPECT_EQ(image("P5 99999999999999999999 4 255\n"),
             "has a width of 99999999999999999999, expected at most 9223372036854775807");
   EXPECT_EQ(image("P5 5000 5000 255\nabc"),
@@ -296,6 +301,8 @@ TEST_F(MapFile, BadImagesHaveOneLineEach) {
   EXPECT_EQ(image("P5 1 1 70000\n1"), "has a greatest value of 70000, expected at most 65535");
   EXPECT_EQ(image("P5 1 1 0\n1"), "has a greatest value of 0, expected 1 to 65535");
   EXPECT_EQ(image("P2 2 1 9 9 10"), "has a pixel of 10, expected at most 9");
+  EXPECT_EQ(image("P2 2 1 9 9 1" + std::string(2000, '0')),
+            "has a pixel of 1" + std::string(1023, '0') + ", expected at most 9");
   EXPECT_EQ(image("P2 2 1 9 9      "), "ends before its pixel, expected a whole PGM image");
   const std::string whole = png(PNG_FORMAT_GRAY, 2, 1, {0, 255});
   for (std::size_t size = 4; size + 1 < whole.size(); ++size) {
@@ -305,7 +312,7 @@ TEST_F(MapFile, BadImagesHaveOneLineEach) {
 
 /// A PNG file of one chunk of deflated zeros, with any size in its head.
 std::string boasting_png(std::uint32_t columns, std::uint32_t rows, unsigned char depth,
-                         unsigned char colours) {
+                         unsigned char colours, bool is_interlaced = false) {
   const auto word = [](std::uint32_t value) {
     std::string bytes;
     for (int i = 24; i >= 0; i -= 8) bytes += static_cast<char>(value >> i & 0xFFU);
@@ -319,7 +326,8 @@ std::string boasting_png(std::uint32_t columns, std::uint32_t rows, unsigned cha
            word(static_cast<std::uint32_t>(sum));
   };
   const std::string head = word(columns) + word(rows) + static_cast<char>(depth) +
-                           static_cast<char>(colours) + std::string(3, '\0');
+                           static_cast<char>(colours) + std::string(2, '\0') +
+                           static_cast<char>(is_interlaced ? 1 : 0);
   return "\x89PNG\r\n\x1a\n" + chunk("IHDR", head) +
          chunk("IDAT", std::string("\x78\x9c\x63\0\0\0\x01\0\x01", 9)) + chunk("IEND", "");
 }
@@ -339,6 +347,50 @@ TEST_F(MapFile, AHeaderAloneAsksForNoMemory) {
             "m.yaml:1: image: m.pgm: is a broken PNG image");
   EXPECT_EQ(message(keys, boasting_png(545000, 1, 1, 0)).substr(0, 38),
             "m.yaml:1: image: m.pgm: holds 66 bytes");
+}
+
+// It has to be held as a whole.
+TEST_F(MapFile, ALargeInterlacedImageIsRefused) {
+  const std::string room(50'000, '\0');
+  EXPECT_EQ(message(keys, boasting_png(20000, 20000, 1, 0, true) + room),
+            "m.yaml:1: image: m.pgm: is 20000 x 20000 pixels and interlaced, expected at most "
+            "100000000, or one row after the other");
+  EXPECT_EQ(message(keys, boasting_png(10000, 10000, 1, 0, true) + room).substr(0, 45),
+            "m.yaml:1: image: m.pgm: is a broken PNG image");
+}
+
+/// A PGM file of 16 bits, larger than what is read at a time, and what its cells are.
+std::pair<std::string, Cells> any_large_pgm() {
+  constexpr std::size_t columns = 301;
+  constexpr std::size_t rows = 700;
+  std::string image = "P5 301 700 65535\n";
+  Cells expected(columns * rows);
+  Rng rng(1);
+  for (std::size_t y = rows; y-- > 0;) {
+    for (std::size_t x = 0; x < columns; ++x) {
+      const bool is_free = uniform01(rng) < 0.5;
+      image += is_free ? "\xFE\x01" : std::string("\x01\0", 2);
+      expected[y * columns + x] = is_free ? free_cell : occupied;
+    }
+  }
+  return {image, expected};
+}
+
+TEST_F(MapFile, WhatIsReadPieceByPieceIsWhole) {
+  const auto [image, expected] = any_large_pgm();
+  EXPECT_EQ(cells(keys, image), expected);
+}
+
+TEST_F(MapFile, AnImageMayComeThroughAPipe) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const std::string image = "P5 100 100 255\n" + std::string(9999, '\xFE') + std::string(1, '\0');
+  ASSERT_EQ(::write(ends[1], image.data(), image.size()), static_cast<ssize_t>(image.size()));
+  ::close(ends[1]);
+  Cells expected(10'000, free_cell);
+  expected[99] = occupied;
+  EXPECT_EQ(cells(exchanged(keys, "m.pgm", "/dev/fd/" + std::to_string(ends[0])), ""), expected);
+  ::close(ends[0]);
 }
 
 // Deflate packs a blank map best: 1000 to 1.

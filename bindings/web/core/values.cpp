@@ -65,7 +65,8 @@ OccupancyGrid map_from(const val& given) {
       .rows = count_at(given, "rows", "map", 1e6),
       .unknown_is_free = has(given, "unknown") && given["unknown"].as<std::string>() == "free"};
   const std::int64_t size = std::int64_t{map.columns} * map.rows;
-  if (size > most_map_cells) throw InputError("map.cells", "are more than 100 million");
+  constexpr std::int64_t most = 100'000'000;  // that 32 bits have room for, with a world of them
+  if (size > most) throw InputError("map.cells", "are more than 100 million");
   const auto numbers = emscripten::convertJSArrayToNumberVector<std::uint8_t>(given["cells"]);
   if (static_cast<std::int64_t>(numbers.size()) != size) {
     throw InputError("map.cells", "expected columns * rows of them");
