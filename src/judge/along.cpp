@@ -53,9 +53,19 @@ class Survey {
   [[nodiscard]] Part whole(std::size_t stretch) const {
     return {0, stretch, 0, length_to_look_at(body_, track_.stretches[stretch])};
   }
-  [[nodiscard]] double clearance(const Place& place, double half, double most);
-  [[nodiscard]] double bound_of(const Part& part, double most) {
-    return clearance(part.middle(), static_cast<double>((part.end - part.begin) / 2), most);
+  [[nodiscard]] double kept_within(const Place& place, double half) const {
+    if (keeping_.ramps.empty()) return keeping_.margin;
+    return keeping_.most_within(after(track_.stretches[place.stretch], place.t), half);
+  }
+  /// Of the clearance, what goes beyond that.
+  [[nodiscard]] double clearance(const Onlooker& there, const Place& place, double half,
+                                 double most);
+  [[nodiscard]] double clearance(const Place& place, double most) {
+    return clearance(onlooker_at(body_, place), place, 0, most);
+  }
+  [[nodiscard]] double bound_of(const Part& part, const Onlooker& in_middle, double most) {
+    const auto half = static_cast<double>((part.end - part.begin) / 2);
+    return clearance(in_middle, part.middle(), half, most);
   }
   [[nodiscard]] bool does_not_matter(double bound) const {
     return bound > 0 && bound >= least_ - clearance_error;
@@ -68,11 +78,12 @@ class Survey {
   [[nodiscard]] double speed_on(const Part& part) const {
     return speed_of(body_, track_.stretches[part.stretch]);
   }
-  [[nodiscard]] bool touches(const Place& place) { return clearance(place, 0, look_distance) == 0; }
-  void look(const Place& place) {
-    least_ = clearance(place, 0, least_);
+  [[nodiscard]] bool touches(const Place& place) { return clearance(place, look_distance) == 0; }
+  void look(const Onlooker& there, const Place& place) {
+    least_ = clearance(there, place, 0, least_);
     if (least_ == 0) touch_ = place;
   }
+  void look(const Place& place) { look(onlooker_at(body_, place), place); }
   [[nodiscard]] std::optional<Place> first_touch_on(const Part& part, const Place& known);
   /// The first touch on a short part, of which a place is known that touches.
   [[nodiscard]] Place contact(const Part& part, const Place& last);
@@ -85,9 +96,9 @@ class Survey {
   Effort effort_;
 };
 
-double Survey::clearance(const Place& place, double half, double most) {
-  const double kept = keeping_.most_within(after(track_.stretches[place.stretch], place.t), half);
-  return std::max(clearance_of(body_, place, half, most + kept, effort_) - kept, 0.0);
+double Survey::clearance(const Onlooker& there, const Place& place, double half, double most) {
+  const double kept = kept_within(place, half);
+  return std::max(clearance_of(there, half, most + kept, effort_) - kept, 0.0);
 }
 
 void Survey::look_at_ends() {
@@ -104,10 +115,11 @@ void Survey::look_between() {
     const Part part = parts.top();
     if (does_not_matter(part.bound)) return;
     parts.pop();
-    const double bound = bound_of(part, least_);
-    if (does_not_matter(bound)) continue;
     const Place middle = part.middle();
-    look(middle);
+    const Onlooker in_middle = onlooker_at(body_, middle);
+    const double bound = bound_of(part, in_middle, least_);
+    if (does_not_matter(bound)) continue;
+    look(in_middle, middle);
     if (is_short(part)) continue;
     parts.push({bound, part.stretch, part.begin, middle.t});
     parts.push({bound, part.stretch, middle.t, part.end});
@@ -126,7 +138,7 @@ Place Survey::first_touch(const Place& known) {
 std::optional<Place> Survey::first_touch_on(const Part& part, const Place& known) {
   const Place middle = part.middle();
   if (!is_before({part.stretch, part.begin}, known)) return std::nullopt;
-  if (bound_of(part, look_distance) > 0) return std::nullopt;
+  if (bound_of(part, onlooker_at(body_, middle), look_distance) > 0) return std::nullopt;
   if (is_short(part)) {
     for (const Place& place : {middle, Place{part.stretch, part.end}}) {
       const Place last = is_before(place, known) ? place : known;
@@ -146,7 +158,7 @@ Place Survey::contact(const Part& part, const Place& last) {
   constexpr double least_step = 1e-12;  // of any point of the body [m]
   Place place{part.stretch, part.begin};
   for (int i = 0; i < most_steps && is_before(place, last); ++i) {
-    const double distance = clearance(place, 0, look_distance);
+    const double distance = clearance(place, look_distance);
     if (distance == 0) return place;
     place.t += std::max(distance, least_step) / speed_on(part);
   }

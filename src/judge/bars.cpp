@@ -14,6 +14,8 @@ constexpr double slack = 1e-14;
 // A bar of at most this part of a disc's radius is worth its trouble.
 constexpr double narrow = 0.25;
 
+double length_of(double dx, double dy) { return std::sqrt(dx * dx + dy * dy); }
+
 double reach_of_coordinates(const Point& middle, double radius) {
   return std::abs(middle.x) + std::abs(middle.y) + radius;
 }
@@ -25,6 +27,15 @@ struct Extent {
   double right = 0.0, left = 0.0;
 };
 
+/// Of an angle, given the cosine and sine of its double, as many times as long as anybody likes.
+Point axis_of(double cos, double sin) {
+  const double length = std::sqrt(cos * cos + sin * sin);
+  if (!(length > 0)) return {1, 0};
+  const double c = std::sqrt((1 + std::abs(cos) / length) / 2);
+  const double s = std::abs(sin) / (2 * length * c);
+  return cos > 0 ? Point{c, std::copysign(s, sin)} : Point{s, std::copysign(c, sin)};
+}
+
 Extent extent_of(std::span<const Point> points, const Point& middle) {
   double xx = 0.0;
   double xy = 0.0;
@@ -34,8 +45,7 @@ Extent extent_of(std::span<const Point> points, const Point& middle) {
     xy += (p.x - middle.x) * (p.y - middle.y);
     yy += (p.y - middle.y) * (p.y - middle.y);
   }
-  const double angle = std::atan2(2 * xy, xx - yy) / 2;
-  Extent extent{{std::cos(angle), std::sin(angle)}};
+  Extent extent{axis_of(xx - yy, 2 * xy)};
   for (const Point& p : points) {
     const double dx = p.x - middle.x;
     const double dy = p.y - middle.y;
@@ -51,23 +61,9 @@ Extent extent_of(std::span<const Point> points, const Point& middle) {
 
 }  // namespace
 
-void Box::add(const Point& p) {
-  low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-  high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-}
-
-void Box::add(const Box& box) {
-  add(box.low);
-  add(box.high);
-}
-
-Point Box::middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
-
-double Box::size() const { return std::max(high.x - low.x, high.y - low.y); }
-
 Bar bar_of(const Box& box) {
   const Point middle = box.middle();
-  const double radius = std::hypot(box.high.x - box.low.x, box.high.y - box.low.y) / 2;
+  const double radius = length_of(box.high.x - box.low.x, box.high.y - box.low.y) / 2;
   return {middle, middle, radius + slack * reach_of_coordinates(middle, radius)};
 }
 

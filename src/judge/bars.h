@@ -3,6 +3,7 @@
 #pragma once
 // Which bar do points fit in?
 
+#include <algorithm>
 #include <span>
 
 #include "judge/clearance.h"
@@ -14,11 +15,17 @@ struct Box {
   Point low, high;
 
   static Box of(const Point& p) { return {p, p}; }
-  void add(const Point& p);
-  void add(const Box& box);
-  [[nodiscard]] Point middle() const;
+  void add(const Point& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  void add(const Box& box) {
+    add(box.low);
+    add(box.high);
+  }
+  [[nodiscard]] Point middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
   /// The longer side [m].
-  [[nodiscard]] double size() const;
+  [[nodiscard]] double size() const { return std::max(high.x - low.x, high.y - low.y); }
 };
 
 /// The disc around a box.

@@ -7,23 +7,29 @@
 
 namespace vandplan::judge {
 
-Position position_of(const Body& body, const Place& place) {
-  if (body.trailing != nullptr) return body.trailing->position(place);
-  return after(body.track.stretches[place.stretch], place.t);
+Onlooker onlooker_at(const Body& body, const Place& place) {
+  const Stretch& stretch = body.track.stretches[place.stretch];
+  if (body.trailing != nullptr) return {body, stretch, view_of({body.trailing->position(place)})};
+  const auto [position, heading] = placement_after(stretch, place.t);
+  const auto curvature = static_cast<double>(curvature_at(stretch, place.t));
+  const auto rate = static_cast<double>(stretch.rate);
+  return {body, stretch, view_of({position, curvature, 0, rate}, heading)};
 }
 
-double clearance_of(const Body& body, const Place& place, double half, double most,
-                    Effort& effort) {
-  const Stretch& stretch = body.track.stretches[place.stretch];
-  const Position position = position_of(body, place);
+double clearance_of(const Onlooker& onlooker, double half, double most, Effort& effort) {
+  const auto& [body, stretch, here] = onlooker;
   if (body.trailing == nullptr) {
-    const auto curvature = static_cast<double>(curvature_at(stretch, place.t));
-    const auto rate = static_cast<double>(stretch.rate);
-    return body.ground.clearance({position, curvature, half, rate}, body.outlines, most, effort);
+    View view = here;
+    view.passage.half = half;
+    return body.ground.clearance(view, body.outlines, most, effort);
   }
   const double moved = half * speed_of(body, stretch);
-  const double here = body.ground.clearance({position}, body.outlines, most + moved, effort);
-  return std::clamp(here - moved, 0.0, most);
+  const double clearance = body.ground.clearance(here, body.outlines, most + moved, effort);
+  return std::clamp(clearance - moved, 0.0, most);
+}
+
+double clearance_of(const Body& body, const Place& place, double most, Effort& effort) {
+  return clearance_of(onlooker_at(body, place), 0, most, effort);
 }
 
 double speed_of(const Body& body, const Stretch& stretch) {
@@ -39,7 +45,7 @@ Real length_to_look_at(const Body& body, const Stretch& stretch) {
 }
 
 Thing first_within(const Body& body, double distance, const Place& place) {
-  Thing thing = body.ground.first_within(distance, position_of(body, place), body.outlines);
+  Thing thing = body.ground.first_within(distance, onlooker_at(body, place).view, body.outlines);
   if (body.trailing != nullptr) thing.part = "the trailer's " + thing.part.substr(4);
   return thing;
 }

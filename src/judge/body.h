@@ -17,12 +17,22 @@ struct Body {
   const Trailing* trailing = nullptr;  ///< of the trailer; null: this is the vehicle itself
 };
 
-/// Where the midpoint of its axle is.
-[[nodiscard]] Position position_of(const Body& body, const Place& place);
+/// A body in a place, ready to look around.
+struct Onlooker {
+  const Body& body;
+  const Stretch& stretch;
+  View view;
+};
+
+[[nodiscard]] Onlooker onlooker_at(const Body& body, const Place& place);
 
 /// Between the body and the nearest thing that it must not touch [m], never more than `most`; if
 /// `half` is not 0 no more than that anywhere up to `half` metres before and after the place.
-[[nodiscard]] double clearance_of(const Body& body, const Place& place, double half, double most,
+[[nodiscard]] double clearance_of(const Onlooker& onlooker, double half, double most,
+                                  Effort& effort);
+
+/// The same at a place alone.
+[[nodiscard]] double clearance_of(const Body& body, const Place& place, double most,
                                   Effort& effort);
 
 /// No point of the body moves further on a stretch than this for each metre driven.

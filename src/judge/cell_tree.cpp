@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace vandplan::judge {
@@ -23,28 +24,57 @@ CellTree::CellTree(const OccupancyGrid& grid)
       sin_(std::sin(static_cast<Real>(grid.origin.heading))) {
   std::int32_t columns = grid.columns;
   std::int32_t rows = grid.rows;
-  for (std::size_t below = 0; columns > 1 || rows > 1; ++below) {
-    Level level{(columns + 1) / 2, (rows + 1) / 2, {}};
-    level.has_blocked.resize(index_of(0, level.rows, level.columns));
-    for (std::int32_t row = 0; row < rows; ++row) {
-      for (std::int32_t column = 0; column < columns; ++column) {
-        if (!has_blocked(below, column, row)) continue;
-        level.has_blocked[index_of(column / 2, row / 2, level.columns)] = true;
-      }
-    }
-    columns = level.columns;
-    rows = level.rows;
-    levels_.push_back(std::move(level));
+  while (columns > 1 || rows > 1) {
+    columns = (columns + 1) / 2;
+    rows = (rows + 1) / 2;
+    levels_.push_back({columns, rows, std::vector<bool>(index_of(0, rows, columns))});
+    fill(levels_.size(), {0, 0, columns, rows});
   }
 }
 
+void CellTree::update(const CellRange& changed) {
+  std::int32_t left = changed.column;
+  std::int32_t low = changed.row;
+  std::int32_t right = changed.column + changed.columns - 1;
+  std::int32_t high = changed.row + changed.rows - 1;
+  for (std::size_t level = 1; level <= levels_.size(); ++level) {
+    left /= 2;
+    low /= 2;
+    right /= 2;
+    high /= 2;
+    fill(level, {left, low, right - left + 1, high - low + 1});
+  }
+}
+
+void CellTree::fill(std::size_t level, const CellRange& squares) {
+  Level& to = levels_[level - 1];
+  for (std::int32_t row = squares.row; row < squares.row + squares.rows; ++row) {
+    for (std::int32_t column = squares.column; column < squares.column + squares.columns;
+         ++column) {
+      bool is_any = false;
+      for (const int quarter : {0, 1, 2, 3}) {
+        is_any = is_any || has_blocked(level - 1, 2 * column + quarter % 2, 2 * row + quarter / 2);
+      }
+      to.has_blocked[index_of(column, row, to.columns)] = is_any;
+    }
+  }
+}
+
+CellTree::Size CellTree::size_of(std::size_t level) const {
+  if (level == 0) return {grid_.columns, grid_.rows};
+  return {levels_[level - 1].columns, levels_[level - 1].rows};
+}
+
 bool CellTree::has_blocked(std::size_t level, std::int32_t column, std::int32_t row) const {
-  const std::int32_t columns = level == 0 ? grid_.columns : levels_[level - 1].columns;
-  const std::int32_t rows = level == 0 ? grid_.rows : levels_[level - 1].rows;
-  if (column >= columns || row >= rows) return false;
+  const auto [columns, rows] = size_of(level);
+  if (column < 0 || row < 0 || column >= columns || row >= rows) return false;
   if (level == 0) return is_blocked(grid_, column, row);
   return levels_[level - 1].has_blocked[index_of(column, row, columns)];
 }
+
+// What is said of a passage need not be told to more than this part of what lacks: it is cut in
+// two.
+constexpr double fine = 0.125;
 
 /// On one passage. Places are told from the rear axle in its middle, along the axes of the grid or,
 /// once they are `seen`, along those of the vehicle.
@@ -58,25 +88,44 @@ class CellTree::Search {
   /// Lowers `least` to the clearance of what is outside of the grid, all of it blocked.
   void look_outside();
 
-  /// The same for the blocked cells in a square of the tree.
-  void look(std::size_t level, std::int32_t column, std::int32_t row);
+  /// The same for the blocked cells of the grid.
+  void look_inside();
 
  private:
+  /// A square of the tree.
+  struct Square {
+    std::size_t level;
+    std::int32_t column, row;
+    Point middle;  // seen
+    double half;   // of a side [m]
+  };
+
   [[nodiscard]] Point seen(Real x, Real y) const;
-  void look_at_cell(std::int32_t column, std::int32_t row);
+  [[nodiscard]] Square part_of(const Square& square, int quarter) const;
+  [[nodiscard]] double bound_of(const Square& square);
+  void look(const Square& square, double bound);
+  void look_at_cell(const Square& cell);
 
   const CellTree& tree_;
   const OccupancyGrid& grid_;
   const Passage& passage_;
   const Outline& body_;
+  const double most_;
   double least_;
   std::size_t visited_ = 0;
+  double reach_;      // no point of the body is further from a position of the axle, ... [m]
   Real x_, y_;        // of the axle, from the corner of the grid [m]
   double cos_, sin_;  // of the heading, from the axes of the grid
 };
 
 CellTree::Search::Search(const CellTree& tree, const View& view, const Outline& body, double most)
-    : tree_(tree), grid_(tree.grid_), passage_(view.passage), body_(body), least_(most) {
+    : tree_(tree),
+      grid_(tree.grid_),
+      passage_(view.passage),
+      body_(body),
+      most_(most),
+      least_(most),
+      reach_(reach_of(body) + passage_.half) {
   const Real dx = passage_.middle.x - grid_.origin.x;
   const Real dy = passage_.middle.y - grid_.origin.y;
   x_ = dx * tree.cos_ + dy * tree.sin_;
@@ -91,6 +140,7 @@ void CellTree::Search::look_outside() {
   const auto up = static_cast<double>(grid_.rows * static_cast<Real>(grid_.resolution) - y_);
   const auto left = static_cast<double>(x_);
   const auto down = static_cast<double>(y_);
+  if (std::min({left, right, down, up}) >= reach_ + least_) return;
   for_each_corner(body_, [&](const Point& corner) {
     const double x = corner.x * cos_ - corner.y * sin_;
     const double y = corner.x * sin_ + corner.y * cos_;
@@ -101,30 +151,79 @@ void CellTree::Search::look_outside() {
   });
 }
 
-void CellTree::Search::look(std::size_t level, std::int32_t column, std::int32_t row) {
-  if (least_ <= 0 || !tree_.has_blocked(level, column, row)) return;
-  ++visited_;
-  const Real side = grid_.resolution * static_cast<Real>(std::int64_t{1} << level);
-  const Real x = (column + Real{0.5}) * side;
-  const Real y = (row + Real{0.5}) * side;
-  // No point of the square is further from its middle than half a diagonal.
-  const auto half_diagonal = static_cast<double>(side) * std::sqrt(0.5);
-  if (clearance_of_disc(passage_, body_, seen(x, y), half_diagonal) >= least_) return;
-  if (level == 0) return look_at_cell(column, row);
-  // The quarter nearest to the axle first: then the others are often too far.
-  const int nearest = (x < x_ ? 1 : 0) + (y < y_ ? 2 : 0);
-  for (const int other : {0, 1, 2, 3}) {
-    const int quarter = nearest ^ other;
-    look(level - 1, 2 * column + quarter % 2, 2 * row + quarter / 2);
+/// What matters lies around the axle: in four squares of one size at the most.
+void CellTree::Search::look_inside() {
+  const double around = reach_ + least_;
+  std::size_t level = 0;
+  double side = grid_.resolution;
+  for (; level < tree_.levels_.size() && side < 2 * around; ++level) side *= 2;
+  const auto [columns, rows] = tree_.size_of(level);
+  const auto index_at = [side](double place, std::int32_t count) {
+    return static_cast<std::int32_t>(std::clamp(std::floor(place / side), -1.0, 1.0 * count));
+  };
+  const auto x = static_cast<double>(x_);
+  const auto y = static_cast<double>(y_);
+  for (std::int32_t row = index_at(y - around, rows); row <= index_at(y + around, rows); ++row) {
+    for (std::int32_t column = index_at(x - around, columns);
+         column <= index_at(x + around, columns); ++column) {
+      if (!tree_.has_blocked(level, column, row)) continue;
+      const Point middle = seen((column + Real{0.5}) * side, (row + Real{0.5}) * side);
+      const Square square{level, column, row, middle, side / 2};
+      const double bound = bound_of(square);
+      if (least_ > 0 && bound < least_) look(square, bound);
+    }
   }
 }
 
-void CellTree::Search::look_at_cell(std::int32_t column, std::int32_t row) {
+/// A lower bound of the clearance of what is in a square: no point of it is further from its middle
+/// than half a diagonal.
+double CellTree::Search::bound_of(const Square& square) {
+  ++visited_;
+  return clearance_of_disc(passage_, body_, square.middle, square.half * std::numbers::sqrt2);
+}
+
+/// Below a square, `bound` being that of it.
+void CellTree::Search::look(const Square& square, double bound) {
+  const double radius = square.half * std::numbers::sqrt2;
+  if (passage_.half > 0 && bound > 0 && radius <= fine * (most_ - bound)) {
+    least_ = bound;
+    return;
+  }
+  if (square.level == 0) return look_at_cell(square);
+  // The nearest quarter first: then the others are often too far.
+  std::array<std::pair<double, Square>, 4> near;
+  std::size_t count = 0;
+  for (const int quarter : {0, 1, 2, 3}) {
+    const Square part = part_of(square, quarter);
+    if (!tree_.has_blocked(part.level, part.column, part.row)) continue;
+    const double part_bound = bound_of(part);
+    if (part_bound >= least_) continue;
+    std::size_t place = count++;
+    for (; place > 0 && near[place - 1].first > part_bound; --place) near[place] = near[place - 1];
+    near[place] = {part_bound, part};
+  }
+  for (std::size_t i = 0; i < count && least_ > 0 && near[i].first < least_; ++i) {
+    look(near[i].second, near[i].first);
+  }
+}
+
+CellTree::Search::Square CellTree::Search::part_of(const Square& square, int quarter) const {
+  const double half = square.half / 2;
+  const double right = quarter % 2 == 0 ? -half : half;
+  const double up = quarter / 2 == 0 ? -half : half;
+  return {square.level - 1,
+          2 * square.column + quarter % 2,
+          2 * square.row + quarter / 2,
+          {square.middle.x + right * cos_ + up * sin_, square.middle.y + up * cos_ - right * sin_},
+          half};
+}
+
+void CellTree::Search::look_at_cell(const Square& cell) {
   const Real side = grid_.resolution;
-  const Real left = column * side;
-  const Real right = (column + 1) * side;
-  const Real low = row * side;
-  const Real high = (row + 1) * side;
+  const Real left = cell.column * side;
+  const Real right = (cell.column + 1) * side;
+  const Real low = cell.row * side;
+  const Real high = (cell.row + 1) * side;
   const std::array<Point, 4> corners = {seen(left, low), seen(right, low), seen(right, high),
                                         seen(left, high)};
   least_ = clearance_of_seen(passage_, body_, corners, least_);
@@ -141,7 +240,7 @@ double CellTree::clearance(const View& view, const Outline& body, double most,
                            Effort& effort) const {
   Search search(*this, view, body, most);
   if (!grid_.unknown_is_free) search.look_outside();
-  search.look(levels_.size(), 0, 0);
+  search.look_inside();
   effort.visited += search.visited();
   return search.least();
 }

@@ -19,6 +19,9 @@ class CellTree {
  public:
   explicit CellTree(const OccupancyGrid& grid);
 
+  /// The cells of the grid in a range have become others.
+  void update(const CellRange& changed);
+
   /// Between the closed body and the closed squares of the blocked cells [m], if the curvature is
   /// constant: at one position the distance, on a passage no more than that at any of its
   /// positions, never more than `most`.
@@ -32,7 +35,15 @@ class CellTree {
     std::int32_t rows = 0;
     std::vector<bool> has_blocked;
   };
+  struct Size {
+    std::int32_t columns, rows;
+  };
   class Search;
+
+  /// Of the squares with sides of 2^level cells.
+  [[nodiscard]] Size size_of(std::size_t level) const;
+  /// Squares of a level, from those of the level below.
+  void fill(std::size_t level, const CellRange& squares);
 
   /// Whether a blocked cell is in a square with sides of 2^level cells; false outside of the grid.
   [[nodiscard]] bool has_blocked(std::size_t level, std::int32_t column, std::int32_t row) const;

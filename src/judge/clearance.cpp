@@ -176,13 +176,15 @@ double approach(const Passage& passage, const Point& p, const Point& direction) 
 }
 
 View view_of(const Passage& passage) {
-  const auto& [x, y, heading] = passage.middle;
-  const Real cos = std::cos(heading);
-  const Real sin = std::sin(heading);
+  return view_of(passage, direction_of(passage.middle.heading));
+}
+
+View view_of(const Passage& passage, const Direction& heading) {
+  const auto& [cos, sin] = heading;
   return {.passage = passage,
           .cos = cos,
           .sin = sin,
-          .axle = {static_cast<double>(x), static_cast<double>(y)},
+          .axle = {static_cast<double>(passage.middle.x), static_cast<double>(passage.middle.y)},
           .axis = {static_cast<double>(cos), static_cast<double>(sin)}};
 }
 

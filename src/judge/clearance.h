@@ -53,6 +53,7 @@ struct View {
 };
 
 [[nodiscard]] View view_of(const Passage& passage);
+[[nodiscard]] View view_of(const Passage& passage, const Direction& heading);
 
 /// A point of the world, seen from the vehicle in the middle.
 [[nodiscard]] inline Point seen(const View& view, const Point& p) {
@@ -76,6 +77,7 @@ struct Bar {
 struct Effort {
   std::size_t looks = 0;    ///< passages and positions that were asked for
   std::size_t visited = 0;  ///< bars and squares of cells that were measured
+  std::size_t made = 0;     ///< nodes of the tree of polygons that nobody had looked at before
   std::size_t parts = 0;    ///< parts of the track that were remembered at once, at the most
 };
 

@@ -29,10 +29,19 @@ Ground::Ground(const Surroundings& surroundings)
   if (surroundings.map) cells_.emplace(*surroundings.map);
 }
 
-double Ground::clearance(const Passage& passage, const Outlines& outlines, double most,
+Ground::Ground(const Ground& before, const Surroundings& surroundings,
+               std::span<const CellRange> cells)
+    : obstacles_(surroundings.obstacles),
+      kerbs_(surroundings.kerbs),
+      cells_(before.cells_),
+      is_empty_(surroundings.obstacles.empty() && surroundings.kerbs.empty() && !surroundings.map) {
+  for (const CellRange& range : cells) cells_->update(range);
+}
+
+double Ground::clearance(const View& view, const Outlines& outlines, double most,
                          Effort& effort) const {
   ++effort.looks;
-  const View view = view_of(passage);
+  const Passage& passage = view.passage;
   const double aside =
       std::max(deviation(passage, outlines.body), deviation(passage, outlines.wheels));
   double least = obstacles_.clearance(view, outlines.body, most + aside, effort);
@@ -41,9 +50,7 @@ double Ground::clearance(const Passage& passage, const Outlines& outlines, doubl
   return std::clamp(least - aside, 0.0, most);
 }
 
-Thing Ground::first_within(double distance, const Position& position,
-                           const Outlines& outlines) const {
-  const View view = view_of({position});
+Thing Ground::first_within(double distance, const View& view, const Outlines& outlines) const {
   if (const auto first = obstacles_.first_within(distance, view, outlines.body)) {
     return {"obstacles[" + std::to_string(*first) + "]", "the footprint"};
   }
@@ -51,6 +58,16 @@ Thing Ground::first_within(double distance, const Position& position,
     return {"kerbs[" + std::to_string(*first) + "]", "the wheels"};
   }
   return {"the map", "the footprint"};
+}
+
+std::shared_ptr<const Ground> ground_of(const World& world) {
+  return std::static_pointer_cast<const Ground>(
+      world.kept(typeid(Ground), [&] { return std::make_shared<const Ground>(world.local()); }));
+}
+
+void renew_ground(const World& world, const Ground& before, std::span<const CellRange> cells) {
+  (void)world.kept(typeid(Ground),
+                   [&] { return std::make_shared<const Ground>(before, world.local(), cells); });
 }
 
 }  // namespace vandplan::judge

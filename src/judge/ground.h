@@ -5,7 +5,9 @@
 //
 // Method and proof: docs/algorithms/path_check.md.
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "judge/cell_tree.h"
@@ -36,17 +38,20 @@ class Ground {
   /// The surroundings must stay where they are as long as the ground is used.
   explicit Ground(const Surroundings& surroundings);
 
+  /// The same surroundings with other polygons, and with other cells of the map in some ranges.
+  Ground(const Ground& before, const Surroundings& surroundings, std::span<const CellRange> cells);
+
   /// Whether there is nothing to hit, wherever one looks.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
 
   /// Between the vehicle and the nearest thing that it must not touch [m]. At one position it is
   /// the distance, 0 if they touch or one holds the other; on a passage it is no more than that at
   /// any of its positions. It is never more than `most`.
-  [[nodiscard]] double clearance(const Passage& passage, const Outlines& outlines, double most,
+  [[nodiscard]] double clearance(const View& view, const Outlines& outlines, double most,
                                  Effort& effort) const;
 
   /// Something at a position that is at most so far from the vehicle [m].
-  [[nodiscard]] Thing first_within(double distance, const Position& position,
+  [[nodiscard]] Thing first_within(double distance, const View& view,
                                    const Outlines& outlines) const;
 
  private:
@@ -55,5 +60,11 @@ class Ground {
   std::optional<CellTree> cells_;
   bool is_empty_;
 };
+
+/// What can be hit in a world; made when the judge needs it first, and kept with the world.
+[[nodiscard]] std::shared_ptr<const Ground> ground_of(const World& world);
+
+/// For a world that has changed, from what could be hit before.
+void renew_ground(const World& world, const Ground& before, std::span<const CellRange> cells);
 
 }  // namespace vandplan::judge

@@ -46,7 +46,7 @@ class Integral {
   }
 
   [[nodiscard]] double clearance(std::size_t stretch, Real t, double most) {
-    for (const Body& body : bodies_) most = clearance_of(body, {stretch, t}, 0, most, effort_);
+    for (const Body& body : bodies_) most = clearance_of(body, {stretch, t}, most, effort_);
     return most;
   }
 

@@ -152,12 +152,6 @@ std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
 /// The wheels are many, the footprint is one.
 bool is_of_many(std::string_view part) { return part.ends_with('s'); }
 
-/// What can be hit in a world, ready to be asked; made when the judge needs it first.
-std::shared_ptr<const Ground> ground_of(const World& world) {
-  return std::static_pointer_cast<const Ground>(
-      world.kept(typeid(Ground), [&] { return std::make_shared<const Ground>(world.local()); }));
-}
-
 /// All bodies of the vehicle.
 using Bodies = std::vector<Body>;
 
@@ -194,7 +188,7 @@ std::optional<Fault> collision(const Bodies& bodies, double& least) {
 double clearance_at(const Bodies& bodies, const Place& place, double most) {
   Effort effort;
   double least = most;
-  for (const Body& body : bodies) least = clearance_of(body, place, 0, least, effort);
+  for (const Body& body : bodies) least = clearance_of(body, place, least, effort);
   return least;
 }
 
@@ -236,7 +230,7 @@ std::optional<Fault> too_near(const Track& track, const Bodies& bodies,
   if (!touch) return std::nullopt;
   const auto& [body, place] = *touch;
   Effort effort;
-  const double clearance = clearance_of(*body, place, 0, stated.margin, effort);
+  const double clearance = clearance_of(*body, place, stated.margin, effort);
   const auto [name, part] = first_within(*body, clearance, place);
   const char* const verb = is_of_many(part) ? "are" : "is";
   const double kept = keeping.most_within(after(track.stretches[place.stretch], place.t), 0);

@@ -13,6 +13,8 @@ namespace {
 
 using Chain = PolygonTree::Chain;
 using Node = PolygonTree::Node;
+using Nodes = PolygonTree::Nodes;
+using Range = PolygonTree::Range;
 
 constexpr std::uint32_t most_sides = 8;   // of a chain that is not halved
 constexpr std::size_t most_points = 256;  // that a narrow bar is looked for around
@@ -26,83 +28,131 @@ std::size_t chains_of(std::uint32_t sides) {
 
 struct Item {
   Box box;
-  Point middle;  ///< of the box
   std::uint32_t polygon = 0;
+  std::uint32_t corners = 0;
 };
 
+Item item_of(std::span<const Polygon> polygons, std::uint32_t index) {
+  const Polygon& polygon = polygons[index];
+  Box box = Box::of(polygon[0]);
+  for (const Point& corner : polygon) box.add(corner);
+  return {box, index, static_cast<std::uint32_t>(polygon.size())};
+}
+
+/// What is known of items from one look at each.
+struct Spread {
+  Box box;              ///< around all
+  Box middles;          ///< around the middles of their boxes
+  double longest;       ///< size of a box [m]
+  std::size_t corners;  ///< of all
+};
+
+Spread spread_of(std::span<const Item> items) {
+  Spread spread{items[0].box, Box::of(items[0].box.middle()), 0.0, 0};
+  for (const Item& item : items) {
+    spread.box.add(item.box);
+    spread.middles.add(item.box.middle());
+    spread.longest = std::max(spread.longest, item.box.size());
+    spread.corners += item.corners;
+  }
+  return spread;
+}
+
+/// What is much longer than all of it is wide stands apart from the rest, or it would make every
+/// bar long; else polygons are parted where half of them lie on either side.
+std::size_t part(std::span<Item> items, const Spread& spread) {
+  const auto& [low, high] = spread.middles;
+  if (spread.longest > spread.middles.size()) {
+    const auto end = std::partition(items.begin(), items.end(), [&](const Item& item) {
+      return item.box.size() > spread.longest / 2;
+    });
+    if (end != items.end()) return static_cast<std::size_t>(end - items.begin());
+  }
+  const bool wide = high.x - low.x > high.y - low.y;
+  const std::size_t half = items.size() / 2;
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                   [wide](const Item& a, const Item& b) {
+                     const Point one = a.box.middle();
+                     const Point other = b.box.middle();
+                     return wide ? one.x < other.x : one.y < other.y;
+                   });
+  return half;
+}
+
+std::size_t add_children(Nodes& nodes, std::size_t node) {
+  const std::size_t child = nodes.size();
+  nodes[node].child = static_cast<std::uint32_t>(child);
+  nodes.resize(child + 2);
+  return child;
+}
+
+/// Makes the tree above the groups: of polygons that are sorted, ...
+class Sorter {
+ public:
+  explicit Sorter(std::vector<Item> items) : items_(std::move(items)) {
+    nodes_.emplace_back();
+    sort(0, items_);
+  }
+  [[nodiscard]] std::vector<Item>& items() { return items_; }
+  [[nodiscard]] Nodes& nodes() { return nodes_; }
+  [[nodiscard]] std::vector<Range>& groups() { return groups_; }
+
+ private:
+  void sort(std::size_t node, std::span<Item> items);
+
+  std::vector<Item> items_;
+  Nodes nodes_;
+  std::vector<Range> groups_;
+};
+
+void Sorter::sort(std::size_t node, std::span<Item> items) {
+  const Spread spread = spread_of(items);
+  nodes_[node].bar = bar_of(spread.box);
+  if (items.size() == 1 || spread.corners <= most_points) {
+    nodes_[node].group = static_cast<std::uint32_t>(groups_.size());
+    groups_.push_back({static_cast<std::uint32_t>(items.data() - items_.data()),
+                       static_cast<std::uint32_t>(items.size())});
+    return;
+  }
+  const std::size_t half = part(items, spread);
+  const std::size_t child = add_children(nodes_, node);
+  sort(child, items.first(half));
+  sort(child + 1, items.subspan(half));
+}
+
+/// ... and the tree of a group.
 class Builder {
  public:
-  explicit Builder(std::span<const Polygon> polygons);
-  [[nodiscard]] std::vector<Node> nodes() && { return std::move(nodes_); }
+  Builder(std::span<const Polygon> polygons, std::vector<Item> items);
+  [[nodiscard]] Nodes nodes() && { return std::move(nodes_); }
 
  private:
   void sort(std::size_t node, std::span<Item> items);
   void halve(std::size_t chain);
-  std::size_t add_children(std::size_t node);
   [[nodiscard]] Bar bar_around(std::span<const Item> items);
   [[nodiscard]] Bar bar_around(const Chain& chain);
 
   std::span<const Polygon> polygons_;
-  std::vector<Node> nodes_;
+  Nodes nodes_;
   std::vector<Point> points_;  // that a bar is looked for around
 };
 
-Builder::Builder(std::span<const Polygon> polygons) : polygons_(polygons) {
-  if (polygons.empty()) return;
-  std::vector<Item> items;
-  items.reserve(polygons.size());
+Builder::Builder(std::span<const Polygon> polygons, std::vector<Item> items) : polygons_(polygons) {
   std::size_t chains = 0;
-  for (const Polygon& polygon : polygons) {
-    Box box = Box::of(polygon[0]);
-    for (const Point& corner : polygon) box.add(corner);
-    items.push_back({box, box.middle(), static_cast<std::uint32_t>(items.size())});
-    chains += chains_of(static_cast<std::uint32_t>(polygon.size()));
-  }
+  for (const Item& item : items) chains += chains_of(item.corners);
   nodes_.reserve(2 * chains - 1);
   nodes_.emplace_back();
   sort(0, items);
 }
 
-std::size_t Builder::add_children(std::size_t node) {
-  const std::size_t child = nodes_.size();
-  nodes_[node].child = static_cast<std::uint32_t>(child);
-  nodes_.resize(child + 2);
-  return child;
-}
-
-/// What is much longer than all of it is wide stands apart from the rest, or it would make every
-/// bar long; else polygons are parted where half of them lie on either side.
-std::size_t part(std::span<Item> items) {
-  Box middles = Box::of(items[0].middle);
-  double longest = 0.0;
-  for (const Item& item : items) {
-    middles.add(item.middle);
-    longest = std::max(longest, item.box.size());
-  }
-  if (longest > middles.size()) {
-    const auto end = std::partition(items.begin(), items.end(), [&](const Item& item) {
-      return item.box.size() > longest / 2;
-    });
-    if (end != items.end()) return static_cast<std::size_t>(end - items.begin());
-  }
-  const bool wide = middles.high.x - middles.low.x > middles.high.y - middles.low.y;
-  const std::size_t half = items.size() / 2;
-  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-                   [&](const Item& a, const Item& b) {
-                     return wide ? a.middle.x < b.middle.x : a.middle.y < b.middle.y;
-                   });
-  return half;
-}
-
 void Builder::sort(std::size_t node, std::span<Item> items) {
   if (items.size() == 1) {
-    const std::uint32_t polygon = items[0].polygon;
-    nodes_[node].chain = {polygon, 0, static_cast<std::uint32_t>(polygons_[polygon].size())};
+    nodes_[node].chain = {items[0].polygon, 0, items[0].corners};
     return halve(node);
   }
   nodes_[node].bar = bar_around(items);
-  const std::size_t half = part(items);
-  const std::size_t child = add_children(node);
+  const std::size_t half = part(items, spread_of(items));
+  const std::size_t child = add_children(nodes_, node);
   sort(child, items.first(half));
   sort(child + 1, items.subspan(half));
 }
@@ -111,7 +161,7 @@ void Builder::halve(std::size_t chain) {
   nodes_[chain].bar = bar_around(nodes_[chain].chain);
   const auto [polygon, first, sides] = nodes_[chain].chain;
   if (sides <= most_sides) return;
-  const std::size_t child = add_children(chain);
+  const std::size_t child = add_children(nodes_, chain);
   const std::uint32_t half = sides / 2;
   nodes_[child].chain = {polygon, first, half};
   nodes_[child + 1].chain = {polygon, first + half, sides - half};
@@ -120,13 +170,6 @@ void Builder::halve(std::size_t chain) {
 }
 
 Bar Builder::bar_around(std::span<const Item> items) {
-  Box box = items[0].box;
-  std::size_t count = 0;
-  for (const Item& item : items) {
-    box.add(item.box);
-    count += polygons_[item.polygon].size();
-  }
-  if (count > most_points) return bar_of(box);
   points_.clear();
   for (const Item& item : items) {
     const Polygon& polygon = polygons_[item.polygon];
@@ -156,18 +199,18 @@ Bar Builder::bar_around(const Chain& chain) {
 /// What is nearest, on one passage.
 class PolygonTree::Search {
  public:
-  Search(const PolygonTree& tree, const View& view, const Outline& body, double most)
-      : tree_(tree), view_(view), body_(body), least_(most) {}
+  Search(const PolygonTree& tree, const View& view, const Outline& body, double most,
+         Effort& effort)
+      : tree_(tree), view_(view), body_(body), least_(most), effort_(effort) {}
 
   [[nodiscard]] double least() const { return std::max(0.0, least_); }
-  [[nodiscard]] std::size_t visited() const { return visited_; }
 
   /// Lowers `least` to the clearance of what is in a node.
-  void look(const Node& node);
+  void look(const Nodes& nodes, const Node& node);
 
  private:
   [[nodiscard]] double measure(const Bar& seen_bar) {
-    ++visited_;
+    ++effort_.visited;
     return clearance_of_bar(view_.passage, body_, seen_bar, least_);
   }
   void look_at_sides(const Chain& chain);
@@ -176,12 +219,16 @@ class PolygonTree::Search {
   const View& view_;
   const Outline& body_;
   double least_;
-  std::size_t visited_ = 0;
+  Effort& effort_;
 };
 
-void PolygonTree::Search::look(const Node& node) {
-  if (node.child == 0) return look_at_sides(node.chain);
-  const Node* near = &tree_.nodes_[node.child];
+void PolygonTree::Search::look(const Nodes& nodes, const Node& node) {
+  if (node.chain.sides > 0 && node.child == 0) return look_at_sides(node.chain);
+  if (node.child == 0) {
+    const Nodes& group = tree_.nodes_of(node.group, effort_);
+    return look(group, group[0]);
+  }
+  const Node* near = &nodes[node.child];
   const Node* far = near + 1;
   double to_near = measure(judge::seen(view_, near->bar));
   double to_far = measure(judge::seen(view_, far->bar));
@@ -189,8 +236,8 @@ void PolygonTree::Search::look(const Node& node) {
     std::swap(near, far);
     std::swap(to_near, to_far);
   }
-  if (least_ > 0 && to_near < least_) look(*near);
-  if (least_ > 0 && to_far < least_) look(*far);
+  if (least_ > 0 && to_near < least_) look(nodes, *near);
+  if (least_ > 0 && to_far < least_) look(nodes, *far);
 }
 
 void PolygonTree::Search::look_at_sides(const Chain& chain) {
@@ -202,20 +249,51 @@ void PolygonTree::Search::look_at_sides(const Chain& chain) {
   }
 }
 
-PolygonTree::PolygonTree(std::span<const Polygon> polygons)
-    : polygons_(polygons), nodes_(Builder(polygons).nodes()) {}
+template <typename Make>
+const Nodes& PolygonTree::Group::nodes(Make make) {
+  const Nodes* known = nodes_.load(std::memory_order_acquire);
+  if (known != nullptr) return *known;
+  auto made = std::make_unique<const Nodes>(make());
+  const bool is_first = nodes_.compare_exchange_strong(known, made.get());
+  return is_first ? *made.release() : *known;
+}
+
+PolygonTree::PolygonTree(std::span<const Polygon> polygons) : polygons_(polygons) {
+  if (polygons.empty()) return;
+  std::vector<Item> items;
+  items.reserve(polygons.size());
+  for (std::uint32_t i = 0; i < polygons.size(); ++i) items.push_back(item_of(polygons, i));
+  Sorter sorter(std::move(items));
+  order_.reserve(polygons.size());
+  for (const Item& item : sorter.items()) order_.push_back(item.polygon);
+  ranges_ = std::move(sorter.groups());
+  groups_ = std::make_unique<Group[]>(ranges_.size());
+  nodes_ = std::move(sorter.nodes());
+}
+
+const Nodes& PolygonTree::nodes_of(std::uint32_t group, Effort& effort) const {
+  return groups_[group].nodes([&] {
+    const auto [first, count] = ranges_[group];
+    std::vector<Item> items;
+    for (const std::uint32_t polygon : std::span(order_).subspan(first, count)) {
+      items.push_back(item_of(polygons_, polygon));
+    }
+    Nodes nodes = Builder(polygons_, std::move(items)).nodes();
+    effort.made += nodes.size();
+    return nodes;
+  });
+}
 
 double PolygonTree::clearance(const View& view, const Outline& body, double most,
                               Effort& effort) const {
   if (nodes_.empty()) return most;
-  Search search(*this, view, body, most);
-  search.look(nodes_[0]);
-  effort.visited += search.visited();
+  Search search(*this, view, body, most, effort);
+  search.look(nodes_, nodes_[0]);
   if (search.least() == 0) return 0;
   // The body holds its rear axle. If no side touches the body, it is in a polygon exactly if the
   // axle is.
   std::size_t holder = none;
-  find_holder(nodes_[0], view, holder, effort);
+  find_holder(nodes_, nodes_[0], view, holder, effort);
   return holder == none ? search.least() : 0;
 }
 
@@ -224,8 +302,8 @@ std::optional<std::size_t> PolygonTree::first_within(double distance, const View
   if (nodes_.empty()) return std::nullopt;
   std::size_t first = none;
   Effort effort;
-  find_within(distance, nodes_[0], view, body, first);
-  find_holder(nodes_[0], view, first, effort);
+  find_within(distance, nodes_, nodes_[0], view, body, first, effort);
+  find_holder(nodes_, nodes_[0], view, first, effort);
   return first == none ? std::nullopt : std::optional(first);
 }
 
@@ -235,17 +313,22 @@ Point PolygonTree::corner(const Chain& chain, std::uint32_t i) const {
   return polygon[index == polygon.size() ? 0 : index];
 }
 
-void PolygonTree::find_within(double distance, const Node& node, const View& view,
-                              const Outline& body, std::size_t& first) const {
+void PolygonTree::find_within(double distance, const Nodes& nodes, const Node& node,
+                              const View& view, const Outline& body, std::size_t& first,
+                              Effort& effort) const {
   const double more = distance + std::numeric_limits<double>::min();
   const auto is_within = [&](const Bar& bar) {
     return clearance_of_bar(view.passage, body, judge::seen(view, bar), more) <= distance;
   };
   if (!is_within(node.bar) || (node.chain.sides > 0 && node.chain.polygon >= first)) return;
   if (node.child != 0) {
-    find_within(distance, nodes_[node.child], view, body, first);
-    find_within(distance, nodes_[node.child + 1], view, body, first);
+    find_within(distance, nodes, nodes[node.child], view, body, first, effort);
+    find_within(distance, nodes, nodes[node.child + 1], view, body, first, effort);
     return;
+  }
+  if (node.chain.sides == 0) {
+    const Nodes& group = nodes_of(node.group, effort);
+    return find_within(distance, group, group[0], view, body, first, effort);
   }
   for (std::uint32_t i = 0; i < node.chain.sides; ++i) {
     if (is_within({corner(node.chain, i), corner(node.chain, i + 1)})) first = node.chain.polygon;
@@ -287,7 +370,7 @@ bool holds(const Span& span, double value) { return span.low <= value && value <
 }  // namespace
 
 /// Whether a ray along the x axis crosses an odd number of the sides in a node, a chain.
-bool PolygonTree::is_crossed(const Node& node, const View& view) const {
+bool PolygonTree::is_crossed(const Nodes& nodes, const Node& node, const View& view) const {
   const Span x = across(node.bar);
   if (x.high < view.axle.x || !holds(along(node.bar), view.axle.y)) return false;
   const Position& from = view.passage.middle;
@@ -296,7 +379,8 @@ bool PolygonTree::is_crossed(const Node& node, const View& view) const {
   // Where all of the chain is ahead, the ray crosses it as often as the whole line does.
   if (x.low > view.axle.x) return is_above(0) != is_above(chain.sides);
   if (node.child != 0) {
-    return is_crossed(nodes_[node.child], view) != is_crossed(nodes_[node.child + 1], view);
+    return is_crossed(nodes, nodes[node.child], view) !=
+           is_crossed(nodes, nodes[node.child + 1], view);
   }
   bool odd = false;
   for (std::uint32_t i = 0; i < chain.sides; ++i) {
@@ -310,16 +394,20 @@ bool PolygonTree::is_crossed(const Node& node, const View& view) const {
 }
 
 /// Lowers `first` to the first polygon of a node that holds the rear axle.
-void PolygonTree::find_holder(const Node& node, const View& view, std::size_t& first,
-                              Effort& effort) const {
+void PolygonTree::find_holder(const Nodes& nodes, const Node& node, const View& view,
+                              std::size_t& first, Effort& effort) const {
   ++effort.visited;
   if (!holds(node.bar, view.axle)) return;
   if (node.chain.sides > 0) {
-    if (node.chain.polygon < first && is_crossed(node, view)) first = node.chain.polygon;
+    if (node.chain.polygon < first && is_crossed(nodes, node, view)) first = node.chain.polygon;
     return;
   }
-  find_holder(nodes_[node.child], view, first, effort);
-  find_holder(nodes_[node.child + 1], view, first, effort);
+  if (node.child == 0) {
+    const Nodes& group = nodes_of(node.group, effort);
+    return find_holder(group, group[0], view, first, effort);
+  }
+  find_holder(nodes, nodes[node.child], view, first, effort);
+  find_holder(nodes, nodes[node.child + 1], view, first, effort);
 }
 
 }  // namespace vandplan::judge

@@ -9,19 +9,39 @@ namespace vandplan::judge {
 
 namespace {
 
+/// What is left of an angle is at most a little more than an eighth of a turn.
+struct Quarters {
+  double count = 0;
+  Real left = 0;
+};
+
+/// A quarter in two numbers: the first has so few digits that a multiple of it is exact.
+Quarters quarters_in(Real angle) {
+  constexpr auto first = static_cast<Real>(1.57079637050628662109375L);
+  constexpr auto second = static_cast<Real>(-4.371139000186242830836024856e-8L);
+  const double count = std::nearbyint(static_cast<double>(angle) * (2 / std::numbers::pi));
+  return {count, angle - count * first - count * second};
+}
+
 struct Way {
   Real x = 0;
   Real y = 0;
 };
 
+Direction turned(const Direction& from, const Direction& by) {
+  return {from.cos * by.cos - from.sin * by.sin, from.sin * by.cos + from.cos * by.sin};
+}
+
 /// On a circle the chord to the place an angle 2a further has length 2 sin(a) / curvature and
 /// points along heading + a.
-Position after_arc(const Stretch& stretch, Real t) {
+Placement after_arc(const Stretch& stretch, Real t) {
   const Real way = stretch.direction * t;
   const Real a = stretch.curvature * way / 2;
-  const Real chord = a == 0 ? way : way * (std::sin(a) / a);
   const auto& [x, y, heading] = stretch.start;
-  return {x + chord * std::cos(heading + a), y + chord * std::sin(heading + a), heading + 2 * a};
+  const Direction half = direction_of(a);
+  const Real chord = a == 0 ? way : way * (half.sin / a);
+  const Direction along = turned(stretch.ahead, half);
+  return {{x + chord * along.cos, y + chord * along.sin, heading + 2 * a}, turned(along, half)};
 }
 
 /// How far a vehicle comes in `t` metres if it turns by `turn` t + `growth` t^2 / 2, as seen from
@@ -44,19 +64,40 @@ Way series(Real turn, Real growth, Real t) {
   return {t * sum.x, t * sum.y};
 }
 
-Position after_clothoid(const Stretch& stretch, Real t) {
+Placement after_clothoid(const Stretch& stretch, Real t) {
   const auto& [x, y, heading] = stretch.start;
   const Real d = stretch.direction;
   const Way way = series(d * stretch.curvature, d * stretch.rate, t);
-  const Real cos = d * std::cos(heading);
-  const Real sin = d * std::sin(heading);
-  return {x + way.x * cos - way.y * sin, y + way.x * sin + way.y * cos,
-          heading + d * t * (stretch.curvature + stretch.rate * t / 2)};
+  const auto& [cos, sin] = stretch.ahead;
+  const Real turn = d * t * (stretch.curvature + stretch.rate * t / 2);
+  return {
+      {x + d * (way.x * cos - way.y * sin), y + d * (way.x * sin + way.y * cos), heading + turn},
+      turned(stretch.ahead, direction_of(turn))};
 }
 
 }  // namespace
 
-Position after(const Stretch& stretch, Real t) {
+// The library's functions take several times as long for angles of more than an eighth of a turn.
+Direction direction_of(Real angle) {
+  if (angle == 0) return {};
+  constexpr double most_quarters = 1e8;
+  const auto [count, left] = quarters_in(angle);
+  if (!(std::abs(count) < most_quarters)) return {std::cos(angle), std::sin(angle)};
+  const Real cos = std::cos(left);
+  const Real sin = std::sin(left);
+  switch (static_cast<long long>(count) & 3) {
+    case 0:
+      return {cos, sin};
+    case 1:
+      return {-sin, cos};
+    case 2:
+      return {-cos, -sin};
+    default:
+      return {sin, -cos};
+  }
+}
+
+Placement placement_after(const Stretch& stretch, Real t) {
   return stretch.rate == 0 ? after_arc(stretch, t) : after_clothoid(stretch, t);
 }
 

@@ -30,6 +30,20 @@ struct Position {
   Real heading = 0;
 };
 
+/// Cosine and sine of an angle.
+struct Direction {
+  Real cos = 1;
+  Real sin = 0;
+};
+
+[[nodiscard]] Direction direction_of(Real angle);
+
+/// A position and the direction of its heading.
+struct Placement {
+  Position position;
+  Direction direction;
+};
+
 /// A segment and where it begins; of a clothoid a part so short that `after` is exact.
 struct Stretch {
   Position start;
@@ -38,6 +52,7 @@ struct Stretch {
   Real length = 0;     ///< driven, >= 0
   Real s = 0;          ///< driven before
   Real rate = 0;       ///< change of the curvature per metre driven [1/m^2]
+  Direction ahead = direction_of(start.heading);  ///< at the start
 };
 
 /// So many stretches a clothoid may take, and all clothoids of a path together; what takes more
@@ -74,7 +89,11 @@ struct Track {
 /// Every number of the path is finite, and its clothoids take no more stretches than they may.
 [[nodiscard]] Track integrate(const Path& path);
 
-[[nodiscard]] Position after(const Stretch& stretch, Real t);
+[[nodiscard]] Placement placement_after(const Stretch& stretch, Real t);
+
+[[nodiscard]] inline Position after(const Stretch& stretch, Real t) {
+  return placement_after(stretch, t).position;
+}
 
 [[nodiscard]] PathPoint point_at(const Track& track, const Place& place);
 

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -141,6 +143,49 @@ TEST(CostOfAVerdict, IsSmallBetweenFencesThroughTheWholeYard) {
   }
   const judge::Effort with = judged(obstacles, path).effort;
   EXPECT_LE(with.visited * without.looks, 2 * without.visited * with.looks);
+}
+
+TEST(CostOfAVerdict, HasTheTreeMadeWhereThePathIsAndOnce) {
+  const Surroundings surroundings{.obstacles = yard(200)};
+  const judge::Ground ground(surroundings);
+  const judge::Track track = judge::integrate(street(300, 10));
+  const judge::Body body{track, ground, judge::outlines_of(Vehicle{})};
+  const std::size_t made = judge::nearest_along(body).effort.made;
+  EXPECT_GT(made, 20U);
+  EXPECT_LE(made, 40000U / 40);
+  EXPECT_EQ(judge::nearest_along(body).effort.made, 0U);
+}
+
+/// How much is measured at a look beside a wall through so many cells of 5 cm in a row and
+/// column, where nothing further away than `most` is asked for.
+std::size_t measured_beside_a_wall(std::int32_t cells, double half, double most) {
+  const auto count = static_cast<std::size_t>(cells);
+  std::vector<Cell> ground(count * count);
+  constexpr std::ptrdiff_t row = 60;
+  std::fill_n(ground.begin() + row * cells, count, Cell::occupied);
+  const Surroundings surroundings{
+      .map = OccupancyGrid{.origin = {-20, -5, 0},
+                           .resolution = 0.05,
+                           .columns = cells,
+                           .rows = cells,
+                           .cells = std::make_shared<const std::vector<Cell>>(std::move(ground)),
+                           .unknown_is_free = true}};
+  const judge::Outlines truck = judge::outlines_of(Vehicle{});
+  const judge::View view = judge::view_of({{0, -8, 0.3}, -0.1, half});
+  judge::Effort effort;
+  (void)judge::Ground(surroundings).clearance(view, truck, most, effort);
+  return effort.visited;
+}
+
+TEST(CostOfAVerdict, IsThatOfWhatIsNearOnALargeMap) {
+  for (const double half : {0.0, 2.0}) {
+    EXPECT_LE(measured_beside_a_wall(4096, half, 8), measured_beside_a_wall(1024, half, 8));
+  }
+}
+
+TEST(CostOfAVerdict, IsSmallWhereAPassageIsNearerThanAnybodyAskedFor) {
+  // It is cut in two whatever the cells of the wall say.
+  EXPECT_LE(measured_beside_a_wall(512, 2, 20), 30U);
 }
 
 TEST(CostOfAVerdict, HasAWorldsTreeMadeOnce) {

@@ -203,12 +203,14 @@ TEST(JudgeCrowdLaw, ATreeOfManyPolygonsIsAsGoodAsEachOnItsOwn) {
       const judge::Passage passage = any_passage(rng);
       const double most = chance(0.5, rng) ? infinity : any_size(1e-3, 100, rng);
       judge::Effort effort;
-      const double clearance = ground.clearance(passage, {body, body}, most, effort);
+      const double clearance =
+          ground.clearance(judge::view_of(passage), {body, body}, most, effort);
       double least = most;
       std::size_t first = polygons.size();
       for (std::size_t k = polygons.size(); k-- > 0;) {
         const Surroundings one{.obstacles = {polygons[k]}};
-        const double alone = judge::Ground(one).clearance(passage, {body, body}, infinity, effort);
+        const double alone =
+            judge::Ground(one).clearance(judge::view_of(passage), {body, body}, infinity, effort);
         if (alone == 0) first = k;
         least = std::min(least, alone);
       }
@@ -220,7 +222,7 @@ TEST(JudgeCrowdLaw, ATreeOfManyPolygonsIsAsGoodAsEachOnItsOwn) {
       near += clearance > 0 && clearance < most;
       if (passage.half > 0 || clearance > 0 || least > 0) continue;
       ++touched;
-      EXPECT_EQ(ground.first_within(0, passage.middle, {body, body}).name,
+      EXPECT_EQ(ground.first_within(0, judge::view_of({passage.middle}), {body, body}).name,
                 "obstacles[" + std::to_string(first) + "]");
     }
   });
@@ -322,7 +324,8 @@ TEST(JudgeCrowdLaw, SidesWithFarEndsAreAsFarAwayAsTheyAre) {
     const Surroundings side{.obstacles = {{a, b, b}}};
     const judge::Outline body = rectangle_of(footprint(Vehicle{}));
     judge::Effort effort;
-    const double seen = judge::Ground(side).clearance({position}, {body, body}, infinity, effort);
+    const double seen =
+        judge::Ground(side).clearance(judge::view_of({position}), {body, body}, infinity, effort);
     const double furthest_end =
         std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
     if (seen == 0 || furthest_end > furthest) return;

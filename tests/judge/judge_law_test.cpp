@@ -96,7 +96,7 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
     const auto clearance_in = [&](const judge::Ground& ground) {
       return [&](const judge::Passage& passage, double most) {
         judge::Effort effort;
-        return ground.clearance(passage, {outline, outline}, most, effort);
+        return ground.clearance(judge::view_of(passage), {outline, outline}, most, effort);
       };
     };
     const Surroundings map{.map = grid};
