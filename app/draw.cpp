@@ -67,7 +67,7 @@ void add_draw(CLI::App& vandplan, int&) {
       "(plan --poses) become a sheet of pictures.");
   const auto arguments = std::make_shared<DrawArguments>();
   add_scenario(*command, arguments->scenario);
-  command->add_option("RESULT", arguments->result, "Result file (JSON or JSON Lines)");
+  command->add_option("RESULT", arguments->result, "Result file (JSON, JSON Lines or binary)");
   command
       ->add_option("--pair", arguments->pair, "Of many results draw the one of this number, from 1")
       ->type_name("N")

@@ -362,8 +362,8 @@ void add_drive(CLI::App& vandplan, int& status) {
       "Exit status: 0 done, 1 no path, an invalid one, a contact or no arrival, 2 bad input.");
   const auto arguments = std::make_shared<DriveArguments>();
   add_scenario(*command, arguments->path.scenario);
-  CLI::Option* const result =
-      command->add_option("RESULT", arguments->path.result, "Result file (JSON or JSON Lines)");
+  CLI::Option* const result = command->add_option("RESULT", arguments->path.result,
+                                                  "Result file (JSON, JSON Lines or binary)");
   add_options(*command, *arguments);
   add_live_options(*command, arguments->live, true);
   result->excludes("--replan");

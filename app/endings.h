@@ -15,9 +15,9 @@ struct FileKind {
   std::vector<std::string_view> endings;
 };
 
-inline const FileKind result_file = {"a result is JSON", {".json"}};
-inline const FileKind result_lines_file = {"results of --poses are JSON Lines",
-                                           {".jsonl", ".ndjson", ".json"}};
+inline const FileKind result_file = {"a result is JSON or binary", {".json", ".vpr"}};
+inline const FileKind result_lines_file = {"results of --poses are JSON Lines or binary",
+                                           {".jsonl", ".vpr", ".ndjson", ".json"}};
 inline const FileKind scenario_file = {"a scenario is YAML", {".yaml", ".yml"}};
 
 /// Whether the name of a file has one of the endings of that kind.

@@ -64,7 +64,7 @@ void add_scenario(CLI::App& command, std::string& scenario) {
 
 void add_scenario_and_result(CLI::App& command, std::string& scenario, std::string& result) {
   add_scenario(command, scenario);
-  command.add_option("RESULT", result, "Result file (JSON or JSON Lines)")->required();
+  command.add_option("RESULT", result, "Result file (JSON, JSON Lines or binary)")->required();
 }
 
 void print(const nlohmann::ordered_json& object) {

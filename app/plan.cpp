@@ -165,14 +165,16 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->add_option("--primitives", arguments->primitives,
                    "What joins the vertices of a lattice: a file of Nav2 (.json) or SBPL (.mprim)")
       ->type_name("FILE");
-  command->add_option("--output", arguments->output, "Write the result here (JSON)")
+  command
+      ->add_option("--output", arguments->output,
+                   "Write the result here (JSON; binary if the name ends in .vpr)")
       ->type_name("FILE");
   add_picture(*command, arguments->picture);
   command
       ->add_option(
           "--poses", arguments->poses,
           "Plan many pairs in this one world: a line x, y, heading, x, y, heading of start\n"
-          "and goal each (CSV); --output writes a result a line then (JSON Lines)")
+          "and goal each (CSV); --output writes a result a line then (JSON Lines, or binary)")
       ->type_name("FILE")
       ->excludes("--draw");
   command

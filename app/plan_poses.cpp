@@ -13,7 +13,6 @@
 
 #include "commands.h"
 #include "progress_bar.h"
-#include "vandplan/files.h"
 #include "vandplan/random.h"
 #include "vandplan/result_file.h"
 #include "wording.h"
@@ -94,8 +93,8 @@ std::string outcome_text(const PlanResult& result) {
 class Results {
  public:
   Results(const ResultRecord& pattern, const PosesJob& job) : pattern_(pattern), job_(job) {
-    if (job.output) outputs_.emplace_back(*job.output);
-    if (job.json) outputs_.emplace_back("-");
+    if (job.output) outputs_.emplace_back(*job.output, pattern);
+    if (job.json) outputs_.emplace_back("-", pattern);
   }
 
   void take(std::size_t pair, const Problem& problem, PlanResult result) {
@@ -105,13 +104,11 @@ class Results {
     ResultRecord record = pattern_;
     record.result = std::move(result);
     record.result.tree.reset();
-    write_result_line(pair, problem, record, [this](std::string_view piece) {
-      for (FileWriter& output : outputs_) output.write(piece);
-    });
+    for (PairWriter& output : outputs_) output.write(pair, problem, record);
   }
 
   void commit() {
-    for (FileWriter& output : outputs_) output.commit();
+    for (PairWriter& output : outputs_) output.commit();
   }
   [[nodiscard]] std::size_t solved() const { return solved_; }
   [[nodiscard]] const std::string& summaries() const { return summaries_; }
@@ -119,7 +116,7 @@ class Results {
  private:
   const ResultRecord& pattern_;
   const PosesJob& job_;
-  std::deque<FileWriter> outputs_;
+  std::deque<PairWriter> outputs_;
   std::string summaries_;
   std::size_t solved_ = 0;
 };

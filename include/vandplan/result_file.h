@@ -54,8 +54,11 @@ using TextSink = std::function<void(std::string_view piece)>;
 /// Hands out the text of `results_to_json` while it is made: a long one is never held as a whole.
 void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& records,
                    const TextSink& sink);
-/// Writes a result file, whole or not at all, piece by piece; "-" is standard output. Throws
-/// InputError naming the file when it cannot be written.
+/// Whether the name of a result file asks for the binary form: it ends in ".vpr".
+[[nodiscard]] bool is_binary_result(std::string_view file);
+
+/// Writes a result file, whole or not at all, piece by piece: JSON, or binary if its name asks for
+/// that; "-" is standard output. Throws InputError naming the file when it cannot be written.
 void write_results(const std::string& output, const ScenarioFile& file,
                    const std::vector<ResultRecord>& records);
 
@@ -66,8 +69,27 @@ void write_results(const std::string& output, const ScenarioFile& file,
 void write_result_line(std::size_t pair, const Problem& problem, const ResultRecord& record,
                        const TextSink& sink);
 
-/// Reads a result file written by us or by others. As many records as the scenario has goals.
-/// Throws InputError "file:line: what is wrong".
+/// Writes results of many pairs as they come, whole or not at all: JSON Lines, or binary if the
+/// name of the file asks for that; "-" is standard output. All throw InputError if it cannot be
+/// written.
+class PairWriter {
+ public:
+  /// `pattern` holds what all results share: scenario, planner and options.
+  PairWriter(const std::string& file, const ResultRecord& pattern);
+  ~PairWriter();
+  PairWriter(const PairWriter&) = delete;
+  PairWriter& operator=(const PairWriter&) = delete;
+
+  void write(std::size_t pair, const Problem& problem, const ResultRecord& record);
+  void commit();
+
+ private:
+  struct Output;
+  std::unique_ptr<Output> output_;
+};
+
+/// Reads a result file, JSON or binary, written by us or by others. As many records as the scenario
+/// has goals. Throws InputError "file:line: what is wrong".
 [[nodiscard]] std::vector<ResultRecord> read_results(const std::string& file,
                                                      const ScenarioFile& scenario);
 
@@ -78,8 +100,8 @@ struct PairRecord {
   ResultRecord record;
 };
 
-/// Reads a result file that may be of either kind: one result, or many with one on each line (JSON
-/// Lines), which are read one after the other. "-" is standard input. All throw InputError
+/// Reads a result file that may be of any kind: one result, or many, one on each line (JSON Lines)
+/// or binary, which are read one after the other. "-" is standard input. All throw InputError
 /// "file:line: what is wrong".
 class ResultReader {
  public:
@@ -89,7 +111,7 @@ class ResultReader {
   ResultReader(const ResultReader&) = delete;
   ResultReader& operator=(const ResultReader&) = delete;
 
-  /// Whether each line is a result of its own: the first line is an object with "pair".
+  /// Whether it has results of pairs: the first line is an object with "pair", or bytes say so.
   [[nodiscard]] bool has_pairs() const noexcept;
   /// The next pair; none at the end. Only where there are pairs.
   [[nodiscard]] std::optional<PairRecord> next();

@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How is a result read, ours or somebody else's? (docs/formats.md)
+#include "io/result_reader.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <initializer_list>
 #include <limits>
 #include <utility>
 
 #include "base/text.h"
-#include "io/document.h"
-#include "io/input_file.h"
-#include "io/result_lists.h"
 #include "io/speeds_file.h"
 #include "vandplan/input_error.h"
-#include "vandplan/result_file.h"
 
 namespace vandplan {
 namespace {
 
 using namespace io;
-
-// What is read of a result [bytes]: more than `plan` writes.
-constexpr std::size_t largest_result = std::size_t{2} << 30;
-constexpr std::size_t largest_result_line = std::size_t{512} << 20;
 
 PlanStatus status_from(const Document& file, const Node& node) {
   for (const PlanStatus status : plan_statuses()) {
@@ -210,13 +201,29 @@ PathClaims claims_from(const Document& file, const Node& node, ResultLists& list
   return claims;
 }
 
-ResultRecord record_from(const Document& file, const Node& node, double radius,
-                         ResultLists& lists) {
+/// Which run it was.
+ResultRecord run_from(const Document& file, const Node& node) {
   ResultRecord record;
   if (const Node* const name = file.find(node, "scenario")) record.scenario = file.text(*name);
   if (const Node* const name = file.find(node, "planner")) record.planner = file.text(*name);
   if (const Node* const seed = file.find(node, "seed"))
     record.options.budget.seed = file.count(*seed);
+  return record;
+}
+
+/// What the path is held to, and the claims that follow.
+void read_rules(const Document& file, const Node& node, ResultRecord& record) {
+  record.options.cost = shortest_style;
+  if (const Node* const options = file.find(node, "options")) {
+    read_options(file, *options, record.options);
+  }
+  record.claims.clearance = record.options.clearance;
+  record.claims.steering = record.options.steering.value_or(Steering::reeds_shepp);
+}
+
+ResultRecord record_from(const Document& file, const Node& node, double radius,
+                         ResultLists& lists) {
+  ResultRecord record = run_from(file, node);
   if (const Node* const metres = file.find(node, "distance")) {
     record.distance = file.number(*metres);
   }
@@ -236,13 +243,8 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
       result.speeds = speeds_from(file, *speeds);
     }
     record.claims = claims_from(file, node, lists);
-    record.options.cost = shortest_style;
-    if (const Node* const options = file.find(node, "options")) {
-      read_options(file, *options, record.options);
-    }
+    read_rules(file, node, record);
     record.claims.cost = cost_from(file, node, record);
-    record.claims.clearance = record.options.clearance;
-    record.claims.steering = record.options.steering.value_or(Steering::reeds_shepp);
   }
   read_statistics(file, node, result, lists);
   return record;
@@ -254,7 +256,10 @@ void expect_format(const Document& file, const Node& node) {
   file.fail(format, fmt::format("is \"{}\", expected \"vandplan-result/1\"", format.text));
 }
 
-/// The result of a file that holds one, or one for each goal of a row.
+}  // namespace
+
+namespace io {
+
 std::vector<ResultRecord> records_from(const Document& file, const ScenarioFile& scenario,
                                        ListTaker& lists) {
   const Node& root = file.root();
@@ -283,22 +288,7 @@ std::vector<ResultRecord> records_from(const Document& file, const ScenarioFile&
   return records;
 }
 
-/// A line with the result for a pair.
-struct PairLine {
-  Document document;
-  ListTaker lists;
-};
-
-PairLine pair_line_from(const std::string& line, const std::string& name, int number) {
-  ListTaker lists(name);
-  Document document = parse_json(line, name, number, [&](const auto& open, Node& element) {
-    return lists.take(open, element);
-  });
-  return {std::move(document), std::move(lists)};
-}
-
-PairRecord pair_record_from(PairLine line, double radius) {
-  const Document& file = line.document;
+PairRecord pair_record_from(const Document& file, double radius, ListTaker& lists) {
   const Node& root = file.root();
   expect_format(file, root);
   PairRecord record;
@@ -309,88 +299,19 @@ PairRecord pair_record_from(PairLine line, double radius) {
   } catch (const InputError& error) {
     file.fail(error.where(), error.problem());
   }
-  record.record = record_from(file, root, radius, line.lists.of(ListTaker::alone));
+  record.record = record_from(file, root, radius, lists.of(ListTaker::alone));
   return record;
 }
 
-bool is_blank(const std::string& line) {
-  return line.find_first_not_of(" \t\r") == std::string::npos;
+ResultRecord pattern_from(const Document& head) {
+  expect_format(head, head.root());
+  ResultRecord pattern = run_from(head, head.root());
+  read_rules(head, head.root(), pattern);
+  pattern.claims.cost = StatedCost{};
+  if (!goes_by_length(pattern.planner)) pattern.claims.cost->rule = pattern.options.cost;
+  return pattern;
 }
 
-/// A line that is an object with "pair"; none if it is anything else.
-std::optional<PairLine> first_pair_from(const std::string& line, const std::string& name,
-                                        int number) {
-  try {
-    PairLine pair = pair_line_from(line, name, number);
-    const Document& document = pair.document;
-    if (document.find(document.root(), "pair") != nullptr) return pair;
-  } catch (const InputError&) {  // the first line of a longer text
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-struct ResultReader::State {
-  State(const std::string& file, const ScenarioFile& of) : lines(file), scenario(of) {}
-
-  LineReader lines;
-  const ScenarioFile& scenario;
-  std::string head = {};  ///< the first line of a file without pairs that is not blank
-  int first_line = 1;     ///< the number of that
-  bool has_pairs = false;
-  std::optional<PairLine> first = {};  ///< the first pair, until it is asked for
-};
-
-ResultReader::ResultReader(const std::string& file, const ScenarioFile& scenario)
-    : state_(std::make_unique<State>(file, scenario)) {
-  State& state = *state_;
-  while (std::optional<std::string> line = state.lines.next(largest_result_line)) {
-    if (is_blank(*line)) continue;
-    state.first = first_pair_from(*line, state.lines.name(), state.lines.number());
-    state.has_pairs = state.first.has_value();
-    if (!state.has_pairs) state.head = *std::move(line) + '\n';
-    state.first_line = state.lines.number();
-    break;
-  }
-}
-
-ResultReader::~ResultReader() = default;
-
-bool ResultReader::has_pairs() const noexcept { return state_->has_pairs; }
-
-std::optional<PairRecord> ResultReader::next() {
-  LineReader& lines = state_->lines;
-  const double radius = state_->scenario.scenario.vehicle.min_turning_radius;
-  if (state_->first) {
-    return pair_record_from(*std::exchange(state_->first, std::nullopt), radius);
-  }
-  while (const std::optional<std::string> line = lines.next(largest_result_line)) {
-    if (is_blank(*line)) continue;
-    return pair_record_from(pair_line_from(*line, lines.name(), lines.number()), radius);
-  }
-  return std::nullopt;
-}
-
-std::vector<ResultRecord> ResultReader::all() {
-  LineReader& lines = state_->lines;
-  ListTaker lists(lines.name());
-  bool is_begun = false;
-  const auto next = [&]() -> std::string_view {
-    if (!std::exchange(is_begun, true) && !state_->head.empty()) return state_->head;
-    state_->head.clear();
-    return lines.next_piece(largest_result);
-  };
-  const auto take = [&](const auto& open, Node& element) { return lists.take(open, element); };
-  const Document document = parse_json(next, lines.name(), state_->first_line, take);
-  return records_from(document, state_->scenario, lists);
-}
-
-std::vector<ResultRecord> read_results(const std::string& file, const ScenarioFile& scenario) {
-  ResultReader reader(file, scenario);
-  if (!reader.has_pairs()) return reader.all();
-  throw InputError(file == "-" ? "standard input" : file,
-                   "holds results of many pairs, one on each line, expected one result");
-}
+}  // namespace io
 
 }  // namespace vandplan

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "base/escape.h"
+#include "io/result_bytes.h"
 #include "io/speeds_file.h"
-#include "vandplan/files.h"
 #include "vandplan/result_file.h"
 #include "vandplan/rig.h"
 #include "vandplan/version.h"
@@ -391,13 +391,6 @@ void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& re
   Writer(results, sink).write_all(json);
 }
 
-void write_results(const std::string& output, const ScenarioFile& file,
-                   const std::vector<ResultRecord>& records) {
-  FileWriter writer(output);
-  write_results(file, records, [&](std::string_view piece) { writer.write(piece); });
-  writer.commit();
-}
-
 std::string results_to_json(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
   return collected([&](const TextSink& sink) { write_results(file, records, sink); });
 }
@@ -416,6 +409,13 @@ void write_result_line(std::size_t pair, const Problem& problem, const ResultRec
 std::string result_to_json_line(std::size_t pair, const Problem& problem,
                                 const ResultRecord& record) {
   return collected([&](const TextSink& sink) { write_result_line(pair, problem, record, sink); });
+}
+
+std::string io::head_text(const ResultRecord& pattern) {
+  Json json = heading_of(pattern);
+  json["options"] = options_of(pattern.options);
+  json["build"] = build_of(build_info());
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace vandplan

@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/bytes.h"
+
 namespace vandplan::tables::table_bytes {
 
 inline constexpr std::size_t head_size = 96;
@@ -47,21 +49,6 @@ void seal(std::string& bytes);
 
 [[nodiscard]] std::uint64_t checksum(std::string_view bytes) noexcept;
 
-template <class Unsigned>
-void append(std::string& bytes, Unsigned value) {
-  for (std::size_t i = 0; i < sizeof value; ++i) {
-    bytes.push_back(static_cast<char>((value >> (8 * i)) & 0xFFU));
-  }
-}
-
-template <class Unsigned>
-[[nodiscard]] Unsigned read_at(std::string_view bytes, std::size_t at) {
-  Unsigned value = 0;
-  for (std::size_t i = 0; i < sizeof value; ++i) {
-    value |= static_cast<Unsigned>(static_cast<Unsigned>(static_cast<unsigned char>(bytes[at + i]))
-                                   << (8 * i));
-  }
-  return value;
-}
+using base::append, base::read_at;
 
 }  // namespace vandplan::tables::table_bytes

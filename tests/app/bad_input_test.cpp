@@ -191,10 +191,12 @@ TEST_F(BadInput, OutputWithoutAName) {
 TEST_F(BadInput, OutputWhoseEndingPromisesAnotherFormat) {
   const std::string file = folder_ / "poses.CSV";
   EXPECT_EQ(complaint_of_plan({"--output", file, "--time", "60"}),
-            file + ": ends in .CSV, but a result is JSON, expected a name that ends in .json");
+            file +
+                ": ends in .CSV, but a result is JSON or binary, expected a name that ends in "
+                ".json");
   EXPECT_EQ(complaint_of_plan({"--poses", scenario_, "--output", folder_ / "a.yaml"}),
             (folder_ / "a.yaml") +
-                ": ends in .yaml, but results of --poses are JSON Lines, "
+                ": ends in .yaml, but results of --poses are JSON Lines or binary, "
                 "expected a name that ends in .jsonl");
   write_content(folder_ / "case.csv", "0,0,0,10,0,0,1,4,30,20,31,20,31,21,30,21\n");
   EXPECT_EQ(complaint({"convert", "tpcap", folder_ / "case.csv", "-o", folder_ / "a.json"}),

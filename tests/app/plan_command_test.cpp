@@ -97,6 +97,31 @@ TEST_F(PlanCommand, ManyPairsArePlannedInOneWorld) {
   EXPECT_EQ(pair, 3);
 }
 
+TEST_F(PlanCommand, BinaryResultsAreJudgedAndDrawnLikeOthers) {
+  const std::string poses = folder_ / "poses.csv";
+  write_content(poses, "0,0,0,4,0,0\n12.5,0,0,0,0,3\n4,0,0,0,0,0\n");
+  for (const bool is_many : {false, true}) {
+    std::vector<std::string> verdicts;
+    for (const std::string& file : {folder_ / "r.vpr", folder_ / "r.json"}) {
+      std::vector<std::string> options = {"--max-iterations", "300", "--output", file};
+      if (is_many) options.insert(options.end(), {"--poses", poses});
+      EXPECT_EQ(plan(options).status, is_many ? 1 : 0);
+      verdicts.push_back(run_vandplan({"check", scenario_, file}).out);
+      EXPECT_EQ(run_vandplan({"draw", scenario_, file, "-o", folder_ / "r.svg"}).status, 0);
+    }
+    EXPECT_EQ(verdicts[0], verdicts[1]);
+    EXPECT_NE(verdicts[0].find("valid"), std::string::npos) << verdicts[0];
+    const std::string bytes = content_of(folder_ / "r.vpr");
+    EXPECT_EQ(bytes.substr(0, 8), "vp-plans");
+    write_content(folder_ / "r.vpr", bytes.substr(0, bytes.size() - 1));
+    const Outcome outcome = run_vandplan({"check", scenario_, folder_ / "r.vpr"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, "vandplan: " + (folder_ / "r.vpr") +
+                               ": ends too early, in or behind result " + (is_many ? "3" : "1") +
+                               ", expected a whole file\n");
+  }
+}
+
 TEST_F(PlanCommand, ThousandsOfPairsKeepTheirOrder) {
   const std::string poses = folder_ / "poses.csv";
   constexpr int pairs = 4100;  // more than are planned in one go

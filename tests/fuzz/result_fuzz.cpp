@@ -4,26 +4,11 @@
 
 #include <string>
 
-#include "fuzz/fuzz.h"
+#include "fuzz/judged.h"
 #include "support/yard.h"
-#include "vandplan/path_check.h"
-#include "vandplan/result_file.h"
 #include "vandplan/scenario_file.h"
 
 using namespace vandplan;
-
-namespace {
-
-/// Short enough for the judge to walk it at once [m].
-constexpr double longest = 1000;
-
-void look_at(const Problem& problem, const ResultRecord& record) {
-  if (!record.result.path || !(length(*record.result.path) < longest)) return;
-  const PathCheck check = check_path(problem, *record.result.path, record.claims);
-  fuzz::expect(check.valid == check.reason.empty(), "a verdict has a reason, or needs none");
-}
-
-}  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ScenarioFile yard = scenario_from_yaml(
@@ -32,12 +17,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Problem problem = make_problem(yard.scenario);
   const std::string file = fuzz::folder().put("result.json", fuzz::text_of(data, size));
   fuzz::may_refuse([&] {
-    for (const ResultRecord& record : read_results(file, yard)) look_at(problem, record);
+    for (const ResultRecord& record : read_results(file, yard)) fuzz::look_at(problem, record);
   });
   fuzz::may_refuse([&] {
     ResultReader reader(file, yard);
     if (!reader.has_pairs()) return;
-    while (const std::optional<PairRecord> pair = reader.next()) look_at(problem, pair->record);
+    while (const std::optional<PairRecord> pair = reader.next())
+      fuzz::look_at(problem, pair->record);
   });
   return 0;
 }

@@ -116,6 +116,10 @@ def test_results_are_saved_and_read_back(yard, tmp_path):
     assert again.path == result.path and again.status == "solved"
     assert vp.check(yard, again)
     assert json.loads((tmp_path / "r.json").read_text("utf-8"))["planner"] == "anytime"
+    result.save(tmp_path / "r.vpr")
+    binary = vp.read_result(tmp_path / "r.vpr", yard)
+    assert binary.path == result.path and binary.cost == result.cost
+    assert vp.check(yard, binary)
     vp.draw(yard, result, tmp_path / "r.svg")
     vp.draw(yard, None, tmp_path / "s.png", width=200)
     assert (tmp_path / "r.svg").read_text("utf-8").startswith("<?xml")

@@ -174,7 +174,9 @@ void bind_result_class(py::module_& module) {
           [](const RunResult& self, const FileName& file) {
             write_results(file.string(), self.scenario.file(), {self.record});
           },
-          "file"_a, "save(file)\n\nWrites a result file (JSON) for the command line.")
+          "file"_a,
+          "save(file)\n\nWrites a result file for the command line: JSON, or binary for a name "
+          "that ends in .vpr.")
       .def("__bool__", [](const RunResult& self) { return plan_of(self).path.has_value(); })
       .def("__repr__", &result_text)
       .def("_repr_png_", [](const RunResult& self) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// In which form does a result get into its file?
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "io/result_bytes.h"
+#include "vandplan/files.h"
+#include "vandplan/result_file.h"
+
+namespace vandplan {
+namespace {
+
+using namespace io;
+
+void write_bytes(const ScenarioFile& file, const std::vector<ResultRecord>& records,
+                 const TextSink& sink) {
+  ResultBytesWriter writer({ResultsOf::goals, head_text(records.front())}, sink);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Scenario scenario = scenario_at(file, i);
+    writer.add(i + 1, {scenario.start, scenario.goal}, scenario.hitch_angles.start,
+               records[i].result);
+  }
+  writer.end();
+}
+
+}  // namespace
+
+bool is_binary_result(std::string_view file) {
+  constexpr std::string_view ending = ".vpr";
+  if (file.size() < ending.size()) return false;
+  return std::ranges::equal(file.substr(file.size() - ending.size()), ending, {}, [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+}
+
+void write_results(const std::string& output, const ScenarioFile& file,
+                   const std::vector<ResultRecord>& records) {
+  FileWriter writer(output);
+  const TextSink sink = [&](std::string_view piece) { writer.write(piece); };
+  if (is_binary_result(output)) {
+    write_bytes(file, records, sink);
+  } else {
+    write_results(file, records, sink);
+  }
+  writer.commit();
+}
+
+struct PairWriter::Output {
+  explicit Output(const std::string& name) : file(name) {}
+
+  FileWriter file;
+  TextSink sink = [this](std::string_view piece) { file.write(piece); };
+  std::optional<ResultBytesWriter> bytes = {};
+};
+
+PairWriter::PairWriter(const std::string& file, const ResultRecord& pattern)
+    : output_(std::make_unique<Output>(file)) {
+  if (!is_binary_result(file)) return;
+  output_->bytes.emplace(ResultHead{ResultsOf::pairs, head_text(pattern)}, output_->sink);
+}
+
+PairWriter::~PairWriter() = default;
+
+void PairWriter::write(std::size_t pair, const Problem& problem, const ResultRecord& record) {
+  if (output_->bytes) {
+    output_->bytes->add(pair, {problem.start(), problem.goal()}, problem.hitch_angles().start,
+                        record.result);
+  } else {
+    write_result_line(pair, problem, record, output_->sink);
+  }
+}
+
+void PairWriter::commit() {
+  if (output_->bytes) output_->bytes->end();
+  output_->file.commit();
+}
+
+}  // namespace vandplan
