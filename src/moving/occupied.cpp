@@ -23,8 +23,12 @@ struct Occupied::Box {
   bool is_for_ever = false;  // the obstacle stays as it is at the end of the span
 };
 
-Occupied::Occupied(const Encounters& encounters, std::vector<double> stations)
-    : encounters_(encounters), stations_(std::move(stations)), rows_(stations_.size() - 1) {
+Occupied::Occupied(const Encounters& encounters, std::vector<double> stations,
+                   std::vector<TimeSpan> when)
+    : encounters_(encounters),
+      stations_(std::move(stations)),
+      when_(std::move(when)),
+      rows_(stations_.size() - 1) {
   for (std::size_t i = 0; i < encounters_.size(); ++i) {
     const double rest = encounters_.rests(i);
     Box box{i, 0, rows_.size(), stations_.front(), stations_.back(), {0.0, rest}};
@@ -38,7 +42,8 @@ Occupied::Occupied(const Encounters& encounters, std::vector<double> stations)
 }
 
 void Occupied::add(const Box& box) {
-  if (is_known(box)) return;
+  if (is_out_of_time(box) || is_known(box)) return;
+  ++boxes_;
   const auto& [obstacle, first, last, begin, end, span, is_for_ever] = box;
   // 1. How much either of them moves from the middle of the box to its sides.
   const double place = begin + (end - begin) / 2;
@@ -83,6 +88,12 @@ void Occupied::mark(std::size_t first, std::size_t last, const TimeSpan& span) {
       row.push_back(span);
     }
   }
+}
+
+/// Whether the vehicle can be nowhere in the rows of the box within its span.
+bool Occupied::is_out_of_time(const Box& box) const noexcept {
+  const double end = box.is_for_ever ? forever : box.span.end;
+  return end < when_[box.first].begin || box.span.begin > when_[box.last - 1].end;
 }
 
 /// Within one row: whether another place of it was found occupied for as long a while ago.

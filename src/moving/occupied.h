@@ -6,6 +6,7 @@
 // Method and proof: docs/algorithms/moving.md.
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -21,11 +22,14 @@ struct TimeSpan {
 
 /// The way cut into rows, and for each row when something that moves may be in the way of a vehicle
 /// that is anywhere in it. What is free here is proven free; what is occupied is nearer than the
-/// margin at some place of the row within that time, give or take two tenths of a metre.
+/// margin at some place of the row within that time, give or take two tenths of a metre. Nothing is
+/// known of a row before the vehicle can be in it, and after it can.
 class Occupied {
  public:
   /// `stations` increase from 0 to the length of the way; row i lies between stations i and i + 1.
-  Occupied(const Encounters& encounters, std::vector<double> stations);
+  /// The vehicle can be in it at the times `when[i]`, which neither begin nor end earlier than
+  /// those of the row before.
+  Occupied(const Encounters& encounters, std::vector<double> stations, std::vector<TimeSpan> when);
 
   /// Whether row `i` is free all the time.
   [[nodiscard]] bool is_free(std::size_t i, double begin, double end) const noexcept;
@@ -33,6 +37,8 @@ class Occupied {
   [[nodiscard]] bool is_free_from(std::size_t i, double begin) const noexcept {
     return is_free(i, begin, std::numeric_limits<double>::infinity());
   }
+  /// How many boxes of places and times were looked at.
+  [[nodiscard]] std::int64_t boxes() const noexcept { return boxes_; }
   /// When nothing begins or ceases to be occupied any more [s].
   [[nodiscard]] double last_change() const noexcept;
 
@@ -41,12 +47,15 @@ class Occupied {
 
   void add(const Box& box);
   void mark(std::size_t first, std::size_t last, const TimeSpan& span);
+  [[nodiscard]] bool is_out_of_time(const Box& box) const noexcept;
   [[nodiscard]] bool is_known(const Box& box) const noexcept;
   void sort_rows();
 
   const Encounters& encounters_;
   std::vector<double> stations_;
+  std::vector<TimeSpan> when_;
   std::vector<std::vector<TimeSpan>> rows_;
+  std::int64_t boxes_ = 0;
 };
 
 }  // namespace vandplan::moving

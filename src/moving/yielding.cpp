@@ -100,22 +100,37 @@ std::vector<double> places_of(const std::vector<Station>& stations) {
   return places;
 }
 
+/// When the vehicle can be between two stations, in drives that are no longer than the longest.
+std::vector<TimeSpan> times_of(const std::vector<Station>& stations, double duration,
+                               double longest) {
+  constexpr double rounding = 1e-6;  // [s]
+  std::vector<TimeSpan> times;
+  times.reserve(stations.size());
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    times.push_back({duration - stations[i].left - stations[i].pause - rounding,
+                     longest - stations[i + 1].left + rounding});
+  }
+  times.back().end = std::numeric_limits<double>::infinity();  // it stays there
+  return times;
+}
+
 bool is_interrupted(const Traffic& traffic) {
   return traffic.is_interrupted && traffic.is_interrupted();
 }
 
 class Search {
  public:
-  Search(const Encounters& encounters, const SpeedProfile& fastest, const DrivingLimits& limits)
+  Search(const Encounters& encounters, const SpeedProfile& fastest, const DrivingLimits& limits,
+         double longest)
       : stations_(stations_of(fastest)),
-        occupied_(encounters, places_of(stations_)),
+        occupied_(encounters, places_of(stations_), times_of(stations_, fastest.duration, longest)),
         rise_(2 * limits.max_acceleration),
         fall_(2 * limits.max_braking.value_or(limits.max_acceleration)),
-        latest_(occupied_.last_change() + fastest.duration + time_step) {}
+        latest_(occupied_.last_change() + fastest.duration + time_step),
+        longest_(longest) {}
 
   /// The index of the last state of the cheapest drive; none if there is none among so many states.
   [[nodiscard]] std::optional<std::int32_t> run(const Traffic& traffic) {
-    longest_ = traffic.longest;
     constexpr std::int64_t states_between_questions = 64;
     const double begin = stations_.front().pause;
     const double square = traffic.start_speed * traffic.start_speed;
@@ -133,7 +148,7 @@ class Search {
     return std::nullopt;
   }
 
-  [[nodiscard]] std::int64_t looked() const noexcept { return looked_; }
+  [[nodiscard]] std::int64_t looked() const noexcept { return looked_ + occupied_.boxes(); }
   [[nodiscard]] const std::vector<Station>& stations() const noexcept { return stations_; }
 
   /// The states of a drive from its start on.
@@ -214,9 +229,9 @@ class Search {
 
   std::vector<Station> stations_;
   Occupied occupied_;
-  double rise_, fall_;    // of the squared speed per metre [m/s^2]
-  double latest_;         // nobody waits any longer [s]
-  double longest_ = 0.0;  // that a drive may be [s]
+  double rise_, fall_;  // of the squared speed per metre [m/s^2]
+  double latest_;       // nobody waits any longer [s]
+  double longest_;      // that a drive may be [s]
   std::vector<State> states_;
   std::priority_queue<Candidate> queue_;
   std::unordered_set<std::uint64_t> seen_;
@@ -317,11 +332,11 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
     return {std::move(fastest.speeds)};
   }
   if (fastest.speeds.knots.back().s <= 0.0) return {};
-  if (fastest.speeds.duration > traffic.longest) return {};
+  if (fastest.speeds.duration > traffic.longest || traffic.most_states <= 0) return {};
   if (vehicle.limits.max_jerk && traffic.start_speed == 0.0)
     return {begun_later(fastest, vehicle, traffic)};
   const Encounters encounters(path, vehicle, traffic.moving, traffic.margin);
-  Search search(encounters, fastest.speeds, vehicle.limits);
+  Search search(encounters, fastest.speeds, vehicle.limits, traffic.longest);
   const std::optional<std::int32_t> last = search.run(traffic);
   Yielding yielding{{}, search.looked()};
   if (last) yielding.speeds = Writer(search.stations(), path).written(search.chain(*last));

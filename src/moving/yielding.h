@@ -32,7 +32,8 @@ struct Traffic {
 /// What came of it.
 struct Yielding {
   std::optional<SpeedProfile> speeds = {};  ///< none: none was found, which proves nothing
-  std::int64_t states = 0;                  ///< that the search looked at
+  /// States that the search looked at, and boxes that were proven free or occupied for it.
+  std::int64_t states = 0;
 };
 
 /// A drive along the path that keeps the limits of the vehicle and meets nothing, then or later: as

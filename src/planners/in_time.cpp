@@ -79,10 +79,8 @@ std::vector<Polygon> ghosts_of(const Task& task, const Meeting& meeting, Ghost k
 /// The task with more obstacles, and nothing that moves; none if start or goal are not free then.
 std::optional<Task> task_with(const Task& task, const PlanOptions& options,
                               const std::vector<Polygon>& ghosts) {
-  Surroundings ground = task.world->local();
-  ground.obstacles.insert(ground.obstacles.end(), ghosts.begin(), ghosts.end());
   try {
-    auto world = std::make_shared<const World>(ground, Point{});
+    auto world = std::make_shared<const World>(*task.world, ghosts);
     const Problem problem =
         make_problem(std::move(world), task.vehicle, task.start, task.goal, task.curvatures);
     Task around = task_of(problem, options.clearance, task.steering);
@@ -185,6 +183,7 @@ class Run {
     const moving::Traffic traffic{.moving = task_.moving,
                                   .margin = options_.clearance.margin,
                                   .start_curvature = task_.curvatures.start,
+                                  .most_states = most_states() - states_,
                                   .is_interrupted = [this] { return budget_.is_interrupted(); }};
     moving::Yielding yielding = moving::yielding_speeds(path, task_.vehicle, traffic);
     states_ += yielding.states;
@@ -203,6 +202,14 @@ class Run {
     trace_.push_back({budget_.elapsed(), budget_.iterations(), way.path_cost});
     best_ = std::move(way);
     return true;
+  }
+
+  /// That all searches for times may look at together.
+  [[nodiscard]] std::int64_t most_states() const {
+    constexpr std::int64_t without_limit = 1'000'000;
+    constexpr std::int64_t states_per_iteration = 200;
+    if (!options_.budget.max_iterations) return without_limit;
+    return std::min(without_limit, states_per_iteration * *options_.budget.max_iterations);
   }
 
   /// What the path costs if nothing moves.

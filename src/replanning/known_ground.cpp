@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "judge/ground.h"
 #include "problem/checks.h"
 #include "vandplan/input_error.h"
 
@@ -30,41 +31,57 @@ void check_cells(const CellPatch& patch, const std::optional<OccupancyGrid>& map
                                          std::to_string(count));
 }
 
-/// Whether a cell became another one.
-bool write(const CellPatch& patch, std::int32_t columns, std::vector<Cell>& cells) {
-  bool has_changed = false;
+/// Writes cells, and says which have become others: none, or a range that holds them all.
+std::optional<CellRange> written(const CellPatch& patch, std::int32_t columns,
+                                 std::vector<Cell>& cells) {
+  std::int32_t left = patch.columns, right = -1, low = patch.rows, high = -1;
   for (std::int32_t y = 0; y < patch.rows; ++y) {
-    const auto from = patch.cells.begin() + static_cast<std::ptrdiff_t>(y) * patch.columns;
-    const auto to =
-        cells.begin() + static_cast<std::ptrdiff_t>(patch.row + y) * columns + patch.column;
-    if (std::equal(from, from + patch.columns, to)) continue;
-    has_changed = true;
-    std::copy(from, from + patch.columns, to);
+    const Cell* const from = patch.cells.data() + static_cast<std::ptrdiff_t>(y) * patch.columns;
+    Cell* const to =
+        cells.data() + static_cast<std::ptrdiff_t>(patch.row + y) * columns + patch.column;
+    for (std::int32_t x = 0; x < patch.columns; ++x) {
+      if (to[x] == from[x]) continue;
+      to[x] = from[x];
+      left = std::min(left, x);
+      right = std::max(right, x);
+      low = std::min(low, y);
+      high = y;
+    }
   }
-  return has_changed;
+  if (high < 0) return std::nullopt;
+  return CellRange{patch.column + left, patch.row + low, right - left + 1, high - low + 1};
 }
 
 }  // namespace
 
-KnownGround::KnownGround(std::shared_ptr<const World> world)
-    : origin_(world->origin()), ground_(world->local()) {
-  for (std::vector<Polygon>* polygons : {&ground_.obstacles, &ground_.kerbs}) {
+KnownGround::KnownGround(const World& world) : origin_(world.origin()) {
+  Surroundings ground = world.local();
+  for (std::vector<Polygon>* polygons : {&ground.obstacles, &ground.kerbs}) {
     for (Polygon& polygon : *polygons) pad(polygon);
   }
-  for (std::size_t i = 0; i < ground_.obstacles.size(); ++i) {
+  for (std::size_t i = 0; i < ground.obstacles.size(); ++i) {
     names_.push_back(static_cast<std::int64_t>(i));
   }
-  world_ = std::make_shared<const World>(ground_, Point{});
+  if (ground.map) {
+    cells_ = std::make_shared<std::vector<Cell>>(*ground.map->cells);
+    ground.map->cells = cells_;
+  }
+  world_ = std::make_shared<World>(ground, Point{});
 }
 
 void KnownGround::patch(const WorldPatch& patch) {
-  Surroundings ground = ground_;
+  // 1. What is wrong shows before anything has changed.
+  const std::optional<OccupancyGrid>& map = world_->local().map;
+  for (std::size_t i = 0; i < patch.cells.size(); ++i) {
+    check_cells(patch.cells[i], map, "cells[" + std::to_string(i) + "]");
+  }
+  std::vector<Polygon> obstacles = world_->local().obstacles;
   std::vector<std::int64_t> names = names_;
   bool has_changed = false;
   const auto remove = [&](std::int64_t name) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) return;
-    ground.obstacles.erase(ground.obstacles.begin() + (found - names.begin()));
+    obstacles.erase(obstacles.begin() + (found - names.begin()));
     names.erase(found);
     has_changed = true;
   };
@@ -73,32 +90,25 @@ void KnownGround::patch(const WorldPatch& patch) {
     const auto& [name, outline] = patch.added[i];
     Polygon local =
         problem::local_polygon(outline, origin_, "added[" + std::to_string(i) + "].outline");
-    pad(local);
     const auto found = std::ranges::find(names, name);
     if (found != names.end() &&
-        ground.obstacles[static_cast<std::size_t>(found - names.begin())] == local) {
+        obstacles[static_cast<std::size_t>(found - names.begin())] == local) {
       continue;
     }
     remove(name);
-    ground.obstacles.push_back(std::move(local));
+    obstacles.push_back(std::move(local));
     names.push_back(name);
     has_changed = true;
   }
-  if (!patch.cells.empty()) {
-    for (std::size_t i = 0; i < patch.cells.size(); ++i) {
-      check_cells(patch.cells[i], ground.map, "cells[" + std::to_string(i) + "]");
-    }
-    auto cells = std::make_shared<std::vector<Cell>>(*ground.map->cells);
-    bool has_new_cells = false;
-    for (const CellPatch& each : patch.cells) {
-      has_new_cells = write(each, ground.map->columns, *cells) || has_new_cells;
-    }
-    if (has_new_cells) ground.map->cells = std::move(cells);
-    has_changed = has_changed || has_new_cells;
+  // 2. From here on nothing fails.
+  std::vector<CellRange> changed;
+  for (const CellPatch& each : patch.cells) {
+    if (const auto range = written(each, map->columns, *cells_)) changed.push_back(*range);
   }
-  if (!has_changed) return;
-  world_ = std::make_shared<const World>(ground, Point{});
-  ground_ = std::move(ground);
+  if (!has_changed && changed.empty()) return;
+  const auto judged = judge::ground_of(*world_);
+  world_->change(std::move(obstacles), changed);
+  judge::renew_ground(*world_, *judged, changed);
   names_ = std::move(names);
   ++version_;
 }

@@ -57,16 +57,13 @@ const LiveDriveOptions& checked(const LiveDriveOptions& options) {
 }
 
 const Controller& controller_of(const DriveOptions& options) {
-  const Controller* const controller = find_controller(options.controller);
-  if (controller == nullptr) {
-    throw InputError("controller", "\"" + options.controller + "\" is unknown, expected " +
-                                       base::joined(controllers(), &ControllerInfo::name));
-  }
-  if (!controller->info.drives_reverse) {
+  const Controller& controller =
+      controller_named(options.controller.empty() ? usual_controller({}) : options.controller);
+  if (!controller.info.drives_reverse) {
     throw InputError("controller",
                      options.controller + " drives forward only, expected one for both gears");
   }
-  return *controller;
+  return controller;
 }
 
 Vehicle with_spare(Vehicle vehicle, double spare) {
@@ -232,7 +229,7 @@ class LiveDrive {
   }
 
   void look(const Pose& from, const Segment& arc, const Pose& to) {
-    if (auto what = watch_.look(from, arc, to)) {
+    if (auto what = watch_.look({from}, arc, {to})) {
       result_.contact = Contact{t_, place_, in_scenario(to), *std::move(what)};
     }
   }
@@ -246,7 +243,7 @@ class LiveDrive {
       track_.add(t_, moved.length == 0.0 ? Segment{} : arc);
       t_ += step_duration;
       if (moved.length == 0.0) continue;
-      state_.pose = advance(state_.pose, arc_of(moved, vehicle_));
+      move_on(state_, moved, vehicle_);
       const Pose from = pose_;
       pose_ = advance(from, arc);
       look(from, arc, pose_);

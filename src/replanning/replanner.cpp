@@ -3,7 +3,9 @@
 #include "vandplan/replanner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -24,9 +26,11 @@ namespace {
 using namespace replanning;
 
 constexpr std::int64_t first_iterations = 2000;
-constexpr std::int64_t urgent_share = 5;  // times the iterations of a tick, if there is need
-constexpr double off_place = 0.5;         // of the drive: so far is too far [m]
-constexpr double off_speed = 0.5;         // [m/s]
+constexpr std::int64_t urgent_share = 3;  // times the iterations of a tick, if there is need
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::array looks = {Look::new_times, Look::from_stop, Look::without_stop, Look::around};
+constexpr double off_place = 0.5;                      // of the drive: so far is too far [m]
+constexpr double off_speed = 0.5;                      // [m/s]
 constexpr double off_heading = std::numbers::pi / 18;  // [rad]
 
 void require(bool holds, const char* where, double value, const char* expected) {
@@ -91,7 +95,7 @@ Action action_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
 class Replanner::Impl {
  public:
   Impl(const Scenario& scenario, const ReplanOptions& options)
-      : options_(options), problem_(make_problem(scenario)), ground_(problem_.world()) {
+      : options_(options), problem_(make_problem(scenario)), ground_(*problem_.world()) {
     check_options(options);
     check_vehicle_of(scenario);
     const Task& task = problem_.task();
@@ -136,20 +140,34 @@ class Replanner::Impl {
             stream_seed(options_.plan.budget.seed, static_cast<std::uint64_t>(ticks_))};
   }
 
-  /// Why a drive that begins now is no good; empty if it is.
-  [[nodiscard]] std::string fault_of(const CutDrive& rest, bool reaches_goal, double margin) const {
+  /// To be judged: the rest of a drive among what moves from now on.
+  [[nodiscard]] Problem problem_of(const CutDrive& rest, bool reaches_goal) const {
     const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
     const Path& path = rest.drive.path;
     const Pose end = reaches_goal ? scene_.goal : end_pose(path);
     const double curvature = std::clamp(rest.begin.curvature, -sharpest, sharpest);
-    const Problem problem =
-        with_moving(make_problem(scene_.world, scene_.vehicle, path.start, end, {curvature, 0.0}),
-                    scene_.moving);
+    return with_moving(
+        make_problem(scene_.world, scene_.vehicle, path.start, end, {curvature, 0.0}),
+        scene_.moving);
+  }
+
+  /// Why a drive that begins now is no good; empty if it is.
+  [[nodiscard]] std::string fault_of(const CutDrive& rest, bool reaches_goal, double margin) const {
+    const Problem problem = problem_of(rest, reaches_goal);
     ClearanceOptions clearance = options_.plan.clearance;
     clearance.margin = margin;
-    const PathCheck way = check_path(problem, path, {.clearance = clearance});
+    const PathCheck way = check_path(problem, rest.drive.path, {.clearance = clearance});
     if (!way.valid) return way.reason;
     return check_drive(problem, rest.drive, {margin, rest.drive.speeds.knots.front().v}).reason;
+  }
+
+  /// When a drive that begins now meets what moves [s]; 0 where it is no good for other reasons.
+  [[nodiscard]] double met_at(const CutDrive& rest, bool reaches_goal) const {
+    const Problem problem = problem_of(rest, reaches_goal);
+    if (!check_path(problem, rest.drive.path).valid) return 0.0;
+    const DriveCheck check =
+        check_drive(problem, rest.drive, {0.0, rest.drive.speeds.knots.front().v});
+    return check.valid ? infinite : check.t.value_or(0.0);
   }
 
   [[nodiscard]] std::string fault_of(const Way& way, const Motion& now, double margin) const {
@@ -174,10 +192,10 @@ class Replanner::Impl {
   void begin(double t) {
     const Task& task = problem_.task();
     const Motion now{.pose = task.start, .curvature = task.curvatures.start};
-    const Ways ways(scene_, options_.plan);
     Effort first = effort(options_.plan.budget.max_iterations.value_or(first_iterations));
     first.seed = options_.plan.budget.seed;
     first.states = std::max<std::int64_t>(first.states, 200'000);
+    Ways ways(scene_, options_.plan);
     if (auto way = ways.from_standing(task.start, task.curvatures.start, first)) {
       if (fault_of(*way, now, margin()).empty()) return take(t, *std::move(way), now);
     }
@@ -217,37 +235,63 @@ class Replanner::Impl {
     const bool is_good =
         (is_judged_ && answer_.is_safe) || fault_of(rest, answer_.reaches_goal, margin()).empty();
     if (is_good) is_judged_ = true;
-    if (is_good && answer_.reaches_goal) return improve(t, rest);
-    // 1. To the goal; what was committed is given up only if it must be.
-    Effort much = effort(options_.tick_iterations * urgent_share);
-    much.states *= urgent_share;
-    for (const double committed : {options_.committed, 0.0}) {
-      if (committed == 0.0 && (options_.committed == 0.0 || is_good)) continue;
-      if (take_best(t, rest, much,
-                    {.committed = committed,
-                     .rest_reaches_goal = answer_.reaches_goal,
-                     .is_urgent = true}))
-        return;
+    if (is_good && answer_.reaches_goal) {
+      next_look_ = 0;
+      return improve(t, rest);
     }
+    if (look_on(t, rest, is_good)) return;
     if (is_good) return keep();
     stop_or_brake(t, rest);
   }
 
+  /// Looks for other drives one after the other until enough is done for one tick; the next tick
+  /// goes on from there. What was committed is given up last, and only if it must be.
+  bool look_on(double t, const CutDrive& rest, bool is_good) {
+    Ways ways(scene_, options_.plan);
+    const std::size_t rounds = is_good || options_.committed == 0.0 ? 1 : 2;
+    Effort each = effort(options_.tick_iterations * urgent_share / 2);
+    std::optional<Way> best;
+    for (std::size_t i = 0; i < rounds * looks.size(); ++i) {
+      const std::size_t k = next_look_ % (rounds * looks.size());
+      if (best && k % looks.size() == 0) break;
+      each.states = options_.tick_states * urgent_share - ways.work().states;
+      const bool is_enough = ways.work().iterations >= 2 * each.iterations || each.states <= 0;
+      if (i > 0 && is_enough) break;
+      ++next_look_;
+      const Look look = looks[k % looks.size()];
+      const Wish wish{.committed = k < looks.size() ? options_.committed : 0.0,
+                      .rest_reaches_goal = answer_.reaches_goal,
+                      .most = best ? best->cost : infinite};
+      auto way = ways.to_goal(look, rest, wish, each);
+      if (!way || way->cost >= wish.most) continue;
+      if (fault_of(*way, rest.begin, margin()).empty()) best = std::move(way);
+    }
+    if (!best) return false;
+    take(t, *std::move(best), rest.begin);
+    return true;
+  }
+
   /// The old way stays unless another one is better by so much.
   void improve(double t, const CutDrive& rest) {
-    const double left = rest.drive.speeds.duration;
-    if (options_.tick_iterations > 0 && left > 2 * options_.committed) {
-      const Ways ways(scene_, options_.plan);
-      const double cost = ways.cost_of(rest.drive);
-      const Effort little = effort(options_.tick_iterations);
-      const double most = cost * (1 - options_.better);
-      const Wish wish{.committed = options_.committed,
-                      .rest_reaches_goal = true,
-                      .with_times = has_news_,
-                      .is_flying = ticks_ % 2 == 0,
-                      .most = most};
-      if (take_best(t, rest, little, wish)) return;
+    if (options_.tick_iterations == 0 || rest.drive.speeds.duration <= 2 * options_.committed) {
+      return keep();
     }
+    Ways ways(scene_, options_.plan);
+    Wish wish{.committed = options_.committed,
+              .rest_reaches_goal = true,
+              .most = ways.cost_of(rest.drive) * (1 - options_.better)};
+    std::optional<Way> best;
+    for (const Look look : looks) {
+      if (look == Look::new_times && !has_news_) continue;
+      if (look == Look::without_stop && ticks_ % 2 != 0) continue;
+      if (look == Look::around) continue;
+      auto way = ways.to_goal(look, rest, wish, effort(options_.tick_iterations));
+      if (!way || way->cost >= wish.most) continue;
+      if (!fault_of(*way, rest.begin, margin()).empty()) continue;
+      wish.most = way->cost;
+      best = std::move(way);
+    }
+    if (best) return take(t, *std::move(best), rest.begin);
     keep();
   }
 
@@ -257,32 +301,28 @@ class Replanner::Impl {
     answer_.reason = out_.reason = "";
   }
 
-  /// Takes the cheapest of the ways to the goal that the judge accepts, if there is one.
-  bool take_best(double t, const CutDrive& rest, const Effort& how, const Wish& wish) {
-    std::vector<Way> found = Ways(scene_, options_.plan).to_goal(rest, wish, how);
-    std::ranges::stable_sort(found, {}, &Way::cost);
-    for (Way& way : found) {
-      if (way.cost >= wish.most) break;
-      if (!fault_of(way, rest.begin, margin()).empty()) continue;
-      take(t, std::move(way), rest.begin);
-      return true;
-    }
-    return false;
-  }
-
   void stop_or_brake(double t, const CutDrive& rest) {
-    const Ways ways(scene_, options_.plan);
+    Ways ways(scene_, options_.plan);
     std::string fault;
     for (const double kept : {margin(), 0.0}) {
-      for (Way& way : ways.to_stops(rest, kept, effort(0))) {
-        std::string why = fault_of(way, rest.begin, kept);
-        if (why.empty()) return take(t, std::move(way), rest.begin);
+      for (int i = 0; i < Ways::stops; ++i) {
+        Effort each = effort(0);
+        each.states = std::max<std::int64_t>(each.states * urgent_share - ways.work().states, 0);
+        auto way = ways.to_stop(i, rest, kept, each);
+        if (!way) continue;
+        std::string why = fault_of(*way, rest.begin, kept);
+        if (why.empty()) return take(t, *std::move(way), rest.begin);
         if (fault.empty()) fault = std::move(why);
       }
       if (margin() == 0.0) break;
     }
-    Way way = ways.braking(rest);
-    take(t, std::move(way), rest.begin);
+    // Whoever goes on and is met later may hear better news until then.
+    Way braking = ways.braking(rest);
+    if (met_at(rest, answer_.reaches_goal) > met_at({braking.drive, rest.begin}, false)) {
+      answer_.outcome = out_.outcome = TickOutcome::none;
+    } else {
+      take(t, std::move(braking), rest.begin);
+    }
     is_judged_ = false;
     answer_.is_safe = out_.is_safe = false;
     answer_.reason = out_.reason = fault.empty() ? "there is no time to stop" : fault;
@@ -297,8 +337,9 @@ class Replanner::Impl {
   ReplanAnswer out_;                    // in the frame of the scenario
   std::int64_t ground_version_ = 0;
   std::int64_t ticks_ = 0;
-  bool is_judged_ = false;  // among these movers on this ground
-  bool has_news_ = false;   // of them since the last tick
+  std::size_t next_look_ = 0;  // of those for a drive that is needed
+  bool is_judged_ = false;     // among these movers on this ground
+  bool has_news_ = false;      // of them since the last tick
 };
 
 Replanner::Replanner(const Scenario& scenario, const ReplanOptions& options)

@@ -17,7 +17,6 @@ namespace {
 constexpr double time_price = 2.0;  // of a second [m], as the planner has it among what moves
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double stands = 1e-6;         // is no faster [m/s]
-constexpr int stops = 6;                // that are looked at along a way
 constexpr double shortest_stop = 1e-3;  // of a way to a standstill [m]
 
 double speed_of(const Motion& motion) { return std::abs(motion.v); }
@@ -59,7 +58,7 @@ double Ways::cost_of(const TimedPath& drive) const {
 
 /// Times for a path that begins `t` seconds from now.
 std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, double t, double margin,
-                                     const Effort& effort, double longest) const {
+                                     const Effort& effort, double longest) {
   const double speed = standing_or(speed_of(begin));
   if (speed > 0.0 && !begins_in_gear(path.segments, begin.direction)) return std::nullopt;
   const std::vector<MovingObstacle> moving = later(scene_.moving, t);
@@ -71,13 +70,14 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
                                 .longest = longest,
                                 .most_states = effort.states};
   moving::Yielding yielding = moving::yielding_speeds(path, scene_.planned, traffic);
+  work_.states += yielding.states;
   if (!yielding.speeds) return std::nullopt;
   return TimedPath{path, *std::move(yielding.speeds)};
 }
 
 /// What the planner drives from standing at a pose, `t` seconds from now; nothing if it finds none.
 std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, double t,
-                                            const PlanOptions& options) const {
+                                            const PlanOptions& options) {
   const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
   try {
     Problem problem =
@@ -85,6 +85,7 @@ std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, 
                      {std::clamp(curvature, -sharpest, sharpest), scene_.goal_curvature});
     if (t >= 0.0) problem = with_moving(std::move(problem), later(scene_.moving, t));
     PlanResult result = plan(problem, options);
+    work_.iterations += result.iterations;
     if (result.path) return std::move(result.path->segments);
   } catch (const InputError&) {
     // Whoever is off by more than a planner accepts finds no way from there.
@@ -92,8 +93,7 @@ std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, 
   return {};
 }
 
-std::optional<Way> Ways::from_standing(const Pose& pose, double curvature,
-                                       const Effort& effort) const {
+std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const Effort& effort) {
   PlanOptions options = options_;
   options.budget.seed = effort.seed;
   if (!options.budget.time_limit) options.budget.max_iterations = effort.iterations;
@@ -107,86 +107,79 @@ std::optional<Way> Ways::from_standing(const Pose& pose, double curvature,
   return way;
 }
 
-std::vector<Way> Ways::to_goal(const CutDrive& rest, const Wish& wish, const Effort& effort) const {
-  const Vehicle& vehicle = scene_.vehicle;
-  const double t = std::min(wish.committed, rest.drive.speeds.duration);
-  const TimedPath prefix = before(rest.drive, vehicle, t);
-  const CutDrive after = rest_of(rest.drive, vehicle, t);
-  const Motion& begin = after.begin;
-  std::vector<Way> ways;
-  const auto add = [&](const Path& tail, TickOutcome outcome) {
-    // No times make it cheaper than the fastest ones.
-    const auto fastest =
-        speed::profile_from(tail, scene_.planned, {begin.curvature, standing_or(speed_of(begin))});
-    if (!fastest) return;
-    const double left = wish.most - cost_of(joined(prefix, {tail, *fastest}));
-    if (left <= 0.0) return;
-    const bool is_time = options_.cost.measure == CostMeasure::time;
-    const double longest = fastest->duration + (is_time ? left : left / time_price);
-    const auto drive = timed(tail, begin, t, options_.clearance.margin, effort, longest);
-    if (!drive) return;
-    Way way{joined(prefix, *drive), outcome, true};
-    way.cost = cost_of(way.drive);
-    ways.push_back(std::move(way));
-  };
-  // 1. The same path, as fast as others let.
-  if (wish.rest_reaches_goal && wish.with_times && !scene_.moving.empty())
-    add(after.drive.path, TickOutcome::new_times);
-  // 2. Another path from where the vehicle can stand first.
+/// The path that a look at time `t` from now finds from there.
+std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t, const Effort& effort) {
+  const Motion& begin = from.begin;
+  if (look == Look::new_times) return from.drive.path;
   PlanOptions options = options_;
   options.budget.time_limit.reset();
   options.budget.max_iterations = effort.iterations;
   options.budget.seed = effort.seed;
   const double speed = speed_of(begin);
-  const std::vector<Segment> to_stop = cut(
-      after.drive.path.segments, 0.0, speed > stands ? braking_distance(speed) * (1 + 1e-6) : 0);
-  const Path stopping{begin.pose, to_stop};
-  const Pose stop = end_pose(stopping);
-  const double curvature = to_stop.empty()
-                               ? begin.curvature
-                               : curvature_at(to_stop.back(), std::abs(to_stop.back().length));
-  const auto add_path = [&](const Pose& from, double turned, const std::vector<Segment>& lead,
-                            double when, const PlanOptions& how) {
-    const std::vector<Segment> found = segments_to_goal(from, turned, when, how);
-    if (found.empty()) return;
-    Path tail{begin.pose, lead};
-    tail.segments.insert(tail.segments.end(), found.begin(), found.end());
-    add(tail, TickOutcome::new_way);
-  };
-  const double stands_at = t + 2 * length(to_stop) / std::max(speed, stands);
-  add_path(stop, curvature, to_stop, -1.0, options);
-  // 3. Another path without a stop: the wheels go on as they are.
-  const PlanOptions with_stop = options;
-  if (speed > stands && wish.is_flying) {
+  Path path{begin.pose, {}};
+  Pose root = begin.pose;
+  double curvature = begin.curvature;
+  double begins_at = -1.0;
+  if (look == Look::without_stop) {
+    // The wheels go on as they are.
+    if (speed <= stands) return std::nullopt;
     options.steering = Steering::continuous;
     options.cost.initial_gear = begin.direction < 0 ? InitialGear::reverse : InitialGear::forward;
-    add_path(begin.pose, begin.curvature, {}, -1.0, options);
+  } else if (speed > stands) {
+    path.segments = cut(from.drive.path.segments, 0.0, braking_distance(speed) * (1 + 1e-6));
+    root = end_pose(path);
+    if (!path.segments.empty()) {
+      const Segment& last = path.segments.back();
+      curvature = curvature_at(last, std::abs(last.length));
+    }
   }
-  // 4. Round those who are in the way.
-  if (ways.empty() && wish.is_urgent && !scene_.moving.empty()) {
-    add_path(stop, curvature, to_stop, to_stop.empty() ? t : stands_at, with_stop);
-  }
-  return ways;
+  if (look == Look::around) begins_at = t + 2 * length(path.segments) / std::max(speed, stands);
+  const std::vector<Segment> found = segments_to_goal(root, curvature, begins_at, options);
+  if (found.empty()) return std::nullopt;
+  path.segments.insert(path.segments.end(), found.begin(), found.end());
+  return path;
 }
 
-std::vector<Way> Ways::to_stops(const CutDrive& rest, double margin, const Effort& effort) const {
-  std::vector<Way> ways;
+std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wish,
+                                 const Effort& effort) {
+  if (look == Look::new_times && !wish.rest_reaches_goal) return std::nullopt;
+  if (scene_.moving.empty() && (look == Look::new_times || look == Look::around)) {
+    return std::nullopt;
+  }
+  const double t = std::min(wish.committed, rest.drive.speeds.duration);
+  const TimedPath prefix = before(rest.drive, scene_.vehicle, t);
+  const CutDrive after = rest_of(rest.drive, scene_.vehicle, t);
+  const std::optional<Path> tail = path_of(look, after, t, effort);
+  if (!tail) return std::nullopt;
+  // No times make it cheaper than the fastest ones.
+  const Motion& begin = after.begin;
+  const auto fastest =
+      speed::profile_from(*tail, scene_.planned, {begin.curvature, standing_or(speed_of(begin))});
+  if (!fastest) return std::nullopt;
+  const double left = wish.most - cost_of(joined(prefix, {*tail, *fastest}));
+  if (left <= 0.0) return std::nullopt;
+  const bool is_time = options_.cost.measure == CostMeasure::time;
+  const double longest = fastest->duration + (is_time ? left : left / time_price);
+  const auto drive = timed(*tail, begin, t, options_.clearance.margin, effort, longest);
+  if (!drive) return std::nullopt;
+  const bool is_same = look == Look::new_times;
+  Way way{joined(prefix, *drive), is_same ? TickOutcome::new_times : TickOutcome::new_way, true};
+  way.cost = cost_of(way.drive);
+  return way;
+}
+
+std::optional<Way> Ways::to_stop(int i, const CutDrive& rest, double margin, const Effort& effort) {
   const std::vector<Segment>& segments = rest.drive.path.segments;
   const double whole = length(segments);
   const double speed = speed_of(rest.begin);
   const double first = speed > stands ? std::min(braking_distance(speed) * (1 + 2e-3), whole) : 0.0;
-  for (int i = 0; i < stops; ++i) {
-    const double far = first + (whole - first) * i * i / ((stops - 1) * (stops - 1));
-    const Path path{rest.begin.pose,
-                    far > shortest_stop ? cut(segments, 0.0, far) : std::vector<Segment>{}};
-    if (path.segments.empty()) {
-      ways.push_back({standing_at(rest.begin.pose), TickOutcome::stop});
-    } else if (auto drive = timed(path, rest.begin, 0.0, margin, effort, endless)) {
-      ways.push_back({*std::move(drive), TickOutcome::stop});
-    }
-    if (whole - first <= shortest_stop) break;
-  }
-  return ways;
+  if (i > 0 && whole - first <= shortest_stop) return std::nullopt;
+  const double far = first + (whole - first) * i * i / ((stops - 1) * (stops - 1));
+  if (far <= shortest_stop) return Way{standing_at(rest.begin.pose), TickOutcome::stop};
+  const Path path{rest.begin.pose, cut(segments, 0.0, far)};
+  auto drive = timed(path, rest.begin, 0.0, margin, effort, endless);
+  if (!drive) return std::nullopt;
+  return Way{*std::move(drive), TickOutcome::stop};
 }
 
 Way Ways::braking(const CutDrive& rest) const {

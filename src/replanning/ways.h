@@ -25,11 +25,25 @@ struct Scene {
   std::vector<MovingObstacle> moving = {};  ///< times count from now
 };
 
-/// How much work a look may be.
+/// How much work a look may be: of planners, and of searches for times.
 struct Effort {
   std::int64_t iterations = 0;
   std::int64_t states = 0;
   std::uint64_t seed = 1;
+};
+
+/// How much was done.
+struct Work {
+  std::int64_t iterations = 0;
+  std::int64_t states = 0;
+};
+
+/// Where other drives to the goal are looked for.
+enum class Look : std::uint8_t {
+  new_times,     ///< along the same path
+  from_stop,     ///< on another path, from where the vehicle can stand first
+  without_stop,  ///< on another path, wheels as they are
+  around,        ///< on a path around those who are in the way
 };
 
 /// A drive that may be taken.
@@ -42,11 +56,8 @@ struct Way {
 
 /// Which ways to the goal are wanted.
 struct Wish {
-  double committed = 0.0;          ///< so long they are the same [s]
-  bool rest_reaches_goal = false;  ///< what is under way does
-  bool with_times = true;          ///< along the same path, too
-  bool is_flying = true;           ///< on other paths without a stop, too
-  bool is_urgent = false;          ///< whatever it takes: others are gone round
+  double committed = 0.0;                                 ///< so long they are the same [s]
+  bool rest_reaches_goal = false;                         ///< what is under way does
   double most = std::numeric_limits<double>::infinity();  ///< only what costs less
 };
 
@@ -54,18 +65,19 @@ class Ways {
  public:
   Ways(const Scene& scene, const PlanOptions& options) : scene_(scene), options_(options) {}
 
+  static constexpr int stops = 6;  ///< that are looked at along a way
+
   /// From standing at a pose to the goal.
   [[nodiscard]] std::optional<Way> from_standing(const Pose& pose, double curvature,
-                                                 const Effort& effort) const;
+                                                 const Effort& effort);
 
-  /// To the goal, each the same as `rest` for `committed` seconds: with other times, and along
-  /// other paths.
-  [[nodiscard]] std::vector<Way> to_goal(const CutDrive& rest, const Wish& wish,
-                                         const Effort& effort) const;
+  /// To the goal, the same as `rest` for the committed seconds, if a look finds one.
+  [[nodiscard]] std::optional<Way> to_goal(Look look, const CutDrive& rest, const Wish& wish,
+                                           const Effort& effort);
 
-  /// To standstills on the way of `rest`, the nearest first.
-  [[nodiscard]] std::vector<Way> to_stops(const CutDrive& rest, double margin,
-                                          const Effort& effort) const;
+  /// To the i-th standstill on the way of `rest`, of `stops`, the nearest first.
+  [[nodiscard]] std::optional<Way> to_stop(int i, const CutDrive& rest, double margin,
+                                           const Effort& effort);
 
   /// Braking at once, as hard as it may be.
   [[nodiscard]] Way braking(const CutDrive& rest) const;
@@ -73,16 +85,21 @@ class Ways {
   /// What a drive costs that begins in a gear: length at its price, and time.
   [[nodiscard]] double cost_of(const TimedPath& drive) const;
 
+  /// All that was done to find ways.
+  [[nodiscard]] const Work& work() const noexcept { return work_; }
+
  private:
   [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const Motion& begin, double t,
-                                               double margin, const Effort& effort,
-                                               double longest) const;
+                                               double margin, const Effort& effort, double longest);
   [[nodiscard]] std::vector<Segment> segments_to_goal(const Pose& pose, double curvature, double t,
-                                                      const PlanOptions& options) const;
+                                                      const PlanOptions& options);
+  [[nodiscard]] std::optional<Path> path_of(Look look, const CutDrive& from, double t,
+                                            const Effort& effort);
   [[nodiscard]] double braking_distance(double v) const;
 
   const Scene& scene_;
   const PlanOptions& options_;
+  Work work_;
 };
 
 /// What moves, seen so many seconds later.

@@ -193,6 +193,29 @@ TEST(Replanner, GivesUpWhatWasCommittedIfItMust) {
   EXPECT_EQ(fault_of(answer, scenario, 6), "");
 }
 
+TEST(Replanner, GoesOnWhereItIsMetLaterThanStanding) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const double x = pose_at(replanner.answer(), scenario.vehicle, 6).x;
+  // One comes from aside to where the vehicle can stand, 3.3 s from now and for good. Another one
+  // stands so near that there is no place between the two.
+  const MovingObstacle comes{box(x + 2.5, -30, x + 6.5, -1.3),
+                             {{6, {0, -33, 0}}, {9.3, {0, 0, 0}}, {12, {0, 27, 0}}},
+                             Afterwards::stays};
+  const MovingObstacle stands{box(x + 16, -24, x + 18, 24), {{0, {0, 0, 0}}}, Afterwards::stays};
+  replanner.set_moving(std::vector{comes, stands});
+  const ReplanAnswer& answer = replanner.tick(6);
+  EXPECT_EQ(answer.outcome, TickOutcome::none);
+  EXPECT_FALSE(answer.is_safe);
+  EXPECT_NE(answer.reason, "");
+  EXPECT_NEAR(
+      motion_at(answer.drive->path, scenario.vehicle, answer.drive->speeds, 7 - answer.begin).v,
+      2.5, 1e-6);
+  replanner.set_moving({});
+  EXPECT_TRUE(replanner.tick(6.1).is_safe);
+}
+
 TEST(Replanner, StopsBeforeAWallAndGoesOnWhenItIsGone) {
   Scenario scenario = lane();
   Replanner replanner(scenario);

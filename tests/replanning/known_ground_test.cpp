@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "replanning/known_ground.h"
+
+#include <gtest/gtest.h>
+
+#include "support/cases.h"
+#include "support/grids.h"
+#include "vandplan/input_error.h"
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+using replanning::KnownGround;
+
+/// A map of 40 x 24 m with the lane in its middle free, and a block of two metres beside it.
+Scenario mapped_lane(Rng& rng) {
+  Scenario scenario;
+  scenario.bounds = {0, 40, 0, 24};
+  scenario.start = {5, 12, 0};
+  scenario.goal = {35, 12, 0};
+  scenario.obstacles = {{{20, 15}, {22, 15}, {22, 17}, {20, 17}}};
+  OccupancyGrid map = random_grid(200, 120, 0.0003, rng);
+  map.resolution = 0.2;
+  map.unknown_is_free = uniform01(rng) < 0.5;
+  scenario.map = map;
+  return scenario;
+}
+
+/// Cells of one kind, somewhere: sometimes beyond the middle of the map, sometimes at its border.
+CellPatch any_patch(const OccupancyGrid& map, Rng& rng) {
+  const auto any = [&](double low, double high) {
+    return static_cast<std::int32_t>(uniform(low, high, rng));
+  };
+  CellPatch patch{.columns = any(1, 30), .rows = any(1, 30)};
+  patch.column = any(0, map.columns - patch.columns + 1);
+  patch.row = any(0, map.rows - patch.rows + 1);
+  const std::size_t count =
+      static_cast<std::size_t>(patch.columns) * static_cast<std::size_t>(patch.rows);
+  const double kind = uniform01(rng);
+  patch.cells.assign(count, kind < 0.6 ? Cell::free : kind < 0.8 ? Cell::occupied : Cell::unknown);
+  return patch;
+}
+
+void write(Scenario& scenario, const CellPatch& patch) {
+  OccupancyGrid& map = *scenario.map;
+  auto cells = *map.cells;
+  for (std::int32_t y = 0; y < patch.rows; ++y) {
+    for (std::int32_t x = 0; x < patch.columns; ++x) {
+      cells[static_cast<std::size_t>((patch.row + y) * map.columns + patch.column + x)] =
+          patch.cells[static_cast<std::size_t>(y * patch.columns + x)];
+    }
+  }
+  map.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+}
+
+void expect_same_ground(const World& world, const World& anew, const Vehicle& vehicle, Rng& rng) {
+  const auto checker = world.checker(vehicle);
+  const auto other = anew.checker(vehicle);
+  for (int i = 0; i < 300; ++i) {
+    const Pose pose{uniform(-2, 42, rng), uniform(-2, 26, rng), uniform(-3.1, 3.1, rng)};
+    const Segment segment{uniform(-0.1, 0.1, rng), uniform(-8, 8, rng)};
+    ASSERT_EQ(checker->is_free(pose, segment), other->is_free(pose, segment));
+    ASSERT_EQ(checker->clearance(pose, 5), other->clearance(pose, 5));
+    ASSERT_EQ(checker->map_distance({pose.x, pose.y}).least,
+              other->map_distance({pose.x, pose.y}).least);
+  }
+}
+
+/// What the planner and the judge make of a problem there.
+std::pair<PlanResult, PathCheck> planned(std::shared_ptr<const World> world,
+                                         const Scenario& scenario) {
+  const Problem problem =
+      make_problem(std::move(world), scenario.vehicle, scenario.start, scenario.goal);
+  PlanOptions options;
+  options.budget.max_iterations = 200;
+  PlanResult result = plan(problem, options);
+  const Path straight{scenario.start, {{0, 30}}};
+  PathCheck check = check_path(problem, result.path ? *result.path : straight);
+  return {std::move(result), std::move(check)};
+}
+
+/// Cells, and at times an obstacle, in the patch and in the scenario.
+WorldPatch any_news(Scenario& scenario, Rng& rng) {
+  WorldPatch patch;
+  for (int k = 0; k < 3; ++k) {
+    patch.cells.push_back(any_patch(*scenario.map, rng));
+    write(scenario, patch.cells.back());
+  }
+  if (uniform01(rng) < 0.5) return patch;
+  const double x = uniform(8, 32, rng);
+  const Polygon block = {{x, 5}, {x + 1, 5}, {x + 1, 8}};
+  patch.added = {{7, block}};
+  scenario.obstacles.resize(1);
+  scenario.obstacles.push_back(block);
+  return patch;
+}
+
+TEST(KnownGround, IsAsMadeAnewAfterPatches) {
+  int found = 0;
+  for_each_case(1, 20, [&](Rng& rng) {
+    Scenario scenario = mapped_lane(rng);
+    KnownGround ground{World(surroundings(scenario), {})};
+    for (int i = 0; i < 6; ++i) {
+      (void)planned(ground.world(), scenario);  // so that all is kept with the world
+      ground.patch(any_news(scenario, rng));
+      const auto anew = std::make_shared<const World>(surroundings(scenario), Point{});
+      expect_same_ground(*ground.world(), *anew, scenario.vehicle, rng);
+      const auto [result, check] = planned(ground.world(), scenario);
+      const auto [expected, judged] = planned(anew, scenario);
+      ASSERT_EQ(result.path, expected.path);
+      ASSERT_EQ(result.status, expected.status);
+      ASSERT_EQ(check.valid, judged.valid);
+      ASSERT_EQ(check.clearance, judged.clearance);
+      found += result.path ? 1 : 0;
+    }
+  });
+  if (!is_sanitized) {
+    EXPECT_GT(found, 20);
+  }
+}
+
+TEST(KnownGround, LeavesTheWorldThatItBeganWithAsItIs) {
+  Rng rng(1);
+  const Scenario scenario = mapped_lane(rng);
+  const World world(surroundings(scenario), {});
+  const std::vector<Cell> before = *world.local().map->cells;
+  KnownGround ground(world);
+  ground.patch({.cells = {{0, 0, 30, 30, std::vector<Cell>(900, Cell::occupied)}}, .removed = {0}});
+  EXPECT_EQ(ground.version(), 1);
+  EXPECT_TRUE(ground.world()->local().obstacles.empty());
+  EXPECT_NE(*ground.world()->local().map->cells, before);
+  EXPECT_EQ(*world.local().map->cells, before);
+  EXPECT_EQ(world.local().obstacles.size(), 1U);
+}
+
+TEST(KnownGround, StaysAsItIsWhereAPatchIsWrong) {
+  Rng rng(1);
+  const Scenario scenario = mapped_lane(rng);
+  KnownGround ground{World(surroundings(scenario), {})};
+  const std::vector<Cell> before = *ground.world()->local().map->cells;
+  const CellPatch good{0, 0, 30, 30, std::vector<Cell>(900, Cell::occupied)};
+  const CellPatch off_map{180, 0, 30, 30, std::vector<Cell>(900, Cell::occupied)};
+  EXPECT_THROW(ground.patch({.cells = {good, off_map}}), InputError);
+  EXPECT_THROW(ground.patch({.cells = {good}, .added = {{1, {{0, 0}, {1, 1}}}}}), InputError);
+  EXPECT_EQ(*ground.world()->local().map->cells, before);
+  EXPECT_EQ(ground.version(), 0);
+}
+
+}  // namespace
+}  // namespace vandplan
