@@ -47,13 +47,16 @@ struct DriveTotals {
   DriveResult worst = {};  ///< each figure is the worst one, but for the means; no contact, no log
   double lateral_squares = 0.0;
   double heading_squares = 0.0;
+  double trailer_squares = 0.0;
   double durations = 0.0;               ///< sum [s]
   std::optional<Contact> contact = {};  ///< the earliest one
   std::uint64_t seed = 0;               ///< of its drive, else of the largest deviation
 
   void add(const DriveResult& drive, std::uint64_t its_seed);
+  void add_trailer(const DriveResult& drive);
   [[nodiscard]] double rms_lateral() const { return std::sqrt(lateral_squares / runs); }
   [[nodiscard]] double rms_heading() const { return std::sqrt(heading_squares / runs); }
+  [[nodiscard]] double rms_trailer_lateral() const { return std::sqrt(trailer_squares / runs); }
   [[nodiscard]] double duration() const { return durations / runs; }
   [[nodiscard]] evaluation::Interval contact_rate() const {
     return evaluation::share_interval(contacts, runs, confidence);
@@ -84,7 +87,21 @@ void DriveTotals::add(const DriveResult& drive, std::uint64_t its_seed) {
   raise(&DriveResult::end_heading);
   raise(&DriveResult::outline_deviation);
   raise(&DriveResult::out_of_bounds);
+  add_trailer(drive);
   worst.clearance = is_first ? drive.clearance : std::min(worst.clearance, drive.clearance);
+}
+
+void DriveTotals::add_trailer(const DriveResult& drive) {
+  if (!drive.trailer) return;
+  if (!worst.trailer) worst.trailer.emplace();
+  trailer_squares += drive.trailer->rms_lateral * drive.trailer->rms_lateral;
+  const auto raise = [&](double TrailerDeviation::*figure) {
+    (*worst.trailer).*figure = std::max((*worst.trailer).*figure, (*drive.trailer).*figure);
+  };
+  raise(&TrailerDeviation::largest_lateral);
+  raise(&TrailerDeviation::end_distance);
+  raise(&TrailerDeviation::end_heading);
+  raise(&TrailerDeviation::hitch_deviation);
 }
 
 /// An error of an option of the library, by the name that the option has here.
@@ -161,6 +178,13 @@ nlohmann::ordered_json json_of(const Choice& choice, const DriveArguments& argum
                                  {"end_heading", worst.end_heading},
                                  {"outline_deviation", worst.outline_deviation},
                                  {"out_of_bounds", worst.out_of_bounds}};
+  if (worst.trailer) {
+    json["trailer"] = {{"largest_lateral", worst.trailer->largest_lateral},
+                       {"rms_lateral", totals.rms_trailer_lateral()},
+                       {"end_distance", worst.trailer->end_distance},
+                       {"end_heading", worst.trailer->end_heading},
+                       {"hitch_deviation", worst.trailer->hitch_deviation}};
+  }
   json["clearance"] = nullptr;
   if (std::isfinite(worst.clearance)) json["clearance"] = worst.clearance;
   if (totals.contact) json["first_contact"] = json_of(*totals.contact, totals.seed);
@@ -211,6 +235,13 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
              metres_text(worst.largest_lateral), degrees_text(worst.largest_heading),
              metres_text(totals.rms_lateral()), degrees_text(totals.rms_heading()),
              metres_text(worst.end_distance), degrees_text(worst.end_heading));
+  if (worst.trailer) {
+    fmt::print(
+        "  trailer: at most {} beside, RMS {}; at the end {} and {}; folds up at most {} further\n",
+        metres_text(worst.trailer->largest_lateral), metres_text(totals.rms_trailer_lateral()),
+        metres_text(worst.trailer->end_distance), degrees_text(worst.trailer->end_heading),
+        degrees_text(worst.trailer->hitch_deviation));
+  }
   fmt::print(
       "  outline: at most {} beyond the plan, so a margin of {:.3f} m is enough on this path\n",
       metres_text(worst.outline_deviation), std::ceil(worst.outline_deviation * 1e3) / 1e3);
@@ -252,7 +283,7 @@ void check_arguments(const DriveArguments& arguments) {
   }
 }
 
-int run(const DriveArguments& arguments) {
+int run(DriveArguments& arguments) {
   check_arguments(arguments);
   if (arguments.live.period) {
     return drive_again_and_again(
@@ -263,6 +294,9 @@ int run(const DriveArguments& arguments) {
     throw InputError("RESULT", "is not given, expected a result file, or --replan");
   }
   const Choice choice = chosen_path(arguments.path);
+  if (arguments.options.controller.empty()) {
+    arguments.options.controller = usual_controller(choice.problem.vehicle());
+  }
   const std::string reason = reason_not_to_drive(choice);
   if (!reason.empty()) return refuse(choice, reason, arguments.json);
   const DriveTotals totals = all_driven(choice, arguments);
@@ -278,7 +312,7 @@ int run(const DriveArguments& arguments) {
 }
 
 std::string controllers_text() {
-  std::string text = "How it steers:";
+  std::string text = "How it steers; rear-axle-feedback unless given, with a trailer lqr:";
   for (const ControllerInfo& info : controllers()) {
     text += fmt::format("\n{}: {}", info.name, info.summary);
   }
@@ -287,15 +321,13 @@ std::string controllers_text() {
 
 void add_options(CLI::App& command, DriveArguments& arguments) {
   DriveOptions& options = arguments.options;
-  command.add_option("--controller", options.controller, controllers_text())
-      ->type_name("NAME")
-      ->capture_default_str();
+  command.add_option("--controller", options.controller, controllers_text())->type_name("NAME");
   command
-      .add_option(
-          "--noise", options.noise,
-          "0 to 10; 1: positions are measured 2 cm, headings 0.2 degrees wrong, 50 times a\n"
-          "second; all through a drive the wheels are off by 0.2 degrees and 1 %, the\n"
-          "speed by 1 % (standard deviations)")
+      .add_option("--noise", options.noise,
+                  "0 to 10; 1: positions are measured 2 cm, headings and hitch angles 0.2 degrees\n"
+                  "wrong, 50 times a second; all through a drive the wheels are off by 0.2 degrees "
+                  "and 1 %, the\n"
+                  "speed by 1 % (standard deviations)")
       ->type_name("X")
       ->capture_default_str();
   command
@@ -336,11 +368,14 @@ void add_options(CLI::App& command, DriveArguments& arguments) {
 std::string csv_of(const std::vector<DriveMoment>& log) {
   std::string text =
       "t,s,x,y,heading,direction,v,steering_angle,wanted_steering,wanted_acceleration,"
-      "lateral_error,heading_error\n";
+      "lateral_error,heading_error";
+  text += !log.empty() && log.front().hitch_angle ? ",hitch_angle\n" : "\n";
   for (const DriveMoment& m : log) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", m.t, m.s, m.pose.x, m.pose.y,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", m.t, m.s, m.pose.x, m.pose.y,
                         m.pose.heading, m.direction, m.v, m.steering_angle, m.wanted_steering,
                         m.wanted_acceleration, m.lateral_error, m.heading_error);
+    if (m.hitch_angle) text += fmt::format(",{}", *m.hitch_angle);
+    text += '\n';
   }
   return text;
 }
@@ -349,14 +384,15 @@ void add_drive(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand(
       "drive",
       "Drive the path of a result with a simulated vehicle: wheels, engine and brakes within the\n"
-      "limits of the scenario's vehicle, a controller, delay and noise. All that footprint and\n"
-      "wheels sweep is looked at. The judge sees the path first. With --replan there is no "
+      "limits of the scenario's vehicle, a controller, delay and noise. All that footprint, "
+      "wheels\n"
+      "and trailer sweep is looked at. The judge sees the path first. With --replan there is no "
       "result:\n"
       "the vehicle plans while it drives, among what moves and in what it sees.");
   command->footer(
       "Columns: t [s], s [m], x, y [m], heading [rad], direction (1 or -1), v [m/s],\n"
       "steering_angle [rad], wanted_steering [rad], wanted_acceleration [m/s^2],\n"
-      "lateral_error [m], heading_error [rad]; every 0.02 s.\n"
+      "lateral_error [m], heading_error [rad], with a trailer hitch_angle [rad]; every 0.02 s.\n"
       "Executable: driven by its speeds without looking, standing at start, goal and gear changes\n"
       "only, it touches nothing and ends within 1 cm and 1 degree; limits relaxed by 0.1 %.\n"
       "Exit status: 0 done, 1 no path, an invalid one, a contact or no arrival, 2 bad input.");

@@ -23,18 +23,22 @@ struct ControllerInfo {
   std::string_view name;     ///< "rear-axle-feedback"
   std::string_view summary;  ///< half a sentence
   bool drives_reverse;       ///< whether it can follow a path with metres in reverse
+  bool steers_trailer;       ///< whether it can do so with a trailer, which runs away in reverse
 };
 
 /// All controllers: "rear-axle-feedback", "lqr", "pure-pursuit", "stanley".
 [[nodiscard]] std::span<const ControllerInfo> controllers() noexcept;
 
+/// The one that drives where none is named: "rear-axle-feedback", with a trailer "lqr".
+[[nodiscard]] std::string_view usual_controller(const Vehicle& vehicle) noexcept;
+
 /// How a path is driven.
 struct DriveOptions {
-  std::string controller = "rear-axle-feedback";
+  std::string controller = {};  ///< one of `controllers`; empty: `usual_controller`
   /// How wrong sensors and actuators are; 0 to 10; 0: not at all. 1: measured positions are off by
-  /// 2 cm along x and y and headings by 0.2 degrees, anew at each of 50 measurements a second; for
-  /// the whole drive the wheels are turned 0.2 degrees and 1 % further than they say, and the
-  /// vehicle is 1 % faster. All of these are standard deviations of normal distributions.
+  /// 2 cm along x and y, headings and hitch angles by 0.2 degrees, anew at each of 50 measurements
+  /// a second; for the whole drive the wheels are turned 0.2 degrees and 1 % further than they say,
+  /// and the vehicle is 1 % faster. All of these are standard deviations of normal distributions.
   double noise = 0.0;
   double delay = 0.0;  ///< from a measurement to what follows from it [s]; 0 to 1
   /// Share of steering rate, acceleration and braking that the planned speeds leave for
@@ -59,6 +63,7 @@ struct DriveMoment {
   double wanted_acceleration = 0.0;  ///< along the path [m/s^2]; negative: it brakes
   double lateral_error = 0.0;  ///< of the rear axle; positive: left of the path, seen forward [m]
   double heading_error = 0.0;  ///< in [-pi, pi) [rad]; positive: turned to the left of the path
+  std::optional<double> hitch_angle = {};  ///< of a trailer [rad]
 };
 
 /// The moment when a vehicle touches something for the first time.
@@ -66,7 +71,18 @@ struct Contact {
   double t = 0.0;    ///< since the start [s]
   double s = 0.0;    ///< distance along the planned path [m]
   Pose pose = {};    ///< of the vehicle, in the frame of the path
-  std::string what;  ///< "the footprint hits obstacles[3]"
+  std::string what;  ///< "the footprint hits obstacles[3]", "the rig folds up (jackknife)"
+};
+
+/// How a trailer keeps to where it would be behind a tractor that is on the path.
+struct TrailerDeviation {
+  double largest_lateral = 0.0;  ///< of its axle's midpoint, across its heading [m]
+  double rms_lateral = 0.0;      ///< root of the mean square along the way of the tractor [m]
+  double end_distance = 0.0;     ///< of its axle's midpoint from where it should end [m]
+  double end_heading = 0.0;      ///< difference of the heading there, without sign [rad]
+  /// How much further the rig folded up than it would beside there [rad]: a path that was planned
+  /// with a `Vehicle::max_hitch_angle` less by that does not fold up too far.
+  double hitch_deviation = 0.0;
 };
 
 /// What came of a drive. After a contact it goes on as if there had been none.
@@ -80,8 +96,9 @@ struct DriveResult {
   double rms_heading = 0.0;       ///< [rad]
   double end_distance = 0.0;      ///< of the rear axle from the end of the path [m]
   double end_heading = 0.0;       ///< difference of the heading there, without sign [rad]
-  /// How far the outline of body or wheels was beyond where it would be on the path [m]: a path
-  /// with a margin of at least that much is driven without contact.
+  std::optional<TrailerDeviation> trailer = {};  ///< if there is one
+  /// How far the outline of body, wheels or trailer was beyond where it would be on the path [m]: a
+  /// path with a margin of at least that much is driven without contact.
   double outline_deviation = 0.0;
   /// How far the rear axle was outside of the bounds [m]; nothing is touched there.
   double out_of_bounds = 0.0;
@@ -91,8 +108,9 @@ struct DriveResult {
 };
 
 /// Drives a path (in the scenario's frame) from standing to standing with the speeds of
-/// `speed_profile` for limits less the reserve, and looks at everything that footprint and wheels
-/// sweep. At the start the wheels are turned as `Problem::curvatures` says. Repeats bit for bit.
+/// `speed_profile` for limits less the reserve, and looks at everything that footprint, wheels and
+/// trailer sweep. At the start the wheels are turned as `Problem::curvatures` says, and the trailer
+/// as `Problem::hitch_angles`. Repeats bit for bit.
 /// Throws InputError naming "controller", "noise", "delay", "reserve" or "spare_steering", a limit
 /// of the vehicle, or a segment that is not finite or turns more sharply than the vehicle can.
 [[nodiscard]] DriveResult drive(const Problem& problem, const Path& path,
@@ -102,7 +120,8 @@ struct DriveResult {
 /// takes longer than 1000 s, the speed is that of the fastest drive, and the wheels turn as fast as
 /// they may to where they should be.
 struct Execution {
-  bool passes = false;        ///< it touches nothing and ends within 1 cm and 1 degree
+  /// It touches nothing and ends within 1 cm and 1 degree, as does the trailer.
+  bool passes = false;
   std::string reason = {};    ///< why it does not pass, one line
   double duration = 0.0;      ///< [s]
   double end_distance = 0.0;  ///< from the end of the path [m]

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/text.h"
 #include "base/trigonometry.h"
 #include "drive/preview.h"
+#include "vandplan/input_error.h"
 
 namespace vandplan::driving {
 namespace {
@@ -20,12 +22,9 @@ double way_ahead(const Sight& sight) { return sight.state.v * control_period; }
 /// each driven metre, in either gear.
 double slant(const Sight& sight) { return sight.stroke.direction() * sight.offset.heading; }
 
-/// The distance within which errors fade [m].
-double fading(const Vehicle& vehicle) { return vehicle.wheelbase / 2; }
-
 /// Paden et al. 2016, section V-A: the yaw rate divided by the speed.
 double rear_axle_feedback(const Sight& sight) noexcept {
-  const double a = fading(sight.vehicle);
+  const double a = fading_distance(sight.vehicle);
   const double e = sight.offset.lateral;
   const double h = slant(sight);
   const auto [sin, cos] = base::sin_cos(h);
@@ -37,9 +36,23 @@ double rear_axle_feedback(const Sight& sight) noexcept {
   return steering_angle(sight.vehicle, wanted);
 }
 
+/// With a trailer: linear-quadratic around the plan, whose hitch angle is another error.
+double tow(const Sight& sight) noexcept {
+  const Towing& towing = *sight.towing;
+  const double s = sight.offset.place.s;
+  const auto [sin, cos] = base::sin_cos(sight.state.steering_angle);
+  const double bent = sin / cos / sight.vehicle.wheelbase - sight.stroke.curvature_at(s);
+  const double folded = wrap_angle(sight.state.hitch_angle - towing.hitch_angle_at(s));
+  const double change =
+      towing.correction(s, {sight.offset.lateral, sight.offset.heading, folded, bent});
+  const double way = way_ahead(sight);
+  return steering_angle(sight.vehicle, sight.stroke.curvature_at(s + way) + bent + change * way);
+}
+
 double lqr(const Sight& sight) noexcept {
+  if (sight.towing != nullptr) return tow(sight);
   const PreviewGains& gains = preview_gains();
-  const double a = fading(sight.vehicle);
+  const double a = fading_distance(sight.vehicle);
   const auto [sin, cos] = base::sin_cos(sight.state.steering_angle);
   const double curvature = sin / cos / sight.vehicle.wheelbase;
   // Everything in units of the fading distance.
@@ -102,12 +115,14 @@ double speed_for_wheels(const Sight& sight, double wanted_steering) {
 }
 
 constexpr std::array all = {
-    Controller{{"rear-axle-feedback", "error of the rear axle and its heading, both gears", true},
-               rear_axle_feedback},
-    Controller{{"lqr", "linear-quadratic, looks ahead along the path, both gears", true}, lqr},
-    Controller{{"pure-pursuit", "an arc to a place ahead on the path, both gears", true},
+    Controller{
+        {"rear-axle-feedback", "error of the rear axle and its heading, both gears", true, false},
+        rear_axle_feedback},
+    Controller{{"lqr", "linear-quadratic, looks ahead along the path, both gears", true, true},
+               lqr},
+    Controller{{"pure-pursuit", "an arc to a place ahead on the path, both gears", true, false},
                pure_pursuit},
-    Controller{{"stanley", "error of the front axle, forward only", false}, stanley},
+    Controller{{"stanley", "error of the front axle, forward only", false, false}, stanley},
 };
 
 constexpr auto infos = [] {
@@ -118,10 +133,12 @@ constexpr auto infos = [] {
 
 }  // namespace
 
-const Controller* find_controller(std::string_view name) noexcept {
+const Controller& controller_named(std::string_view name) {
   const auto found =
       std::ranges::find_if(all, [&](const Controller& each) { return each.info.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  if (found != all.end()) return *found;
+  throw InputError("controller", "\"" + std::string(name) + "\" is unknown, expected " +
+                                     base::joined(controllers(), &ControllerInfo::name));
 }
 
 double acceleration(const Sight& sight, double wanted_steering) noexcept {
@@ -154,5 +171,9 @@ double acceleration(const Sight& sight, double wanted_steering) noexcept {
 namespace vandplan {
 
 std::span<const ControllerInfo> controllers() noexcept { return driving::infos; }
+
+std::string_view usual_controller(const Vehicle& vehicle) noexcept {
+  return vehicle.trailer ? "lqr" : "rear-axle-feedback";
+}
 
 }  // namespace vandplan

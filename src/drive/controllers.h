@@ -9,6 +9,7 @@
 
 #include "drive/plant.h"
 #include "drive/stroke.h"
+#include "drive/towing.h"
 #include "vandplan/drive.h"
 
 namespace vandplan::driving {
@@ -20,6 +21,7 @@ struct Sight {
   const State& state;
   Offset offset;        ///< of the state's pose from the stroke
   double behind = 0.0;  ///< so far before the stroke the vehicle began to drive it [m]; >= 0
+  const Towing* towing = nullptr;  ///< of the trailer, if there is one
 };
 
 /// A way to steer: the angle that the wheels are to have at the end of the control period [rad].
@@ -28,8 +30,13 @@ struct Controller {
   double (*steering_angle)(const Sight& sight) noexcept;
 };
 
-/// The one with that name, or null.
-[[nodiscard]] const Controller* find_controller(std::string_view name) noexcept;
+/// The one with that name. Throws InputError naming "controller".
+[[nodiscard]] const Controller& controller_named(std::string_view name);
+
+/// The distance within which errors are to fade [m].
+[[nodiscard]] inline double fading_distance(const Vehicle& vehicle) noexcept {
+  return vehicle.wheelbase / 2;
+}
 
 /// The acceleration that brings the vehicle to the planned speed of the place where it will be at
 /// the end of the control period, and to stand exactly at the end of the stroke; less where the

@@ -28,22 +28,23 @@ void require(bool holds, const char* where, double value, const std::string& exp
   throw InputError(where, "is " + base::shortest_text(value) + ", expected " + expected);
 }
 
-const Controller& checked_controller(const DriveOptions& options, const Path& path) {
+const Controller& checked_controller(const DriveOptions& options, const Path& path,
+                                     const Vehicle& vehicle) {
   require(options.noise >= 0.0 && options.noise <= 10.0, "noise", options.noise, "0 to 10");
   require(options.delay >= 0.0 && options.delay <= 1.0, "delay", options.delay, "0 to 1 s");
   require(options.reserve >= 0.0 && options.reserve <= 0.5, "reserve", options.reserve, "0 to 0.5");
   require(options.spare_steering >= 0.0 && options.spare_steering <= 0.5, "spare_steering",
           options.spare_steering, "0 to 0.5");
-  const Controller* const controller = find_controller(options.controller);
-  if (controller == nullptr) {
-    throw InputError("controller", "\"" + options.controller + "\" is unknown, expected " +
-                                       base::joined(controllers(), &ControllerInfo::name));
-  }
-  if (controller->info.drives_reverse) return *controller;
+  const Controller& controller =
+      controller_named(options.controller.empty() ? usual_controller(vehicle) : options.controller);
+  const bool drives_reverse =
+      vehicle.trailer ? controller.info.steers_trailer : controller.info.drives_reverse;
+  if (drives_reverse) return controller;
   double reverse = 0.0;
   for (const Segment& segment : path.segments) reverse += std::max(-segment.length, 0.0);
-  if (reverse == 0.0) return *controller;
-  throw InputError("controller", options.controller + " drives forward only, the path has " +
+  if (reverse == 0.0) return controller;
+  const std::string what = vehicle.trailer ? " drives a trailer" : " drives";
+  throw InputError("controller", options.controller + what + " forward only, the path has " +
                                      base::shortest_text(std::round(reverse * 1e3) / 1e3) +
                                      " m in reverse");
 }
@@ -77,7 +78,11 @@ Polygon corners_of(const Footprint& footprint) {
 class Errors {
  public:
   explicit Errors(const Vehicle& vehicle)
-      : body_(body_outline(vehicle)), wheels_(corners_of(wheel_footprint(vehicle))) {}
+      : vehicle_(vehicle),
+        body_(body_outline(vehicle)),
+        wheels_(corners_of(wheel_footprint(vehicle))) {
+    if (vehicle.trailer) trailer_ = body_outline(*vehicle.trailer);
+  }
 
   /// Adds a pose at the end of `way` driven metres.
   void add(const Stroke& stroke, const Offset& offset, const Pose& pose, double way) {
@@ -94,21 +99,39 @@ class Errors {
     outline_ = std::max({outline_, deviation_of(body_, beside), deviation_of(wheels_, beside)});
   }
 
+  /// Adds where the trailer is when it should be where `planned` has it.
+  void add_trailer(const RigState& planned, const RigState& state, double way) {
+    const Pose beside = relative(trailer_pose(vehicle_, planned), trailer_pose(vehicle_, state));
+    outline_ = std::max(outline_, deviation_of(trailer_, beside));
+    largest_trailer_ = std::max(largest_trailer_, std::abs(beside.y));
+    trailer_squares_ += beside.y * beside.y * way;
+    hitch_ = std::max(hitch_, std::abs(state.hitch_angle) - std::abs(planned.hitch_angle));
+  }
+
   void write_to(DriveResult& result) const {
     result.largest_lateral = largest_lateral_;
     result.largest_heading = largest_heading_;
     result.rms_lateral = way_ > 0.0 ? std::sqrt(lateral_squares_ / way_) : 0.0;
     result.rms_heading = way_ > 0.0 ? std::sqrt(heading_squares_ / way_) : 0.0;
     result.outline_deviation = outline_;
+    if (!vehicle_.trailer) return;
+    const double rms = way_ > 0.0 ? std::sqrt(trailer_squares_ / way_) : 0.0;
+    result.trailer = TrailerDeviation{
+        .largest_lateral = largest_trailer_, .rms_lateral = rms, .hitch_deviation = hitch_};
   }
 
  private:
+  const Vehicle& vehicle_;
   Polygon body_;
   Polygon wheels_;
+  Polygon trailer_;
   double largest_lateral_ = 0.0;
   double largest_heading_ = 0.0;
   double lateral_squares_ = 0.0;
   double heading_squares_ = 0.0;
+  double largest_trailer_ = 0.0;
+  double trailer_squares_ = 0.0;
+  double hitch_ = 0.0;
   double outline_ = 0.0;
   double way_ = 0.0;
 };
@@ -117,7 +140,7 @@ class Errors {
 class Drive {
  public:
   Drive(const Problem& problem, const Path& path, const DriveOptions& options)
-      : controller_(checked_controller(options, path)),
+      : controller_(checked_controller(options, path, problem.vehicle())),
         options_(options),
         vehicle_(with_spare(problem.vehicle(), options.spare_steering)),
         origin_(problem.world()->origin()),
@@ -131,9 +154,11 @@ class Drive {
     const SpeedProfile profile = speed_profile(path, with_reserve(vehicle_, options.reserve),
                                                {.start_curvature = curvature});
     result_.planned_duration = profile.duration;
-    pose_ = to_local(*problem.world(), path.start);
-    strokes_ = strokes_of({pose_, path.segments}, profile);
-    state_.pose = pose_;
+    real_ = {to_local(*problem.world(), path.start), problem.hitch_angles().start};
+    strokes_ = strokes_of({real_.pose, path.segments}, profile);
+    if (vehicle_.trailer) tow();
+    state_.pose = real_.pose;
+    state_.hitch_angle = real_.hitch_angle;
     state_.direction = strokes_.front().direction();
     state_.steering_angle = steering_angle(vehicle_, curvature);
     const auto periods = static_cast<std::size_t>(std::ceil(options.delay / control_period - 1e-9));
@@ -145,6 +170,7 @@ class Drive {
   DriveResult run();
 
  private:
+  void tow();
   [[nodiscard]] Command decide();
   [[nodiscard]] Command command_at(const State& state, const Offset& offset);
   void execute(const Command& command);
@@ -153,6 +179,12 @@ class Drive {
   [[nodiscard]] bool has_ended() const;
   void finish();
 
+  /// The state of the plan after so many metres of the stroke that is driven.
+  [[nodiscard]] RigState planned(double s) const {
+    const Stroke& stroke = strokes_[real_stroke_];
+    const double there = std::clamp(s, 0.0, stroke.length());
+    return {stroke.at(there).pose, towing_[real_stroke_].hitch_angle_at(there)};
+  }
   [[nodiscard]] Pose in_scenario(const Pose& pose) const {
     return {pose.x + origin_.x, pose.y + origin_.y, pose.heading};
   }
@@ -171,10 +203,11 @@ class Drive {
   Watch watch_;
   Errors errors_;
   std::vector<Stroke> strokes_;
+  std::vector<Towing> towing_;     // for each stroke, if there is a trailer
   std::deque<Command> under_way_;  // that are decided, and not yet executed
 
-  State state_;  // with the pose that the vehicle believes to have
-  Pose pose_;    // the true one
+  State state_;    // with pose and hitch angle that the vehicle believes to have
+  RigState real_;  // the true ones
   double t_ = 0.0;
 
   std::size_t stroke_ = 0;  // that is decided about
@@ -187,6 +220,15 @@ class Drive {
   Offset offset_;                // of the true pose from it
   DriveResult result_;
 };
+
+/// The trailer along all strokes.
+void Drive::tow() {
+  double hitch_angle = real_.hitch_angle;
+  for (const Stroke& stroke : strokes_) {
+    towing_.emplace_back(stroke, vehicle_, hitch_angle);
+    hitch_angle = towing_.back().hitch_angle_at(stroke.length());
+  }
+}
 
 /// What to do next: as things will be when that takes effect.
 Command Drive::decide() {
@@ -221,7 +263,8 @@ Command Drive::decide() {
 }
 
 Command Drive::command_at(const State& state, const Offset& offset) {
-  const Sight sight{strokes_[stroke_], vehicle_, state, offset, behind_};
+  const Towing* const towing = towing_.empty() ? nullptr : &towing_[stroke_];
+  const Sight sight{strokes_[stroke_], vehicle_, state, offset, behind_, towing};
   const double wanted = controller_.steering_angle(sight);
   return {wanted, acceleration(sight, wanted), strokes_[stroke_].direction(), stroke_};
 }
@@ -229,7 +272,7 @@ Command Drive::command_at(const State& state, const Offset& offset) {
 void Drive::execute(const Command& command) {
   if (command.stroke != real_stroke_) {
     real_stroke_ = command.stroke;
-    offset_ = strokes_[real_stroke_].offset_of(pose_, 0.0);
+    offset_ = strokes_[real_stroke_].offset_of(real_.pose, 0.0);
   }
   const Stroke& stroke = strokes_[real_stroke_];
   const double rate = steering_rate(state_, command, vehicle_);
@@ -237,15 +280,16 @@ void Drive::execute(const Command& command) {
     const Moved moved = step(state_, command, rate, vehicle_);
     t_ += step_duration;
     if (moved.length == 0.0) continue;
-    state_.pose = advance(state_.pose, arc_of(moved, vehicle_));
+    move_on(state_, moved, vehicle_);
     const Segment arc = arc_of(moved, vehicle_, error_);
-    const Pose from = pose_;
-    pose_ = advance(from, arc);
+    const RigState from = real_;
+    real_ = moved_by(vehicle_, from, arc);
     const double way = std::abs(arc.length);
-    offset_ = stroke.offset_of(pose_, offset_.place.s + way);
-    errors_.add(stroke, offset_, pose_, way);
-    if (auto what = watch_.look(from, arc, pose_)) {
-      result_.contact = Contact{t_, place_on_path(), in_scenario(pose_), *std::move(what)};
+    offset_ = stroke.offset_of(real_.pose, offset_.place.s + way);
+    errors_.add(stroke, offset_, real_.pose, way);
+    if (vehicle_.trailer) errors_.add_trailer(planned(offset_.place.s), real_, way);
+    if (auto what = watch_.look(from, arc, real_)) {
+      result_.contact = Contact{t_, place_on_path(), in_scenario(real_.pose), *std::move(what)};
     }
   }
 }
@@ -253,25 +297,32 @@ void Drive::execute(const Command& command) {
 /// Where the vehicle believes to be goes a little towards where it is measured to be.
 void Drive::correct_estimate() {
   if (options_.noise == 0.0) return;
-  const Pose seen = measured(pose_, options_.noise, rng_);
+  const Pose seen = measured(real_.pose, options_.noise, rng_);
   Pose& pose = state_.pose;
   pose.x += correction * (seen.x - pose.x);
   pose.y += correction * (seen.y - pose.y);
   pose.heading = wrap_angle(pose.heading + correction * wrap_angle(seen.heading - pose.heading));
+  if (!vehicle_.trailer) return;
+  const double angle = measured_hitch_angle(real_.hitch_angle, options_.noise, rng_);
+  state_.hitch_angle =
+      wrap_angle(state_.hitch_angle + correction * wrap_angle(angle - state_.hitch_angle));
 }
 
 void Drive::log(const Command& wanted) {
   if (!options_.keep_log) return;
+  const auto hitch_angle =
+      vehicle_.trailer ? std::optional(real_.hitch_angle) : std::optional<double>();
   result_.log.push_back({.t = t_,
                          .s = place_on_path(),
-                         .pose = in_scenario(pose_),
+                         .pose = in_scenario(real_.pose),
                          .direction = state_.direction,
                          .v = state_.direction * state_.v + 0.0,  // no -0
                          .steering_angle = state_.steering_angle,
                          .wanted_steering = wanted.steering_angle,
                          .wanted_acceleration = wanted.acceleration,
                          .lateral_error = offset_.lateral,
-                         .heading_error = offset_.heading});
+                         .heading_error = offset_.heading,
+                         .hitch_angle = hitch_angle});
 }
 
 /// Whether the vehicle stands and nothing is decided that would change that.
@@ -283,10 +334,10 @@ bool Drive::has_ended() const {
 DriveResult Drive::run() {
   // Whoever takes so long goes in circles.
   const double most = 3 * result_.planned_duration + 60 + options_.delay;
-  if (auto what = watch_.look(pose_, Segment{}, pose_)) {
-    result_.contact = Contact{0.0, 0.0, in_scenario(pose_), *std::move(what)};
+  if (auto what = watch_.look(real_, Segment{}, real_)) {
+    result_.contact = Contact{0.0, 0.0, in_scenario(real_.pose), *std::move(what)};
   }
-  offset_ = strokes_.front().offset_of(pose_, 0.0);
+  offset_ = strokes_.front().offset_of(real_.pose, 0.0);
   while (t_ < most) {
     correct_estimate();
     const Command wanted = decide();
@@ -306,9 +357,15 @@ void Drive::finish() {
   result_.duration = t_;
   result_.clearance = watch_.clearance();
   result_.out_of_bounds = watch_.out_of_bounds();
-  const Pose end = relative(strokes_.back().end(), pose_);
+  const Stroke& last = strokes_.back();
+  const Pose end = relative(last.end(), real_.pose);
   result_.end_distance = std::sqrt(end.x * end.x + end.y * end.y);
   result_.end_heading = std::abs(end.heading);
+  if (!result_.trailer) return;
+  const RigState wanted{last.end(), towing_.back().hitch_angle_at(last.length())};
+  const Pose behind = relative(trailer_pose(vehicle_, wanted), trailer_pose(vehicle_, real_));
+  result_.trailer->end_distance = std::sqrt(behind.x * behind.x + behind.y * behind.y);
+  result_.trailer->end_heading = std::abs(behind.heading);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/trigonometry.h"
+#include "drive/plant.h"
 #include "drive/watch.h"
 #include "vandplan/drive.h"
 #include "vandplan/speed.h"
@@ -62,14 +63,16 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
   const double rate = relaxed * vehicle.limits.max_steering_rate;
   Watch watch(problem);
   Execution result{.passes = true, .reason = too_sharp(path, vehicle)};
-  Pose pose = to_local(*problem.world(), path.start);
-  const auto look = [&](const Segment& arc, const Pose& to) {
-    const auto what = watch.look(pose, arc, to);
+  RigState state{to_local(*problem.world(), path.start), problem.hitch_angles().start};
+  RigState wanted = state;  // at the end
+  for (const Segment& segment : path.segments) wanted = moved_by(vehicle, wanted, segment);
+  const auto look = [&](const Segment& arc, const RigState& to) {
+    const auto what = watch.look(state, arc, to);
     if (what && result.reason.empty()) {
       result.reason = text("after %.2f s %s", result.duration, what->c_str());
     }
   };
-  look({}, pose);
+  look({}, state);
   double wheels = steering_angle(vehicle, problem.curvatures().start);
   auto gap = left_out.begin();
   for (std::size_t i = 0; i + 1 < motions.size(); ++i) {
@@ -82,20 +85,26 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
     const auto [sin, cos] = base::sin_cos(wheels + turned / 2);
     const double way = next.s - now.s;
     const Segment arc{sin / cos / vehicle.wheelbase, way > 0.0 ? now.direction * way : 0.0};
-    const Pose to = advance(pose, arc);
+    const RigState to = moved_by(vehicle, state, arc);
     result.duration += next.t - now.t;
     wheels += turned;
     if (way > 0.0) look(arc, to);
-    pose = to;
+    state = to;
   }
-  const Pose end = relative(to_local(*problem.world(), end_pose(path)), pose);
+  const Pose end = relative(wanted.pose, state.pose);
   result.end_distance = std::sqrt(end.x * end.x + end.y * end.y);
   result.end_heading = std::abs(end.heading);
-  const bool ends =
-      result.end_distance <= end_tolerance && result.end_heading <= end_turn_tolerance;
-  if (result.reason.empty() && !ends) {
-    result.reason = text("ends %.3g m and %.3g degrees away", result.end_distance,
-                         result.end_heading * 180 / std::numbers::pi);
+  const auto expect_end = [&](const char* what, double distance, double turn) {
+    if (!result.reason.empty()) return;
+    if (distance <= end_tolerance && turn <= end_turn_tolerance) return;
+    result.reason =
+        text("%sends %.3g m and %.3g degrees away", what, distance, turn * 180 / std::numbers::pi);
+  };
+  expect_end("", result.end_distance, result.end_heading);
+  if (vehicle.trailer) {
+    const Pose behind = relative(trailer_pose(vehicle, wanted), trailer_pose(vehicle, state));
+    expect_end("the trailer ", std::sqrt(behind.x * behind.x + behind.y * behind.y),
+               std::abs(behind.heading));
   }
   result.passes = result.reason.empty();
   return result;

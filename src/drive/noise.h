@@ -13,6 +13,7 @@ namespace vandplan::driving {
 /// Standard deviations at noise 1.
 inline constexpr double position_noise = 0.02;                           ///< along x and y [m]
 inline constexpr double heading_noise = 0.2 * std::numbers::pi / 180;    ///< [rad]
+inline constexpr double hitch_noise = heading_noise;                     ///< of a hitch angle
 inline constexpr double steering_offset = 0.2 * std::numbers::pi / 180;  ///< [rad]
 inline constexpr double share_noise = 0.01;  ///< of the steering angle, and of the speed
 
@@ -38,6 +39,11 @@ inline constexpr double share_noise = 0.01;  ///< of the steering angle, and of 
   const double x = pose.x + noise * position_noise * normal(rng);
   const double y = pose.y + noise * position_noise * normal(rng);
   return {x, y, wrap_angle(pose.heading + noise * heading_noise * normal(rng))};
+}
+
+/// The angle between vehicle and trailer, as it is measured.
+[[nodiscard]] inline double measured_hitch_angle(double angle, double noise, Rng& rng) {
+  return wrap_angle(angle + noise * hitch_noise * normal(rng));
 }
 
 }  // namespace vandplan::driving

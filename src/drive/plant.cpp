@@ -46,10 +46,21 @@ Segment arc_of(const Moved& moved, const Vehicle& vehicle, const ActuatorError& 
   return {sin / cos / vehicle.wheelbase, moved.length * (1 + error.speed_share)};
 }
 
+RigState moved_by(const Vehicle& vehicle, const RigState& from, const Segment& arc) noexcept {
+  if (vehicle.trailer) return advance(vehicle, from, arc);
+  return {advance(from.pose, arc), 0.0};
+}
+
+void move_on(State& state, const Moved& moved, const Vehicle& vehicle) noexcept {
+  const RigState there = moved_by(vehicle, {state.pose, state.hitch_angle}, arc_of(moved, vehicle));
+  state.pose = there.pose;
+  state.hitch_angle = there.hitch_angle;
+}
+
 State after_period(State state, const Command& command, const Vehicle& vehicle) noexcept {
   const double rate = steering_rate(state, command, vehicle);
   for (int i = 0; i < steps_per_period; ++i) {
-    state.pose = advance(state.pose, arc_of(step(state, command, rate, vehicle), vehicle));
+    move_on(state, step(state, command, rate, vehicle), vehicle);
   }
   return state;
 }

@@ -6,8 +6,7 @@
 // Eq. 1 of the thesis, x' = v cos h, y' = v sin h, h' = v tan(phi) / wheelbase, with wheels, engine
 // and brakes that do no more than they can.
 
-#include "vandplan/path.h"
-#include "vandplan/vehicle.h"
+#include "vandplan/rig.h"
 
 namespace vandplan::driving {
 
@@ -18,6 +17,7 @@ inline constexpr double step_duration = control_period / steps_per_period;  ///<
 /// A vehicle that moves. Its pose may be what it believes; all the rest it knows.
 struct State {
   Pose pose = {};
+  double hitch_angle = 0.0;     ///< of its trailer [rad]; it may be what it believes, too
   double v = 0.0;               ///< as its wheels turn, in its gear [m/s]; >= 0
   int direction = 1;            ///< gear: 1 forward, -1 reverse
   double steering_angle = 0.0;  ///< as the steering says [rad]
@@ -63,6 +63,13 @@ struct Moved {
 /// The arc that is really driven.
 [[nodiscard]] Segment arc_of(const Moved& moved, const Vehicle& vehicle,
                              const ActuatorError& error = {}) noexcept;
+
+/// Where a vehicle gets by an arc, and its trailer if it has one.
+[[nodiscard]] RigState moved_by(const Vehicle& vehicle, const RigState& from,
+                                const Segment& arc) noexcept;
+
+/// Moves the vehicle along the arc that it believes to drive.
+void move_on(State& state, const Moved& moved, const Vehicle& vehicle) noexcept;
 
 /// The state after one control period, if the vehicle moves as it believes.
 [[nodiscard]] State after_period(State state, const Command& command,

@@ -45,35 +45,59 @@ Watch::Watch(const Problem& problem)
     : world_(unbounded(*problem.world())),
       vehicle_(problem.vehicle()),
       bounds_(problem.world()->local().bounds) {
-  // The judge is asked about the footprint alone: whatever the wheels do, it is not too sharp.
+  // The judge is asked about the footprint alone: whatever the wheels do, it is not too sharp, and
+  // how far a trailer may fold up is asked here.
   vehicle_.min_turning_radius = 1e-3;
+  most_hitch_angle_ = vehicle_.max_hitch_angle;
+  vehicle_.max_hitch_angle = 3.14;
   checker_ = world_->checker(vehicle_);
   for (const Footprint& part : {footprint(vehicle_), wheel_footprint(vehicle_)}) {
     const double x = std::max(part.rear, part.front);
     reach_ = std::max(reach_, std::sqrt(x * x + part.half_width * part.half_width));
   }
+  if (!vehicle_.trailer) return;
+  const double axle = vehicle_.trailer->wheelbase;
+  for (const auto& [x, y] : body_outline(*vehicle_.trailer)) {
+    trailer_reach_ = std::max(trailer_reach_, std::sqrt((x - axle) * (x - axle) + y * y));
+  }
 }
 
-void Watch::look_at(const Pose& pose) {
+/// No point of the vehicle or its trailer moves further on an arc [m].
+double Watch::most_moved(const Segment& arc) const noexcept {
+  const double way = std::abs(arc.length);
+  const double bend = std::abs(arc.curvature);
+  const double vehicle = way * (1 + reach_ * bend);
+  if (!vehicle_.trailer) return vehicle;
+  // The hitch moves so far, and the trailer turns around it by no more than that over its length.
+  const double hitch = way * (1 + std::abs(vehicle_.hitch) * bend);
+  return std::max(vehicle, hitch * (1 + trailer_reach_ / vehicle_.trailer->wheelbase));
+}
+
+void Watch::look_at(const RigState& state) {
   constexpr double further = 2.0;  // than the least clearance so far [m]
   const double most = std::isinf(least_) ? 1e3 : least_ + further;
-  const double clearance = checker_->clearance(pose, most);
+  const double clearance = checker_->rig_clearance(state, most);
   if (clearance < most) least_ = std::min(least_, clearance);
   free_ = clearance;
   nothing_ = std::isinf(least_) ? clearance : clearance - least_;
 }
 
-std::optional<std::string> Watch::look(const Pose& from, const Segment& arc, const Pose& to) {
-  const double way = std::abs(arc.length);
-  outside_ = std::max(outside_, distance_outside(bounds_, to));
+std::optional<std::string> Watch::look(const RigState& from, const Segment& arc,
+                                       const RigState& to) {
+  constexpr double rounding = 1e-6;  // of a hitch angle [rad]
+  outside_ = std::max(outside_, distance_outside(bounds_, to.pose));
   if (has_touched_) return std::nullopt;
-  // No point of the vehicle moves further than this.
-  const double moved = way * (1 + reach_ * std::abs(arc.curvature));
+  if (std::abs(to.hitch_angle) > most_hitch_angle_ + rounding) {
+    has_touched_ = true;
+    least_ = 0.0;
+    return "the rig folds up (jackknife)";
+  }
+  const double moved = most_moved(arc);
   const bool was_free = moved < free_ - CollisionChecker::tolerance;
   free_ -= moved;
   nothing_ -= moved;
-  if (!was_free && !checker_->is_free(from, arc)) {
-    std::string what = touched(from, arc);
+  if (!was_free && !checker_->rig_is_free(from, arc)) {
+    std::string what = touched(from, arc, to);
     if (!what.empty()) {
       has_touched_ = true;
       least_ = 0.0;
@@ -85,9 +109,10 @@ std::optional<std::string> Watch::look(const Pose& from, const Segment& arc, con
 }
 
 /// The judge's word on one arc; empty if it finds nothing wrong.
-std::string Watch::touched(const Pose& from, const Segment& arc) const {
-  const Path path{from, {arc}};
-  const Problem problem = make_problem(world_, vehicle_, from, end_pose(path));
+std::string Watch::touched(const RigState& from, const Segment& arc, const RigState& to) const {
+  const Path path{from.pose, {arc}};
+  const Problem problem = make_problem(world_, vehicle_, from.pose, end_pose(path), {},
+                                       {from.hitch_angle, to.hitch_angle});
   return check_path(problem, path).reason;
 }
 

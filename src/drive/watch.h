@@ -13,6 +13,7 @@
 
 #include "vandplan/collision.h"
 #include "vandplan/problem.h"
+#include "vandplan/rig.h"
 
 namespace vandplan::driving {
 
@@ -22,8 +23,9 @@ class Watch {
   explicit Watch(const Problem& problem);
 
   /// Looks at an arc that is driven from `from` to `to`. What is touched, the first time that
-  /// something is: "the footprint hits obstacles[3]".
-  std::optional<std::string> look(const Pose& from, const Segment& arc, const Pose& to);
+  /// something is: "the footprint hits obstacles[3]". A trailer that folds up beyond its limit
+  /// touches its tractor.
+  std::optional<std::string> look(const RigState& from, const Segment& arc, const RigState& to);
 
   /// The least clearance at the poses so far, 0 after a contact; infinite without things [m].
   [[nodiscard]] double clearance() const noexcept { return least_; }
@@ -31,14 +33,18 @@ class Watch {
   [[nodiscard]] double out_of_bounds() const noexcept { return outside_; }
 
  private:
-  void look_at(const Pose& pose);
-  [[nodiscard]] std::string touched(const Pose& from, const Segment& arc) const;
+  void look_at(const RigState& state);
+  [[nodiscard]] double most_moved(const Segment& arc) const noexcept;
+  [[nodiscard]] std::string touched(const RigState& from, const Segment& arc,
+                                    const RigState& to) const;
 
   std::shared_ptr<const World> world_;  // without bounds
   std::shared_ptr<const CollisionChecker> checker_;
   Vehicle vehicle_;
   Bounds bounds_;
-  double reach_ = 0.0;  // of footprint and wheels [m]
+  double most_hitch_angle_ = 0.0;
+  double reach_ = 0.0;          // of footprint and wheels [m]
+  double trailer_reach_ = 0.0;  // of the trailer from its hitch [m]
   double least_ = std::numeric_limits<double>::infinity();
   double free_ = 0.0;     // so far may any point of the vehicle move without touching [m]
   double nothing_ = 0.0;  // and so far without being nearer than ever [m]

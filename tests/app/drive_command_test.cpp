@@ -8,6 +8,7 @@
 
 #include "support/process.h"
 #include "support/yard.h"
+#include "vandplan/rig.h"
 
 namespace vandplan {
 namespace {
@@ -111,6 +112,36 @@ TEST_F(DriveCommand, JsonHoldsAllOfManyRuns) {
     largest = std::max(largest, Json::parse(one.out).at("outline_deviation").get<double>());
   }
   EXPECT_EQ(json.at("outline_deviation"), largest);
+}
+
+// The trailer begins at an angle that two metres ahead and five back make larger.
+TEST_F(DriveCommand, ATrailerIsDrivenToo) {
+  std::string rig = replaced(
+      scenario(), "min_turning_radius: 7.0}",
+      "min_turning_radius: 7.0, hitch: 0.3, trailers: [{wheelbase: 8.1, front_overhang: 1.2, "
+      "rear_overhang: 4.3, width: 2.55}]}");
+  rig = replaced(rig, "start: {x: 0, y: 0, heading: 0}",
+                 "start: {x: 0, y: 0, heading: 0, hitch_angles: [0.1]}");
+  Vehicle vehicle;
+  vehicle.hitch = 0.3;
+  vehicle.trailer = Trailer{.wheelbase = 8.1};
+  const double angle = hitch_angle_after(vehicle, 0.1, {0, -3});
+  write_content(scenario_, replaced(rig, "goal: {x: -3, y: 0, heading: 0}",
+                                    "goal: {x: -3, y: 0, heading: 0, hitch_angles: [" +
+                                        std::to_string(angle) + "]}"));
+  const Outcome said = drive();
+  EXPECT_EQ(said.status, 0) << said.err << said.out;
+  EXPECT_NE(said.out.find("yard: lqr: no contact\n"), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("  trailer: at most "), std::string::npos) << said.out;
+  const Json json = Json::parse(drive({"--noise", "1", "--runs", "3", "--json"}).out);
+  EXPECT_EQ(json.at("controller"), "lqr");
+  EXPECT_GT(json.at("trailer").at("largest_lateral"), json.at("trailer").at("rms_lateral"));
+  EXPECT_LT(json.at("trailer").at("largest_lateral").get<double>(), 0.1);
+  EXPECT_GT(json.at("trailer").at("hitch_deviation").get<double>(), 0);
+  const std::string log = drive({"--output", "-"}).out;
+  EXPECT_NE(log.find("heading_error,hitch_angle\n"), std::string::npos);
+  EXPECT_NEAR(std::stod(log.substr(log.rfind(',') + 1)), angle, 1e-4);
+  EXPECT_EQ(drive({"--controller", "stanley"}).status, 2);
 }
 
 TEST_F(DriveCommand, AContactFailsAndIsSaid) {

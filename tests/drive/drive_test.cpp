@@ -71,7 +71,7 @@ TEST(Drive, ListsItsControllers) {
   for (const ControllerInfo& info : controllers()) names.push_back(info.name);
   EXPECT_EQ(names, (std::vector<std::string_view>{"rear-axle-feedback", "lqr", "pure-pursuit",
                                                   "stanley"}));
-  EXPECT_EQ(DriveOptions{}.controller, names.front());
+  EXPECT_EQ(usual_controller({}), names.front());
 }
 
 TEST_P(EveryController, ALineIsDrivenAsTheSpeedsSay) {
