@@ -2,11 +2,37 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/grown_tree.h"
 
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "planners/rig/closer.h"
 #include "planners/tree_parts.h"
 
 namespace vandplan::planning {
 
 using namespace search;
+
+namespace {
+
+/// Whether what rounding does to a hitch angle somewhere on the way grows beyond what the judge
+/// allows at its end, where it should be at `states` before and after the segments.
+bool runs_away(const Vehicle& vehicle, std::span<const RigState> states,
+               std::span<const Segment> segments) {
+  constexpr double most_growth = 1e5;
+  constexpr double tick = 1e-6;  // for derivatives [rad]
+  double growth = 1.0;
+  for (std::size_t i = segments.size(); i-- > 0;) {
+    const double angle = states[i].hitch_angle;
+    growth *= (hitch_angle_after(vehicle, angle + tick, segments[i]) -
+               hitch_angle_after(vehicle, angle - tick, segments[i])) /
+              (2 * tick);
+    if (!(std::abs(growth) < most_growth)) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 GrownTree::GrownTree(const Task& task, const PlanOptions& options, Estimate estimate, RankBy by)
     : task_(task),
@@ -15,7 +41,18 @@ GrownTree::GrownTree(const Task& task, const PlanOptions& options, Estimate esti
       connector_(task, {}, profile_),
       tree_(task.start, max_nodes_),
       ranking_(tree_, connector_.radius(), max_nodes_, estimate, by),
-      ranking_time_(profile_) {}
+      ranking_time_(profile_),
+      rig_steering_time_(profile_),
+      rig_checking_time_(profile_) {
+  if (!task.vehicle.trailer) return;
+  rig_.emplace(task.vehicle);
+  hitch_angles_.reserve(max_nodes_);
+  hitch_angles_.push_back(task.hitch_angles.start);
+}
+
+RigState GrownTree::state(NodeId node) const {
+  return {tree_.pose(node), rig_ ? hitch_angles_[static_cast<std::size_t>(node)] : 0.0};
+}
 
 const std::vector<Candidate>& GrownTree::first(std::size_t count, const Pose& sample) {
   ranking_time_.start();
@@ -24,33 +61,78 @@ const std::vector<Candidate>& GrownTree::first(std::size_t count, const Pose& sa
   return candidates;
 }
 
-std::optional<Adoption> GrownTree::try_edge(NodeId node, const Pose& to, double cutoff) {
+std::optional<Adoption> GrownTree::try_edge(NodeId node, const RigState& to, double cutoff) {
+  if (rig_) return try_rig_edge(node, to, cutoff);
   const auto edge =
-      edge_between(connector_, tree_.pose(node), to, tree_.cost_to_come(node), cutoff);
+      edge_between(connector_, tree_.pose(node), to.pose, tree_.cost_to_come(node), cutoff);
   if (!edge) return std::nullopt;
   return Adoption{node, edge->cost};
 }
 
-NodeId GrownTree::add(const Pose& pose, const Adoption& adoption) {
-  const NodeId added = tree_.add(pose, adoption.parent, adoption.cost_to_come);
+// An edge is steered again in the end: it is the same one if nothing cuts the search for it short.
+std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const RigState& to, double cutoff) {
+  rig_steering_time_.start();
+  ++rig_solves_;
+  const std::optional<Piece> piece = rig_->steer(state(node), to);
+  rig_steering_time_.stop();
+  if (!piece) return std::nullopt;
+  const double cost = tree_.cost_to_come(node) + piece->length;
+  if (cost >= cutoff) return std::nullopt;
+  rig_checking_time_.start();
+  ++rig_checks_;
+  const bool is_free = task_.checker->rig_is_free(state(node), piece->view());
+  rig_checking_time_.stop();
+  if (!is_free) return std::nullopt;
+  return Adoption{node, cost};
+}
+
+NodeId GrownTree::add(const RigState& state, const Adoption& adoption) {
+  const NodeId added = tree_.add(state.pose, adoption.parent, adoption.cost_to_come);
+  if (rig_) hitch_angles_.push_back(state.hitch_angle);
   ranking_.add_last();
   return added;
+}
+
+bool GrownTree::keep_way(const Adoption& to_goal) {
+  if (!rig_) return true;
+  std::vector<RigState> states = {goal()};
+  for (NodeId node = to_goal.parent; node >= 0; node = tree_.parent(node)) {
+    states.push_back(state(node));
+  }
+  std::vector<Segment> way;
+  for (std::size_t i = states.size() - 1; i > 0; --i) {
+    const std::optional<Piece> piece = rig_->steer(states[i], states[i - 1]);
+    way.insert(way.end(), piece->view().begin(), piece->view().end());
+  }
+  rig::Closer closer(task_.vehicle);
+  if (!closer.close(state(0), way, goal())) return false;
+  if (runs_away(task_.vehicle, closer.states(), way)) return false;
+  std::erase_if(way, [](const Segment& segment) { return segment.length == 0.0; });
+  if (!task_.checker->rig_is_free(state(0), way)) return false;
+  way_ = std::move(way);
+  return true;
 }
 
 void GrownTree::report(const PlanOptions& options, const Adoption& best, PlanStatus unsolved,
                        PlannerAnswer& answer) {
   answer.status = unsolved;
   if (best.parent >= 0) {
-    std::vector<Pose> poses = tree_.branch(best.parent);
-    poses.push_back(task_.goal);
     answer.status = PlanStatus::solved;
-    answer.segments = segments_along(connector_, poses);
+    if (rig_) {
+      answer.segments = way_;
+    } else {
+      std::vector<Pose> poses = tree_.branch(best.parent);
+      poses.push_back(task_.goal);
+      answer.segments = segments_along(connector_, poses);
+    }
   }
-  answer.counters = counters_of(tree_.size(), connector_, ranking_.exact_solves());
+  answer.counters =
+      counters_of(tree_.size(), connector_.solves() + rig_solves_ + ranking_.exact_solves(),
+                  connector_.checks() + rig_checks_);
   if (profile_) {
     answer.phases = {{"ranking", ranking_time_.seconds()},
-                     {"steering", connector_.steering_time()},
-                     {"checking", connector_.checking_time()}};
+                     {"steering", connector_.steering_time() + rig_steering_time_.seconds()},
+                     {"checking", connector_.checking_time() + rig_checking_time_.seconds()}};
   }
   if (options.planner.flag("keep_tree")) answer.tree = tree_.snapshot();
 }

@@ -10,17 +10,19 @@
 #include "search/ranking.h"
 #include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
+#include "vandplan/rig_steering.h"
 #include "vandplan/search.h"
 
 namespace vandplan::planning {
 
-/// A parent for a pose, and what the pose then costs.
+/// A parent for a state, and what the state then costs.
 struct Adoption {
   search::NodeId parent = -1;
   double cost_to_come = std::numeric_limits<double>::infinity();
 };
 
-/// A tree, how its edges are made, and which of its nodes are tried first.
+/// A tree, how its edges are made, and which of its nodes are tried first. With a trailer nodes are
+/// states of the rig, and edges those of `RigSteering`; nodes are ranked by their poses.
 class GrownTree {
  public:
   /// Of the start alone. The task outlives it.
@@ -29,19 +31,29 @@ class GrownTree {
 
   /// The first `count` nodes in order; valid until the next call.
   const std::vector<search::Candidate>& first(std::size_t count, const Pose& sample);
-  /// The edge from a node to a pose, if it is free and reaches the pose below the cutoff of cost.
-  std::optional<Adoption> try_edge(search::NodeId node, const Pose& to,
+  /// The edge from a node to a state, if it is free and reaches the state below the cutoff of cost.
+  std::optional<Adoption> try_edge(search::NodeId node, const RigState& to,
                                    double cutoff = std::numeric_limits<double>::infinity());
-  search::NodeId add(const Pose& pose, const Adoption& adoption);
+  search::NodeId add(const RigState& state, const Adoption& adoption);
+  /// Whether the edge to the goal makes a way that can be driven, which is kept then. Without a
+  /// trailer any does. A trailer in reverse runs away from rounding, edge after edge: its way is
+  /// bent until it ends at the goal, and looked at again.
+  bool keep_way(const Adoption& to_goal);
+  /// What the task wants to reach.
+  [[nodiscard]] RigState goal() const { return {task_.goal, task_.hitch_angles.goal}; }
   [[nodiscard]] bool is_full() const { return tree_.size() >= max_nodes_; }
   [[nodiscard]] const search::Tree& nodes() const { return tree_; }
 
   /// Fills in what was found, counted and measured, and the tree if it is wanted; `best` is the
-  /// node before the goal, if there is one, and `unsolved` the status if there is none.
+  /// node before the goal whose way was kept last, if there is one, and `unsolved` the status if
+  /// there is none.
   void report(const PlanOptions& options, const Adoption& best, PlanStatus unsolved,
               PlannerAnswer& answer);
 
  private:
+  std::optional<Adoption> try_rig_edge(search::NodeId node, const RigState& to, double cutoff);
+  [[nodiscard]] RigState state(search::NodeId node) const;
+
   const Task& task_;
   std::size_t max_nodes_;
   bool profile_;
@@ -49,6 +61,12 @@ class GrownTree {
   search::Tree tree_;
   search::Ranking ranking_;
   search::PhaseTimer ranking_time_;
+  // With a trailer:
+  std::optional<RigSteering> rig_;
+  std::vector<double> hitch_angles_;  // of all nodes [rad]
+  std::vector<Segment> way_;          // to the goal, if one is kept
+  std::int64_t rig_solves_ = 0, rig_checks_ = 0;
+  search::PhaseTimer rig_steering_time_, rig_checking_time_;
 };
 
 }  // namespace vandplan::planning

@@ -98,17 +98,17 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, Selection selec
       break;
     }
     const auto [sample, is_goal] = sampler.next();                        // [2]
-    const std::vector<Candidate>& near = tree.first(count, sample);       // [3]
+    const std::vector<Candidate>& near = tree.first(count, sample.pose);  // [3]
     const auto parent = select(selection, near, quality, sampler.rng());  // [4]
     refused += parent ? 0 : 1;
     if (!parent) continue;
     std::optional<Adoption> to_goal;
     if (is_goal) {
-      to_goal = tree.try_edge(*parent, task.goal, best.cost_to_come);
+      to_goal = tree.try_edge(*parent, sample, best.cost_to_come);
     } else if (const auto edge = tree.try_edge(*parent, sample)) {
       const NodeId added = tree.add(sample, *edge);  // [5]
-      quality.add(sample, edge->cost_to_come);
-      if (try_goal) to_goal = tree.try_edge(added, task.goal, best.cost_to_come);  // [6]
+      quality.add(sample.pose, edge->cost_to_come);
+      if (try_goal) to_goal = tree.try_edge(added, tree.goal(), best.cost_to_come);  // [6]
     }
     if (!to_goal) continue;
     best = *to_goal;  // [7]

@@ -85,6 +85,7 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
                                  .search = search,
                                  .tries_goal = tries_goal,
                                  .honours_steering = true,
+                                 .honours_trailers = true,
                                  .anytime = true},
                   .options = rrt::options(tries_goal),
                   .function = [variant](const Task& task, const PlanOptions& options) {

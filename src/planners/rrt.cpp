@@ -19,9 +19,9 @@ RankBy rank_by(Strategy strategy) {
 }
 
 // Steps [3] and [4] of the tree.
-std::optional<Adoption> adopt(GrownTree& tree, const Pose& sample, std::size_t max_parents) {
+std::optional<Adoption> adopt(GrownTree& tree, const RigState& sample, std::size_t max_parents) {
   std::optional<Adoption> best;
-  for (const Candidate& candidate : tree.first(max_parents, sample)) {
+  for (const Candidate& candidate : tree.first(max_parents, sample.pose)) {
     if (best && best->cost_to_come <= static_cast<double>(candidate.rank)) break;
     const double cutoff = best ? best->cost_to_come : Adoption{}.cost_to_come;
     if (auto edge = tree.try_edge(candidate.id, sample, cutoff)) best = edge;
@@ -80,10 +80,10 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, Variant variant
     if (is_goal) {
       to_goal = adoption;
     } else {
-      const NodeId added = tree.add(sample, *adoption);                            // [5]
-      if (try_goal) to_goal = tree.try_edge(added, task.goal, best.cost_to_come);  // [6]
+      const NodeId added = tree.add(sample, *adoption);                              // [5]
+      if (try_goal) to_goal = tree.try_edge(added, tree.goal(), best.cost_to_come);  // [6]
     }
-    if (to_goal && to_goal->cost_to_come < best.cost_to_come) {
+    if (to_goal && to_goal->cost_to_come < best.cost_to_come && tree.keep_way(*to_goal)) {
       best = *to_goal;  // [7]
       answer.anytime.push_back({budget.elapsed(), budget.iterations(), best.cost_to_come});
     }

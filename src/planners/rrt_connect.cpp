@@ -97,7 +97,8 @@ class Trees {
 
   // What was counted and measured, and both trees if they are wanted.
   void report(const PlanOptions& options, PlannerAnswer& answer) const {
-    answer.counters = planning::counters_of(order_.size(), connector_, nearest_solves_);
+    answer.counters = planning::counters_of(order_.size(), connector_.solves() + nearest_solves_,
+                                            connector_.checks());
     if (profile_) {
       answer.phases = {{"ranking", ranking_time_.seconds()},
                        {"steering", connector_.steering_time()},

@@ -152,7 +152,8 @@ class Run {
       answer.status = PlanStatus::solved;
       answer.segments = planning::segments_along(connector_, poses);
     }
-    answer.counters = planning::counters_of(tree_.size(), connector_, nearest_solves_);
+    answer.counters = planning::counters_of(tree_.size(), connector_.solves() + nearest_solves_,
+                                            connector_.checks());
     answer.counters.push_back({"rewired", rewired_});
     if (profile_) {
       answer.phases = {{"ranking", ranking_time_.seconds()},
@@ -209,7 +210,8 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
       answer.status = budget.reason();
       break;
     }
-    const auto [sample, is_goal] = sampler.next(run.region_of_use(sampler.region()));  // [2]
+    const auto [state, is_goal] = sampler.next(run.region_of_use(sampler.region()));  // [2]
+    const Pose& sample = state.pose;
     if (!run.is_of_use(sample)) continue;
     const std::optional<Pose> pose = is_goal ? sample : run.towards(sample);  // [3]
     if (!pose) continue;

@@ -15,14 +15,20 @@ constexpr double least_part = 0.1;  // of the range, of a way that is cut
 }  // namespace
 
 Sampler::Sampler(const Task& task, const PlanOptions& options)
-    : goal_(task.goal),
+    : goal_{task.goal, task.hitch_angles.goal},
+      most_hitch_angle_(task.vehicle.trailer ? task.vehicle.max_hitch_angle : 0.0),
       region_(sampling_region(task, region_of(options))),
       goal_bias_(options.planner.number("goal_bias")),
       rng_(options.budget.seed) {}
 
 Sample Sampler::next(const Bounds& box) {
-  const bool is_goal = uniform01(rng_) < goal_bias_;
-  return {is_goal ? goal_ : uniform_pose(box, rng_), is_goal};
+  if (uniform01(rng_) < goal_bias_) return {goal_, true};
+  RigState state{uniform_pose(box, rng_)};
+  if (most_hitch_angle_ > 0.0) {
+    const double share = uniform(-1.0, 1.0, rng_);
+    state.hitch_angle = most_hitch_angle_ * share * share * share;
+  }
+  return {state, false};
 }
 
 std::optional<Connection> edge_between(Connector& connector, const Pose& from, const Pose& to,
@@ -55,11 +61,10 @@ std::vector<Segment> segments_along(Connector& connector, const std::vector<Pose
   return merged(segments);
 }
 
-std::vector<Counter> counters_of(std::size_t nodes, const Connector& connector,
-                                 std::int64_t found) {
+std::vector<Counter> counters_of(std::size_t nodes, std::int64_t solves, std::int64_t checks) {
   return {{"nodes", static_cast<std::int64_t>(nodes)},
-          {"exact_solves", connector.solves() + found},
-          {"edge_checks", connector.checks()}};
+          {"exact_solves", solves},
+          {"edge_checks", checks}};
 }
 
 OptionInfo goal_bias_option() {

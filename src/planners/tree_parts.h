@@ -11,17 +11,20 @@
 #include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/random.h"
+#include "vandplan/rig.h"
 #include "vandplan/search.h"
 
 namespace vandplan::planning {
 
-/// A random pose to reach, or the goal.
+/// A random state to reach, or the goal; its hitch angle is 0 without a trailer.
 struct Sample {
-  Pose pose;
+  RigState state;
   bool is_goal;
 };
 
-/// Draws what the options "region" and "goal_bias" say, with the run's seed.
+/// Draws what the options "region" and "goal_bias" say, with the run's seed. Poses are drawn
+/// evenly; hitch angles are the limit times the cube of an even number from -1 to 1: half of them
+/// are below an eighth of the limit.
 class Sampler {
  public:
   Sampler(const Task& task, const PlanOptions& options);
@@ -33,7 +36,8 @@ class Sampler {
   [[nodiscard]] Rng& rng() { return rng_; }
 
  private:
-  Pose goal_;
+  RigState goal_;
+  double most_hitch_angle_;  // 0 without a trailer
   Bounds region_;
   double goal_bias_;
   Rng rng_;
@@ -54,10 +58,9 @@ class Sampler {
 [[nodiscard]] std::vector<Segment> segments_along(search::Connector& connector,
                                                   const std::vector<Pose>& poses);
 
-/// What was counted in a run with so many nodes: `found` exact lengths found nearest nodes.
-[[nodiscard]] std::vector<Counter> counters_of(std::size_t nodes,
-                                               const search::Connector& connector,
-                                               std::int64_t found);
+/// What was counted in a run: nodes, exact lengths worked out, edges checked.
+[[nodiscard]] std::vector<Counter> counters_of(std::size_t nodes, std::int64_t solves,
+                                               std::int64_t checks);
 
 // ---- Options ----
 

@@ -160,10 +160,11 @@ TEST_F(RigFile, ResultsCarryTheAngleOfEveryPose) {
 TEST_F(RigFile, PlannersWithoutTrailersNameThoseThatKnowThem) {
   const Scenario scenario = scenario_from_yaml(with_trailer("", usual_goal), "s.yaml").scenario;
   const std::string fault =
-      message_of([&] { return plan(make_problem(scenario), planner_named("rrt-bsc-euc"), {}); });
-  EXPECT_EQ(fault,
-            "planner: rrt-bsc-euc plans for a vehicle without a trailer, expected one of those "
-            "that know trailers: anytime");
+      message_of([&] { return plan(make_problem(scenario), planner_named("rrt-connect"), {}); });
+  EXPECT_TRUE(
+      fault.starts_with("planner: rrt-connect plans for a vehicle without a trailer, expected "
+                        "one of those that know trailers: anytime, rrt-bsc-euc, "))
+      << fault;
   PlanOptions options;
   options.steering = Steering::continuous;
   EXPECT_EQ(message_of([&] { return plan(scenario, options); }),

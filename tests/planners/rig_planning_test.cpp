@@ -8,11 +8,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "planners/grown_tree.h"
 #include "planners/rig/closer.h"
 #include "planners/rig/towed.h"
 #include "support/cases.h"
 #include "support/draws.h"
+#include "support/problems.h"
 #include "vandplan/input_error.h"
+#include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/rig.h"
@@ -66,6 +69,113 @@ TEST(RigPlanning, RepeatsBitForBitAndDependsOnTheSeed) {
   const PlanResult again = plan(problem, with_iterations(cases(1000), 3));
   EXPECT_EQ(first.path, again.path);
   EXPECT_EQ(first.cost, again.cost);
+}
+
+class TreesWithATrailer : public testing::TestWithParam<std::string> {};
+
+// Every tree of the thesis: on open ground with hitch angles at both ends, and past a wall.
+TEST_P(TreesWithATrailer, ReachTheGoal) {
+  Scenario scenario = dock();
+  scenario.goal = {-10, 20, pi};
+  scenario.hitch_angles = {0.3, -0.2};
+  PlanOptions options = with_iterations(cases(400), 2);
+  options.planner.set("keep_tree", true);
+  const Planner planner = planner_named(GetParam());
+  const PlanResult result = plan(make_problem(scenario), planner, options);
+  EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
+  if (is_sanitized) return;
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_TRUE(result.check->valid);
+  EXPECT_GT(result.check->largest_hitch_angle, 0.29);
+  EXPECT_GT(result.tree->poses.size(), 10u);
+  EXPECT_NEAR(result.cost, length(*result.path), 1e-9);
+  EXPECT_EQ(plan(make_problem(scenario), planner, options).path, result.path);
+}
+
+INSTANTIATE_TEST_SUITE_P(RigPlanning, TreesWithATrailer,
+                         testing::Values("rrt-bsc-euc", "rrt-bsc-hlut-4", "rrt-bsc-rs-goal",
+                                         "rrt-opt-euc-goal", "rrt-opt-hlut-4", "rrt-opt-bound"),
+                         [](const auto& tested) {
+                           std::string name = tested.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+// In reverse a trailer runs away from rounding: edges that are exact each by itself end elsewhere
+// one after the other.
+TEST(RigPlanning, TheWayThroughATreeIsExactAsAWhole) {
+  const Vehicle vehicle = semitrailer();
+  const double curvature = 0.03;
+  RigState state{{0, 0, 0}, 0.1};
+  for (int i = 0; i < 200; ++i)
+    state.hitch_angle = hitch_angle_after(vehicle, state.hitch_angle, {curvature, 1});
+  int kept = 0, refused = 0;
+  Rng rng(1);
+  for (int edges = 2; edges <= 40; edges += 2) {
+    std::vector<RigState> states = {{{0, 0, 0}, state.hitch_angle}};
+    for (int i = 0; i < edges; ++i) {
+      states.push_back({advance(states.back().pose, {curvature, -7}),
+                        state.hitch_angle + uniform(-0.05, 0.05, rng)});
+    }
+    SCOPED_TRACE(edges);
+    const Problem problem =
+        make_problem(world_of({.bounds = {-500, 500, -500, 500}}), vehicle, states.front().pose,
+                     states.back().pose, {}, {state.hitch_angle, states.back().hitch_angle});
+    const PlanOptions options = complete(planner_named("rrt-bsc-euc"), {}, vehicle);
+    planning::GrownTree tree(problem.task(), options, search::Estimate::euclid,
+                             search::RankBy::length);
+    search::NodeId last = 0;
+    for (int i = 1; i < edges; ++i) {
+      const auto edge = tree.try_edge(last, states[static_cast<std::size_t>(i)]);
+      ASSERT_TRUE(edge);
+      last = tree.add(states[static_cast<std::size_t>(i)], *edge);
+    }
+    const auto to_goal = tree.try_edge(last, tree.goal());
+    ASSERT_TRUE(to_goal);
+    if (!tree.keep_way(*to_goal)) {
+      ++refused;
+      continue;
+    }
+    ++kept;
+    PlannerAnswer answer;
+    tree.report(options, *to_goal, PlanStatus::node_limit, answer);
+    const PathCheck check = check_path(problem, {problem.start(), *answer.segments}, {});
+    EXPECT_TRUE(check.valid) << edges << " edges: " << check.reason;
+  }
+  EXPECT_GT(kept, 3);
+  EXPECT_GT(refused, 0);
+}
+
+// A post where the trailer cuts the corner that its tractor drives round: no edge leads there.
+TEST(RigPlanning, TreesCheckTheTrailer) {
+  Scenario scenario = dock();
+  scenario.start = {-30, 35, 0};
+  scenario.goal = {-8, 20, -pi / 2};
+  PlanOptions options = with_iterations(60);
+  options.planner.set("goal_bias", 0.5);
+  const Planner planner = planner_named("rrt-opt-hlut-4");
+  const PlanResult free = plan(make_problem(scenario), planner, options);
+  ASSERT_EQ(free.status, PlanStatus::solved);
+  int tried = 0;
+  RigState state{scenario.start, 0.0};
+  for (const Segment& segment : free.path->segments) {
+    for (double driven = 0.25; driven < std::abs(segment.length); driven += 0.25) {
+      const Pose axle = trailer_pose(
+          scenario.vehicle, advance(scenario.vehicle, state, part_of(segment, 0.0, driven)));
+      Scenario blocked = scenario;
+      blocked.obstacles.push_back({{axle.x - 0.1, axle.y - 0.1},
+                                   {axle.x + 0.1, axle.y - 0.1},
+                                   {axle.x + 0.1, axle.y + 0.1},
+                                   {axle.x - 0.1, axle.y + 0.1}});
+      Scenario alone = blocked;
+      alone.vehicle.trailer.reset();
+      if (!check_path(make_problem(alone), *free.path, {}).valid) continue;
+      ++tried;
+      EXPECT_NE(plan(make_problem(blocked), planner, options).status, PlanStatus::rejected);
+    }
+    state = advance(scenario.vehicle, state, segment);
+  }
+  EXPECT_GT(tried, 0);
 }
 
 TEST(RigPlanning, KeepsAMarginWithBothBodies) {
