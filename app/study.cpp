@@ -15,6 +15,9 @@
 #include "table_source.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/input_error.h"
+#include "vandplan/reeds_shepp.h"
+#include "vandplan/rig_table.h"
+#include "vandplan/scenario_file.h"
 #include "wording.h"
 
 namespace vandplan::app {
@@ -136,27 +139,73 @@ NamedEstimate estimate_of(const std::string& name, double radius) {
   const TableSource source = table_source(name);
   const HeuristicTable table = table_from_bytes(source.bytes, source.name);
   return {fmt::format("{} ({})", source.name, heading_step_text(table.options())),
-          [table, radius](const Pose& node, const Pose& sample) {
-            return table.distance(node, sample, radius);
+          [table, radius](const RigState& node, const RigState& sample) {
+            return table.distance(node.pose, sample.pose, radius);
           }};
+}
+
+double euclid(const RigState& node, const RigState& sample) {
+  return std::hypot(node.pose.x - sample.pose.x, node.pose.y - sample.pose.y);
 }
 
 AccuracyStudy study_of(const AccuracyArguments& arguments) {
   const double radius = arguments.options.turning_radius;
-  std::vector<NamedEstimate> estimates = {{"Euclid", [](const Pose& node, const Pose& sample) {
-                                             return std::hypot(node.x - sample.x,
-                                                               node.y - sample.y);
-                                           }}};
+  std::vector<NamedEstimate> estimates = {{"Euclid", euclid}};
   for (const std::string& table : arguments.tables) {
     estimates.push_back(estimate_of(table, radius));
   }
   // Too near to the length to be seen beside the others.
   estimates.push_back({"lower bound",
-                       [radius](const Pose& node, const Pose& sample) {
-                         return length_bounds(node, sample, radius).low;
+                       [radius](const RigState& node, const RigState& sample) {
+                         return length_bounds(node.pose, sample.pose, radius).low;
                        },
                        false});
   return study_accuracy(arguments.options, estimates);
+}
+
+// ---- trailer-accuracy ----
+
+struct TrailerArguments {
+  AccuracyOptions options{.pairs = 100'000, .reach = 30.0};
+  std::string vehicle = "tractor-semitrailer";
+};
+
+AccuracyStudy study_of_trailer(const TrailerArguments& arguments) {
+  AccuracyOptions options = arguments.options;
+  options.rig = vehicle_named(arguments.vehicle);
+  if (!options.rig->trailer) {
+    throw InputError("--vehicle", arguments.vehicle + " has no trailer, expected one that has");
+  }
+  const double radius = options.turning_radius = options.rig->min_turning_radius;
+  const RigTable table(*options.rig, {.reach = options.reach});
+  return study_accuracy(
+      options, {{"Euclid", euclid},
+                estimate_of("hlut-4", radius),
+                {"Reeds-Shepp of the tractor",
+                 [radius](const RigState& node, const RigState& sample) {
+                   return reeds_shepp_length(node.pose, sample.pose, radius);
+                 }},
+                {"table of the rig", [&table](const RigState& node, const RigState& sample) {
+                   return table.distance(node, sample);
+                 }}});
+}
+
+void add_trailer_accuracy(CLI::App& studies) {
+  CLI::App* const command = studies.add_subcommand(
+      "trailer-accuracy",
+      "How far off are estimates of a length with a trailer? Euclid, what a tractor\n"
+      "alone would drive, and a table of states of the rig, over random pairs.");
+  const auto study = std::make_shared<TrailerArguments>();
+  const auto arguments = std::make_shared<StudyArguments>();
+  Options options(*command);
+  options.pairs(study->options.pairs, "Pairs of states; 1 to 10000000");
+  options.metres("--reach", study->options.reach, "Pairs have |x| and |y| below it [m]");
+  command->add_option("--vehicle", study->vehicle, "With a trailer, of the catalogue")
+      ->type_name("NAME")
+      ->capture_default_str();
+  options.seed(study->options.seed);
+  options.output(*arguments);
+  command->callback([study, arguments] { report(study_of_trailer(*study), *arguments); });
 }
 
 void add_accuracy(CLI::App& studies) {
@@ -191,7 +240,8 @@ void add_study(CLI::App& vandplan, int&) {
     if (!studies->get_subcommands().empty()) return;
     throw InputError(
         "study",
-        "which one is missing, expected range, accuracy, growth, symmetry, steering or searches");
+        "which one is missing, expected range, accuracy, trailer-accuracy, growth, symmetry, "
+        "steering or searches");
   });
   add_study_of<RangeOptions>(
       *studies, "range",
@@ -205,6 +255,7 @@ void add_study(CLI::App& vandplan, int&) {
       },
       study_range);
   add_accuracy(*studies);
+  add_trailer_accuracy(*studies);
   add_study_of<GrowthOptions>(
       *studies, "growth",
       "How does a random tree spread over open ground? 200 to 100000 nodes\n"

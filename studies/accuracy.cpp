@@ -13,28 +13,54 @@
 #include "studies/percentile.h"
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/rig_steering.h"
 
 namespace vandplan::studies {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Two poses and the exact length between them [m].
+/// Two states and the exact length between them [m].
 struct Case {
-  Pose node, sample;
+  RigState node, sample;
   double length;
+};
+
+/// The exact length, if there is one.
+class Exact {
+ public:
+  explicit Exact(const AccuracyOptions& options) : radius_(options.turning_radius) {
+    if (options.rig) rig_.emplace(*options.rig);
+  }
+
+  [[nodiscard]] std::optional<double> length(const RigState& node, const RigState& sample) const {
+    if (!rig_) return reeds_shepp_length(node.pose, sample.pose, radius_);
+    const std::optional<Piece> piece = rig_->steer(node, sample);
+    return piece ? std::optional(piece->length) : std::nullopt;
+  }
+
+ private:
+  double radius_;
+  std::optional<RigSteering> rig_;
 };
 
 std::vector<Case> random_cases(const AccuracyOptions& options) {
   const double reach = options.reach;
+  const Exact exact(options);
   Rng rng(options.seed);
+  const auto hitch_angle = [&] {
+    if (!options.rig) return 0.0;
+    const double share = uniform(-1.0, 1.0, rng);
+    return options.rig->max_hitch_angle * share * share * share;
+  };
   std::vector<Case> cases;
   cases.reserve(static_cast<std::size_t>(options.pairs));
   while (cases.size() < static_cast<std::size_t>(options.pairs)) {
-    const Pose sample{0.0, 0.0, uniform(-pi, pi, rng)};
-    const Pose node = uniform_pose({-reach, reach, -reach, reach}, rng);
-    const double length = reeds_shepp_length(node, sample, options.turning_radius);
-    if (length > 0.0) cases.push_back({node, sample, length});
+    const Pose at{0.0, 0.0, uniform(-pi, pi, rng)};
+    const RigState node{uniform_pose({-reach, reach, -reach, reach}, rng), hitch_angle()};
+    const RigState sample{at, hitch_angle()};
+    const std::optional<double> length = exact.length(node, sample);
+    if (length && *length > 0.0) cases.push_back({node, sample, *length});
   }
   return cases;
 }
@@ -123,6 +149,7 @@ StudyFiles files_of(const AccuracyStudy& study) {
   constexpr std::array colours{study_colour::grey, study_colour::orange, study_colour::blue,
                                study_colour::green, study_colour::purple};
   const double pairs = static_cast<double>(study.options.pairs);
+  const std::string name = study.options.rig ? "trailer-accuracy" : "accuracy";
   std::string curves;
   std::size_t drawn = 0;
   for (std::size_t i = 0; i < study.estimates.size(); ++i) {
@@ -130,27 +157,28 @@ StudyFiles files_of(const AccuracyStudy& study) {
     if (!estimate.is_drawn) continue;
     // The last line is what lies beyond 1.
     curves += fmt::format(
-        "{}  'accuracy.csv' skip 1 every ::0::{} using 1:(${}/{}*100) with steps linewidth 2 "
+        "{}  '{}.csv' skip 1 every ::0::{} using 1:(${}/{}*100) with steps linewidth 2 "
         "linecolor rgb '{}' title '{}: {:.0f} % within 10 %, {:.0f} % too long'",
-        curves.empty() ? "" : ", \\\n", 2 * bins_of_unity - 1, i + 3, pairs,
+        curves.empty() ? "" : ", \\\n", name, 2 * bins_of_unity - 1, i + 3, pairs,
         colours[drawn++ % colours.size()], estimate.name, 100 * estimate.within_a_tenth,
         100 * estimate.over);
   }
   const std::string body = fmt::format(
-      "set title 'Estimates of Reeds-Shepp lengths: {} random pairs, |x| and |y| below {} m, "
-      "turning radius {} m' font ',13'\n"
+      "set title 'Estimates of {} lengths: {} random pairs, |x| and |y| below {} m, "
+      "turning radius {:.4g} m' font ',13'\n"
       "set xlabel '(estimate - length) / length'\n"
       "set ylabel 'share of the pairs in a bin of {} [%]'\n"
       "set xrange [-1:0.6]\n"
       "set yrange [0:*]\n"
       "set xtics 0.1\n"
-      "set key top right\n"
+      "set key top {}\n"
       "set object 1 rectangle from first -0.1,graph 0 to first 0.1,graph 1 behind fillcolor rgb "
       "'#e8eff6' fillstyle solid noborder\n"
       "plot \\\n{}\n",
-      study.options.pairs, study.options.reach, study.options.turning_radius, 1.0 / bins_of_unity,
+      study.options.rig ? "a rig''s" : "Reeds-Shepp", study.options.pairs, study.options.reach,
+      study.options.turning_radius, 1.0 / bins_of_unity, study.options.rig ? "left" : "right",
       curves);
-  return study_files({"accuracy", 1200, 650}, {{"accuracy.csv", histogram_csv(study)}}, body);
+  return study_files({name, 1200, 650}, {{name + ".csv", histogram_csv(study)}}, body);
 }
 
 }  // namespace vandplan::studies

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far off are estimates of a length? (Guo 2020, Algorithm 4 and Fig. 15)
+// How far off are estimates of a length? (Guo 2020, Algorithm 4 and Fig. 15; for rigs, too)
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "studies/study_files.h"
+#include "vandplan/rig.h"
 
 namespace vandplan::studies {
 
@@ -18,12 +20,16 @@ struct AccuracyOptions {
   double reach = 10.0;          ///< of |x| and |y| [m]
   double turning_radius = 7.0;  ///< [m]
   std::uint64_t seed = 1;
+  /// Draws states of this rig, with hitch angles that are its limit times the cube of an even
+  /// number from -1 to 1, and compares with lengths of `RigSteering`; pairs that it does not join
+  /// are drawn again. None: poses, and Reeds-Shepp lengths. Its radius is `turning_radius`.
+  std::optional<Vehicle> rig = {};
 };
 
-/// An estimate of the length from a node to a sample [m].
+/// An estimate of the length from a node to a sample [m]; hitch angles are 0 without a rig.
 struct NamedEstimate {
   std::string name;
-  std::function<double(const Pose& node, const Pose& sample)> length;
+  std::function<double(const RigState& node, const RigState& sample)> length;
   bool is_drawn = true;
 };
 

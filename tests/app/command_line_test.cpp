@@ -49,6 +49,7 @@ TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
                                                           {"table", "export"},
                                                           {"study", "range"},
                                                           {"study", "accuracy"},
+                                                          {"study", "trailer-accuracy"},
                                                           {"study", "growth"},
                                                           {"study", "symmetry"},
                                                           {"study", "steering"},

@@ -77,6 +77,18 @@ TEST_F(StudyCommand, AccuracyTakesTablesByNameAndByFile) {
   expect_pictures("accuracy");
 }
 
+TEST_F(StudyCommand, TrailerAccuracyComparesEstimatesForARig) {
+  const Json json = json_of({"trailer-accuracy", "--pairs", "2000", "--vehicle", "car-caravan"});
+  const Json& estimates = json.at("estimates");
+  ASSERT_EQ(estimates.size(), 4U);
+  EXPECT_EQ(estimates.at(0).at("over_estimates"), 0.0);
+  EXPECT_EQ(estimates.at(2).at("over_estimates"), 0.0);
+  EXPECT_GT(estimates.at(3).at("within_10_percent"), estimates.at(2).at("within_10_percent"));
+  expect_pictures("trailer-accuracy");
+  EXPECT_EQ(complaint({"trailer-accuracy", "--vehicle", "city-bus"}),
+            "--vehicle: city-bus has no trailer, expected one that has");
+}
+
 TEST_F(StudyCommand, GrowthWritesNumbersAndPictures) {
   const Json json = json_of({"growth", "--seed", "3"});
   EXPECT_EQ(json.at("stages").size(), 6U);
@@ -153,8 +165,8 @@ TEST_F(StudyCommand, AGnuplotThatFailsIsToldOf) {
 
 TEST_F(StudyCommand, RefusesBadInput) {
   EXPECT_EQ(complaint({}),
-            "study: which one is missing, expected range, accuracy, growth, symmetry, "
-            "steering or searches");
+            "study: which one is missing, expected range, accuracy, trailer-accuracy, "
+            "growth, symmetry, steering or searches");
   EXPECT_EQ(complaint({"range", "--radius", "-7"}), "--radius: is -7, expected 0.001 to 1000000 m");
   EXPECT_EQ(complaint({"range", "--reach", "nan"}), "--reach: is nan, expected 0.001 to 1000000 m");
   EXPECT_EQ(complaint({"searches", "--iterations", "0"}).substr(0, 13), "--iterations:");

@@ -67,8 +67,8 @@ TEST(RangeStudy, FilesHoldEveryPairAndEveryRing) {
 // ---- accuracy ----
 
 NamedEstimate look_up(int number) {
-  return {"hlut", [table = thesis_table(number)](const Pose& node, const Pose& sample) {
-            return table.distance(node, sample, 7.0);
+  return {"hlut", [table = thesis_table(number)](const RigState& node, const RigState& sample) {
+            return table.distance(node.pose, sample.pose, 7.0);
           }};
 }
 
@@ -90,8 +90,8 @@ TEST(AccuracyStudy, LandsWhereTheThesisAndAnIndependentTrialDo) {
 }
 
 TEST(AccuracyStudy, FiguresOfAnEstimateThatIsAlwaysTooLong) {
-  const auto too_long = [](const Pose& node, const Pose& sample) {
-    return 1.05 * reeds_shepp_length(node, sample, 7.0);
+  const auto too_long = [](const RigState& node, const RigState& sample) {
+    return 1.05 * reeds_shepp_length(node.pose, sample.pose, 7.0);
   };
   const AccuracyStudy study = study_accuracy({.pairs = 1000}, {{"x", too_long}});
   const Accuracy& accuracy = study.estimates[0];
@@ -105,9 +105,10 @@ TEST(AccuracyStudy, FiguresOfAnEstimateThatIsAlwaysTooLong) {
 
 TEST(AccuracyStudy, AWildEstimateGoesIntoTheLastBinAndEuclidIsNeverTooLong) {
   const AccuracyStudy study = study_accuracy(
-      {.pairs = 1000},
-      {{"wild, 'quoted'", [](const Pose&, const Pose&) { return 1e9; }},
-       {"Euclid", [](const Pose& node, const Pose&) { return std::hypot(node.x, node.y); }}});
+      {.pairs = 1000}, {{"wild, 'quoted'", [](const RigState&, const RigState&) { return 1e9; }},
+                        {"Euclid", [](const RigState& node, const RigState&) {
+                           return std::hypot(node.pose.x, node.pose.y);
+                         }}});
   EXPECT_EQ(study.estimates[0].histogram.back(), 1000);
   EXPECT_EQ(study.estimates[1].over, 0.0);
   const StudyFiles files = files_of(study);
