@@ -4,9 +4,10 @@
 // usage: peer_ompl_parts_bench RUNS SECONDS bounds|scene SCENARIO.yaml...
 //
 // RRTConnect: time to the first path, up to ten times SECONDS, in fifteen times as many runs. RRT*
-// and BIT*: iterations a second, over SECONDS. In turns on the same problems; times are processor
-// time. Ordinary checks test the polygon of the footprint every 0.1 m. Every path goes through our
-// judge.
+// and BIT*: iterations a second, over as many iterations as OMPL alone does in SECONDS: later ones
+// take longer, so that an equal time would count the dearer ones of whoever is faster. In turns on
+// the same problems, with the same random numbers; times are processor time. Ordinary checks test
+// the polygon of the footprint every 0.1 m. Every path goes through our judge.
 #include <ompl/geometric/planners/informedtrees/BITstar.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
@@ -51,18 +52,23 @@ struct Settings {
 };
 
 struct Outcome {
-  double figure = 0.0;  ///< [ms] to the first path, or iterations a second
+  double time = 0.0;        ///< [s]
+  unsigned iterations = 0;  ///< of planners that count them
   bool valid = true;
 };
 
 template <typename Planner>
+constexpr bool counts = !std::is_base_of_v<og::RRTConnect, Planner>;
+
+/// One run, of as many iterations if that is not 0, else of as much time as there is.
+template <typename Planner>
 struct Run {
   const Problem& problem;
   const Settings& settings;
+  unsigned iterations;
 
   template <typename ThisPlanner>
   Outcome with(const Parts& parts) const {
-    constexpr bool counts = !std::is_base_of_v<og::RRTConnect, Planner>;
     const double radius = problem.vehicle().min_turning_radius;
     ob::StateSpacePtr space = std::make_shared<ob::ReedsSheppStateSpace>(radius);
     if (parts.space) space = std::make_shared<ompl::ReedsSheppStateSpace>(radius);
@@ -72,12 +78,18 @@ struct Run {
     setup.setPlanner(planner);
     setup.setup();
     const auto begin = std::chrono::steady_clock::now();
-    setup.solve(counts ? settings.seconds : 10 * settings.seconds);
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-    Outcome outcome{.figure = 1e3 * time.count()};
-    if constexpr (counts) {
-      outcome.figure = static_cast<double>(planner->numIterations()) / time.count();
+    Outcome outcome;
+    if constexpr (counts<Planner>) {
+      const auto is_enough = [&] { return planner->numIterations() >= iterations; };
+      setup.solve(iterations > 0 ? ob::PlannerTerminationCondition(is_enough)
+                                 : ob::timedPlannerTerminationCondition(settings.seconds));
+      outcome.iterations = planner->numIterations();
+    } else {
+      // Given a number of seconds OMPL starts a thread, which outlasts the search in open ground.
+      setup.solve(ob::timedPlannerTerminationCondition(10 * settings.seconds));
     }
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    outcome.time = time.count();
     if (setup.haveExactSolutionPath()) {
       outcome.valid = check_path(problem, path_of(setup.getSolutionPath(), problem)).valid;
     }
@@ -98,22 +110,25 @@ struct Run {
 /// Adds a planner's figures to a row of each kind of parts, as how many times better they are.
 template <typename Planner>
 void compare(const char* name, const Problem& problem, const Settings& settings) {
-  constexpr bool counts = !std::is_base_of_v<og::RRTConnect, Planner>;
   std::array<std::vector<double>, all_parts.size()> figures;
   std::array<int, all_parts.size()> rejected{};
-  for (int run = 0; run < (counts ? 1 : 15) * settings.runs; ++run) {
+  for (int run = 0; run < (counts<Planner> ? 1 : 15) * settings.runs; ++run) {
+    unsigned iterations = 0;
     for (std::size_t i = 0; i < all_parts.size(); ++i) {
-      const Outcome outcome = Run<Planner>{problem, settings}(all_parts[i]);
-      figures[i].push_back(outcome.figure);
+      ::ompl::RNG::setSeed(static_cast<unsigned>(run) + 1);
+      const Outcome outcome = Run<Planner>{problem, settings, iterations}(all_parts[i]);
+      if (i == 0) iterations = outcome.iterations;
+      figures[i].push_back(counts<Planner> ? outcome.iterations / outcome.time
+                                           : 1e3 * outcome.time);
       rejected[i] += outcome.valid ? 0 : 1;
     }
   }
-  std::printf("  %-11s %s", name, counts ? "it/s" : "ms  ");
+  std::printf("  %-11s %s", name, counts<Planner> ? "it/s" : "ms  ");
   for (std::size_t i = 0; i < all_parts.size(); ++i) {
     const double figure = median(figures[i]);
     const double base = median(figures[0]);
     std::printf(" %11.5g", figure);
-    if (i > 0) std::printf(" %6.1f x", counts ? figure / base : base / figure);
+    if (i > 0) std::printf(" %6.1f x", counts<Planner> ? figure / base : base / figure);
     if (rejected[i] > 0) std::printf(" (%d rejected)", rejected[i]);
   }
   std::printf("\n");
@@ -133,7 +148,6 @@ int main(int argc, char** argv) {
   const Settings settings{std::atoi(argv[1]), std::atof(argv[2]),
                           argv[3] == std::string("bounds") ? Region::bounds : Region::scene};
   ::ompl::msg::noOutputHandler();
-  ::ompl::RNG::setSeed(1);
   std::printf(
       "medians of %d (RRTConnect: 15 times as many); region %s; processor time, without OMPL's "
       "setup\n%-16s",

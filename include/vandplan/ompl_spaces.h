@@ -32,6 +32,10 @@ class ReedsSheppStateSpace : public ::ompl::base::ReedsSheppStateSpace {
   /// The turning radius [m].
   [[nodiscard]] double turning_radius() const { return rho_; }
 
+  /// A state whose numbers lie in one block of memory: SE2StateSpace::StateType like any other.
+  State* allocState() const override;
+  void freeState(State* state) const override;
+
   /// The length of the shortest path [m], `reeds_shepp_length` of the poses.
   double distance(const State* from, const State* to) const override;
 
@@ -61,6 +65,10 @@ class DubinsStateSpace : public ::ompl::base::DubinsStateSpace {
 
   /// The turning radius [m].
   [[nodiscard]] double turning_radius() const { return rho_; }
+
+  /// A state whose numbers lie in one block of memory: SE2StateSpace::StateType like any other.
+  State* allocState() const override;
+  void freeState(State* state) const override;
 
   /// The length of the shortest path [m], `dubins_length` of the poses.
   double distance(const State* from, const State* to) const override;

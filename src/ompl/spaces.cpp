@@ -19,6 +19,18 @@ using Se2 = ob::SE2StateSpace::StateType;
 using ReedsShepp = ob::ReedsSheppStateSpace;
 using Dubins = ob::DubinsStateSpace;
 
+/// A state of SE(2) that is allocated once, and not part by part as OMPL's.
+struct WholeState : Se2 {
+  WholeState() {
+    position.values = coordinates.data();
+    components = parts.data();
+  }
+  std::array<double, 2> coordinates{};
+  ob::RealVectorStateSpace::StateType position;
+  ob::SO2StateSpace::StateType heading;
+  std::array<ob::State*, 2> parts{&position, &heading};
+};
+
 /// The space that measured the distance of a state from itself, where `space_behind` asks for it.
 thread_local const ReedsSheppStateSpace** asked_space = nullptr;
 
@@ -104,6 +116,10 @@ const ReedsSheppStateSpace* space_behind(const std::function<void()>& ask) {
 
 ReedsSheppStateSpace::ReedsSheppStateSpace(double turning_radius) : ReedsShepp(turning_radius) {}
 
+ob::State* ReedsSheppStateSpace::allocState() const { return new WholeState; }
+
+void ReedsSheppStateSpace::freeState(State* state) const { delete static_cast<WholeState*>(state); }
+
 double ReedsSheppStateSpace::distance(const State* from, const State* to) const {
   if (from == to) {
     if (asked_space != nullptr) *asked_space = this;
@@ -149,6 +165,10 @@ ReedsSheppStateSpace::ReedsSheppPath ReedsSheppStateSpace::reedsShepp(const Stat
 
 DubinsStateSpace::DubinsStateSpace(double turning_radius, bool is_symmetric)
     : Dubins(turning_radius, is_symmetric) {}
+
+ob::State* DubinsStateSpace::allocState() const { return new WholeState; }
+
+void DubinsStateSpace::freeState(State* state) const { delete static_cast<WholeState*>(state); }
 
 double DubinsStateSpace::distance(const State* from, const State* to) const {
   const Pose start = pose_of(from);
