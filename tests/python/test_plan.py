@@ -135,6 +135,8 @@ def test_many_plans_are_what_each_alone_is(yard, random_poses):
     for start, result in zip(starts, many):
         alone = vp.plan(yard.with_poses(start=start), max_iterations=50)
         assert (alone.status, alone.path) == (result.status, result.path)
+        assert np.array_equal(result.scenario.start, start)
+        assert np.array_equal(result.scenario.goal, yard.goal)
     assert vp.plan_many(yard, np.zeros((0, 3)), yard.goal) == []
     with pytest.raises(vp.InputError, match="fit together"):
         vp.plan_many(yard, starts, starts[:3])

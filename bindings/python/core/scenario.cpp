@@ -331,6 +331,18 @@ CheckedScenario::CheckedScenario(Scenario scenario, std::vector<Setting> options
   }
 }
 
+const Scenario& CheckedScenario::scenario() const {
+  if (ends_) {
+    Scenario changed = *scenario_;
+    changed.start = ends_->start;
+    changed.goal = ends_->goal;
+    changed.curvatures = ends_->curvatures;
+    scenario_ = std::make_shared<const Scenario>(std::move(changed));
+    ends_.reset();
+  }
+  return *scenario_;
+}
+
 const Problem& CheckedScenario::problem() const {
   if (!problem_) {
     std::shared_ptr<const Problem> made;
@@ -350,11 +362,7 @@ CheckedScenario CheckedScenario::with_poses(const Pose& start, const Pose& goal,
       with_moving(make_problem(problem().world(), scenario_->vehicle, start, goal, curvatures,
                                scenario_->hitch_angles),
                   scenario_->moving));
-  Scenario changed = *scenario_;
-  changed.start = start;
-  changed.goal = goal;
-  changed.curvatures = curvatures;
-  other.scenario_ = std::make_shared<const Scenario>(std::move(changed));
+  other.ends_ = {start, goal, curvatures};
   return other;
 }
 

@@ -16,13 +16,15 @@
 namespace vandplan::python {
 
 /// A scenario that was checked and does not change, with what its file wants of planners. Its world
-/// is built when it is needed first, and shared with copies that differ in their poses.
+/// is built when it is needed first, and shared with copies that differ in their poses; so are its
+/// obstacles and its map, until one of these is asked for its own scenario.
 class CheckedScenario {
  public:
   /// Throws InputError naming the key that is wrong.
   explicit CheckedScenario(Scenario scenario, std::vector<Setting> options = {});
 
-  [[nodiscard]] const Scenario& scenario() const noexcept { return *scenario_; }
+  /// With Python's lock.
+  [[nodiscard]] const Scenario& scenario() const;
   [[nodiscard]] const std::vector<Setting>& options() const noexcept { return options_; }
 
   /// The problem; with Python's lock, which it gives away while a world is built.
@@ -33,10 +35,16 @@ class CheckedScenario {
                                            const EndCurvatures& curvatures) const;
 
   /// As files hold it.
-  [[nodiscard]] ScenarioFile file() const { return {.scenario = *scenario_, .options = options_}; }
+  [[nodiscard]] ScenarioFile file() const { return {.scenario = scenario(), .options = options_}; }
 
  private:
-  std::shared_ptr<const Scenario> scenario_;
+  struct Ends {
+    Pose start;
+    Pose goal;
+    EndCurvatures curvatures;
+  };
+  mutable std::shared_ptr<const Scenario> scenario_;
+  mutable std::optional<Ends> ends_ = {};  // those of the scenario, where they differ
   std::vector<Setting> options_;
   mutable std::shared_ptr<const Problem> problem_;
 };
