@@ -139,7 +139,7 @@ export class Page {
     this.bounds = [];
     this.moved ||= this.editor.dragging;
     try {
-      const result = this.planning.now(this.scene, this.settings, this.info, this.editor.dragging ? 1 : 3);
+      const result = this.planning.now(this.scene, this.settings, this.info);
       this.take(result ?? {status: 'searching', path: null, anytime: []});
     } catch (error) {
       this.failed(error.message);

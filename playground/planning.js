@@ -7,9 +7,11 @@ import {load} from 'vandplan';
 
 import {scenarioOf} from './scene.js';
 
-/** How long a plan may take while something is dragged, its judge included, and once it rests [s]. */
-const frameBudget = 0.006;
-const leastBudget = 0.002;
+/** How long a plan may take in a frame, its judge included, and to a first path where that takes longer [s]. */
+const frameBudget = 0.003;
+const leastBudget = 0.0015;
+const firstBudget = 0.01;
+/** How long a plan may take once nothing changes [s]. */
 const restBudgets = [0.2, 1.5];
 /** A trailer, or what moves, takes longer than a frame: all of it is left to the second thread. */
 const longBudgets = [0.3, 1.5, 6];
@@ -86,6 +88,7 @@ export class Planning {
   #busy = false;
   #next = null;
   #judged = 0; // seconds that the last plan took beside its budget
+  #isHard = false; // the last first path took longer than a frame's plan may
   groundVersion = 0;
 
   /** `better(result)` is called with a better path of the scene that was asked for last. */
@@ -105,10 +108,10 @@ export class Planning {
   }
 
   /**
-   * A plan within the budget of a frame, or so many times as much; longer ones follow once nothing is asked for a
-   * while. Null where the second thread alone plans.
+   * A plan within the budget of a frame; longer ones follow once nothing is asked for a while. Null where the second
+   * thread alone plans.
    */
-  now(scene, settings, info, times = 1) {
+  now(scene, settings, info) {
     const id = ++this.#id;
     this.#next = null;
     clearTimeout(this.#timer);
@@ -117,14 +120,22 @@ export class Planning {
       this.#improve(id, scene, settings, info, 0);
       return null;
     }
-    const time = times * Math.max(leastBudget, frameBudget - this.#judged);
-    const begin = performance.now();
-    let result = yard.plan(queryOf(scene, settings, info, time));
-    // Another program may have had the processor: better a late path than none.
-    if (result.status === 'time_limit') result = yard.plan(queryOf(scene, settings, info, 3 * time));
-    else this.#judged = (performance.now() - begin) / 1000 - result.time;
+    const time = Math.max(leastBudget, frameBudget - this.#judged);
+    const ask = (within, more = {}) => {
+      const query = queryOf(scene, settings, info, within);
+      const begin = performance.now();
+      const result = yard.plan({...query, options: {...query.options, ...more}});
+      if (result.path) this.#judged = (performance.now() - begin) / 1000 - result.time;
+      return result;
+    };
+    const first = () => ask(firstBudget, {target_gap: 1000}); // ends with its first path
+    let result = this.#isHard ? first() : ask(time);
+    if (result.status === 'time_limit' && !this.#isHard) result = first();
     const ended = ['start_in_collision', 'goal_in_collision', 'no_path'].includes(result.status);
-    if (!ended) this.#timer = setTimeout(() => this.#improve(id, scene, settings, info, 0), 140);
+    if (!ended) {
+      this.#isHard = !(result.anytime[0]?.time < time);
+      this.#timer = setTimeout(() => this.#improve(id, scene, settings, info, 0), 140);
+    }
     return result;
   }
 

@@ -25,15 +25,21 @@ const at = (numbers, share) => {
 const watch = `(() => {
   const page = vandplanPage;
   let moved = null;
+  let shown = null; // the movement that the last plan was made for
   globalThis.frames = [];
   page.canvas.addEventListener('pointermove', (event) => { moved = event.timeStamp; }, true);
+  const plan = page.plan.bind(page);
+  page.plan = () => {
+    plan();
+    shown = moved;
+  };
   const paint = page.frame.bind(page);
   page.frame = (time) => {
-    const from = page.dirty ? moved : null;
     const begin = performance.now();
     paint(time);
-    if (from === null) return;
-    moved = null;
+    const from = shown;
+    shown = null;
+    if (from === null || !page.shown) return;
     const {port1, port2} = new MessageChannel();
     port1.onmessage = () => { const now = performance.now(); frames.push([now - from, now - begin]); };
     port2.postMessage(0);
@@ -83,7 +89,9 @@ for (const [i, name] of names.entries()) {
   await measured(page, name);
 }
 const map = 'P2\n500 500\n255\n' + Array.from({length: 250000}, (_, i) => ((Math.floor(i / 500) % 60 < 2 && (i % 500) % 120 > 30) ? 0 : 254)).join(' ');
+const scenario = 'name: map\nvehicle: tpcap-car\nbounds: {x: [0, 100], y: [0, 100]}\nstart: {x: 30, y: 30, heading: 0}\ngoal: {x: 50, y: 54, heading: 0}\nmap: map.pgm\n';
 await page.value(`(async () => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(map)}], 'map.pgm'));
+  data.items.add(new File([${JSON.stringify(scenario)}], 'yard.yaml'));
   dispatchEvent(new DragEvent('drop', {dataTransfer: data, cancelable: true})); })()`);
 await page.until('vandplanPage.scene.map');
 await measured(page, 'map of 500 x 500 cells');
