@@ -48,9 +48,8 @@ OptionText option_text(const CommonOption& option) {
 }
 
 OptionText option_text(const OptionInfo& info) {
-  const char* const only = info.reeds_shepp_only ? "; for steering=reeds-shepp" : "";
   return {info.name, typed_text(vandplan::json_of(info.standard)),
-          info.summary + "; " + info.range() + only};
+          info.summary + "; " + info.range()};
 }
 
 /// The option of that name, of all planners or of the first that has one of its own.

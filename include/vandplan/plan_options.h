@@ -164,8 +164,6 @@ struct OptionInfo {
   double least = 0.0;                   ///< of a number
   double most = 0.0;                    ///< of a number
   std::vector<std::string> words = {};  ///< that a word may be
-  /// Whether it can be set for a vehicle that steers by `Steering::reeds_shepp` alone.
-  bool reeds_shepp_only = false;
 
   /// "0 to 1", "bounds or scene", "true or false".
   [[nodiscard]] std::string range() const;

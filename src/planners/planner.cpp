@@ -105,20 +105,10 @@ void settle_prices(PlanOptions& all) {
   all.cost = neutral.cost;
 }
 
-/// Says how the vehicle steers, if nobody did. Throws InputError for an option that says nothing of
-/// a vehicle that steers so.
-void settle_steering(const Planner& planner, PlanOptions& all) {
-  const auto asks_for_arcs = [&](const OptionInfo& info) {
-    return info.reeds_shepp_only && *all.planner.find(info.name) != info.standard;
-  };
-  const auto found = std::ranges::find_if(planner.options, asks_for_arcs);
-  const bool wants_arcs = found != planner.options.end() || is_length(all.cost);
-  if (!all.steering) {
-    all.steering = wants_arcs ? Steering::reeds_shepp : Steering::continuous_between_stops;
-  }
-  if (all.steering == Steering::reeds_shepp || found == planner.options.end()) return;
-  throw InputError(found->name, "is for steering=reeds-shepp, the steering is " +
-                                    std::string(name_of(*all.steering)));
+/// Says how the vehicle steers, if nobody did.
+void settle_steering(PlanOptions& all) {
+  if (all.steering) return;
+  all.steering = is_length(all.cost) ? Steering::reeds_shepp : Steering::continuous_between_stops;
 }
 
 /// Throws InputError when a table is asked for that is not there, or is there and not asked for.
@@ -379,7 +369,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options) {
     all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
   }
   settle_prices(all);
-  settle_steering(planner, all);
+  settle_steering(all);
   settle_table(planner, all);
   if (!all.budget.time_limit && !all.budget.max_iterations) {
     all.budget.time_limit = default_time_limit;

@@ -25,8 +25,6 @@ using rrt::Strategy;
 using search::Estimate;
 
 Planner anytime_planner() {
-  OptionInfo min_stroke = anytime::min_stroke_option();
-  min_stroke.reeds_shepp_only = true;  // what makes strokes longer jumps in curvature
   return {.name = "anytime",
           .summary = "lattice searches and random trees, each path shortened: the one to use",
           .properties = {.family = "anytime",
@@ -38,7 +36,7 @@ Planner anytime_planner() {
                          .honours_moving = true,
                          .honours_trailers = true,
                          .anytime = true},
-          .options = {region_option(), min_stroke},
+          .options = {region_option(), anytime::min_stroke_option()},
           .function = [](const Task& task, const PlanOptions& options) {
             return task.moving.empty() ? anytime::plan_anytime(task, options)
                                        : in_time::plan(task, options);

@@ -366,11 +366,6 @@ TEST_F(PlanCommand, TheSteeringIsAnOption) {
             "continuous-between-stops");
   EXPECT_EQ(steering_of("anytime", {"--set", "steering=continuous", "--set", "style=shortest"}),
             "continuous");
-
-  const Outcome stroke = plan({"--set", "steering=continuous", "--set", "min_stroke=2"});
-  EXPECT_EQ(stroke.status, 2);
-  EXPECT_EQ(stroke.err,
-            "vandplan: min_stroke: is for steering=reeds-shepp, the steering is continuous\n");
 }
 
 TEST_F(PlanCommand, HelpListsTheOptionsOfEveryFamily) {
@@ -382,7 +377,6 @@ TEST_F(PlanCommand, HelpListsTheOptionsOfEveryFamily) {
     }
   }
   EXPECT_NE(help.out.find("try_goal=false|true "), std::string::npos) << help.out;
-  EXPECT_NE(help.out.find("; for steering=reeds-shepp\n"), std::string::npos) << help.out;
 }
 
 // ---- what reads odd ----

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -162,6 +163,62 @@ TEST(MinStroke, IsAnOptionOfThePlanner) {
   const PlanResult result = plan(problem_of({}, {0, 1.5, 0}, {}), options);
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   for (const double stroke : strokes(result.path->segments)) EXPECT_GE(stroke, 1.5 - 1e-9);
+}
+
+// ---- with continuous curvature ----
+
+constexpr Steering continuous_kinds[] = {Steering::continuous_between_stops, Steering::continuous};
+
+double missing(const std::vector<double>& strokes, double least) {
+  double sum = 0;
+  for (const double stroke : strokes) sum += std::max(0.0, least - stroke);
+  return strokes.size() == 1 ? 0 : sum;
+}
+
+// Short moves sideways and turns of the heading, on open ground.
+TEST(MinStroke, IsDrivenWithContinuousCurvature) {
+  int longer = 0, short_still = 0;
+  for_each_case(4, 100, [&](Rng& rng) {
+    const Pose goal{uniform(-3, 3, rng), uniform(-3, 3, rng), uniform(-1.5, 1.5, rng)};
+    PlanOptions options{.budget = {.max_iterations = 200}, .cost = by_length_and(1.2, 0.1)};
+    for (const Steering steering : continuous_kinds) {
+      options.steering = steering;
+      options.planner.set("min_stroke", 0.0);
+      const PlanResult as_is = plan(problem_of({}, goal, {}), options);
+      options.planner.set("min_stroke", 3.0);
+      const PlanResult result = plan(problem_of({}, goal, {}), options);
+      ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+      EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-9);
+      const double before = missing(strokes(as_is.path->segments), 3);
+      const double after = missing(strokes(result.path->segments), 3);
+      EXPECT_LE(after, before + 1e-9) << as_code(result.path->segments);
+      if (before > 0) ++(after < 1e-9 ? longer : short_still);
+    }
+  });
+  EXPECT_GT(longer, 9 * short_still) << short_still;
+}
+
+// Among walls strokes lack no more than they did, and what does not lack anything stays as it was.
+TEST(MinStroke, TakesNothingAwayWithContinuousCurvature) {
+  for_each_case(5, 100, [&](Rng& rng) {
+    const double left = uniform(2, 6, rng), right = uniform(2, 6, rng);
+    const Problem problem = problem_of(
+        {0, uniform(-0.5, 0.5, rng), uniform(-0.1, 0.1, rng)},
+        {uniform(0, 4, rng), uniform(-0.5, 0.5, rng), std::numbers::pi + uniform(-0.1, 0.1, rng)},
+        {box(-60, left, 60, left + 2), box(-60, -right - 2, 60, -right)});
+    PlanOptions options{.budget = {.max_iterations = 600, .seed = rng()}, .cost = driver_style};
+    options.steering = continuous_kinds[rng() % 2];
+    const PlanResult as_is = plan(problem, options);
+    options.planner.set("min_stroke", 4.0);
+    const PlanResult result = plan(problem, options);
+    ASSERT_EQ(result.status, as_is.status) << result.reason;
+    if (!result.path) return;
+    const double before = missing(strokes(as_is.path->segments), 4);
+    EXPECT_LE(missing(strokes(result.path->segments), 4), before + 1e-9);
+    if (before == 0) {
+      EXPECT_EQ(result.path->segments, as_is.path->segments);
+    }
+  });
 }
 
 }  // namespace

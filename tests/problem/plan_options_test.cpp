@@ -235,7 +235,6 @@ TEST(SteeringOption, IsHonouredByOurPlanners) {
 TEST(SteeringOption, IsBetweenStopsWhereDrivingHasPrices) {
   const Planner& anytime = planner_named("anytime");
   EXPECT_EQ(complete(anytime, {}).steering, Steering::continuous_between_stops);
-  EXPECT_EQ(complete(anytime, with("min_stroke", 1.5)).steering, Steering::reeds_shepp);
   EXPECT_EQ(complete(planner_named("rrt-bsc-euc"), {}).steering, Steering::reeds_shepp);
 }
 
@@ -254,16 +253,6 @@ TEST(SteeringOption, IsRefusedForAPlannerThatDoesNotHonourIt) {
   }
   set_option(options, mine, "steering", "reeds-shepp");  // what it does may be said
   EXPECT_EQ(complete(mine, options).steering, Steering::reeds_shepp);
-}
-
-TEST(SteeringOption, TakesMinStrokeAway) {
-  PlanOptions options = with("min_stroke", 1.5);
-  EXPECT_EQ(message_of_completing("anytime", options), "");
-  options.steering = Steering::continuous;
-  EXPECT_EQ(message_of_completing("anytime", options),
-            "min_stroke: is for steering=reeds-shepp, the steering is continuous");
-  options.planner.set("min_stroke", 0.0);
-  EXPECT_EQ(message_of_completing("anytime", options), "");
 }
 
 // ---- styles ----

@@ -10,6 +10,7 @@
 #include "planners/anytime/fastest.h"
 #include "planners/anytime/island.h"
 #include "planners/anytime/open_ground.h"
+#include "planners/anytime/strokes.h"
 #include "planners/anytime/tidy.h"
 #include "planners/drive_time.h"
 #include "planners/rig/rig_planner.h"
@@ -260,18 +261,23 @@ void Run::tidy(std::uint64_t seed) {
 // Under prices and for those who ask for strokes: the shortest path is what it is.
 void Run::make_drivable(double min_stroke) {
   if (!best_) return;
-  segments_ = path_of(fastest_ ? *fastest_->route() : *best_).segments;
+  const Route& route = fastest_ ? *fastest_->route() : *best_;
+  segments_ = path_of(route).segments;
   const bool is_continuous = task_.steering != Steering::reeds_shepp;
-  if (is_continuous || (rule_.is_length() && min_stroke == 0.0)) return;
+  if (min_stroke == 0.0 && (is_continuous || rule_.is_length())) return;
   Connector connector(task_, rule_);
+  std::vector<Segment> neat =
+      is_continuous
+          ? path_of(with_strokes(connector, gears_at_ends(task_, rule_), route, min_stroke))
+                .segments
+          : tidied(connector, task_.start, segments_, min_stroke);
   if (fastest_) {
-    std::vector<Segment> neat = tidied(connector, task_.start, segments_, min_stroke);
     const double time = planning::drive_time(task_, neat);
     if (min_stroke == 0.0 && time > fastest_->time() * (1 + no_time)) return;
     segments_ = std::move(neat);
     return;
   }
-  segments_ = tidied(connector, task_.start, std::move(segments_), min_stroke);
+  segments_ = std::move(neat);
   Driven driven = rule_.initial_gear;
   const double cost =
       drive_cost(rule_, segments_, driven) + connector.clearance_cost(task_.start, segments_);

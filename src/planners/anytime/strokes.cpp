@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace vandplan::anytime {
+namespace {
+
+using search::Connector, search::gear_of, search::Gears, search::Leg, search::Route;
+
+// Of what a stroke lacks: by how much later its gear may change, in the order of trial; and how
+// much less strokes have to lack then.
+constexpr double shares[] = {1.0, 2.0, 4.0, 8.0, 0.5};
+constexpr double worth_it = 0.25;
+constexpr std::size_t reach = 2;  // legs on either side that are steered anew at most
+
+/// Legs of one gear: [first, last).
+struct Stroke {
+  std::size_t first;
+  std::size_t last;
+  double length;
+};
+
+search::GearSign gear_of(const Leg& leg) { return gear_of(leg.piece.view().front()); }
+
+Piece piece_of(std::span<const Segment> segments) {
+  Piece piece;
+  for (const Segment& segment : segments) {
+    piece.segments[piece.count++] = segment;
+    piece.length += std::abs(segment.length);
+  }
+  return piece;
+}
+
+/// Each of its legs is driven in one gear.
+Route cut_at_changes(const Route& route) {
+  Route result{route.start, {}, 0.0};
+  for (std::size_t i = 0; i < route.legs.size(); ++i) {
+    Pose from = route.begin_of(i);
+    std::span<const Segment> rest = route.legs[i].piece.view();
+    while (!rest.empty()) {
+      const auto changes = [&](const Segment& s) { return gear_of(s) != gear_of(rest.front()); };
+      const auto change = std::ranges::find_if(rest, changes);
+      const auto count = static_cast<std::size_t>(change - rest.begin());
+      const Piece head = piece_of(rest.first(count));
+      rest = rest.subspan(count);
+      from = rest.empty() ? route.legs[i].end : search::end_of(from, head);
+      result.legs.push_back({head, from});
+    }
+  }
+  return result;
+}
+
+std::vector<Stroke> strokes_of(const Route& route) {
+  std::vector<Stroke> result;
+  for (std::size_t i = 0; i < route.legs.size(); ++i) {
+    if (i == 0 || gear_of(route.legs[i]) != gear_of(route.legs[i - 1])) {
+      result.push_back({i, i, 0.0});
+    }
+    result.back().last = i + 1;
+    result.back().length += route.legs[i].piece.length;
+  }
+  return result;
+}
+
+/// By how much all strokes together are shorter than `least` [m].
+double missing(const Route& route, double least) {
+  const std::vector<Stroke> strokes = strokes_of(route);
+  if (strokes.size() < 2) return 0.0;
+  double sum = 0.0;
+  for (const Stroke& stroke : strokes) sum += std::max(0.0, least - stroke.length);
+  return sum;
+}
+
+class Lengthener {
+ public:
+  Lengthener(Connector& connector, const Gears& beside, Route route, double least)
+      : connector_(connector), beside_(beside), route_(cut_at_changes(route)), least_(least) {}
+
+  Route lengthened();
+
+ private:
+  void try_without(const Stroke& stroke);
+  void try_later(std::size_t cusp, double by);
+  [[nodiscard]] bool is_near(double a, double b) const {
+    return std::abs(a - b) * connector_.radius() < search::straight_wheels;
+  }
+  void consider(std::size_t first, std::size_t last, const std::vector<Leg>& legs);
+
+  Connector& connector_;
+  Gears beside_;
+  Route route_;
+  double least_;
+  double wanted_ = 0.0;  // that strokes lack at most [m]
+  std::optional<Route> best_;
+};
+
+// Keeps the route with other legs in place of [first, last) if it is free, lacks so much less as is
+// wanted, and is cheaper than what is kept.
+void Lengthener::consider(std::size_t first, std::size_t last, const std::vector<Leg>& legs) {
+  Route trial = route_;
+  const auto at = trial.legs.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto next = trial.legs.erase(at, at + static_cast<std::ptrdiff_t>(last - first));
+  trial.legs.insert(next, legs.begin(), legs.end());
+  trial = cut_at_changes(trial);
+  if (missing(trial, least_) > wanted_) return;
+  Pose from = route_.begin_of(first);
+  for (const Leg& leg : legs) {
+    if (!connector_.is_free(from, leg.piece)) return;
+    from = leg.end;
+  }
+  price(connector_, trial);
+  if (!best_ || trial.cost < best_->cost) best_ = std::move(trial);
+}
+
+// From before a stroke to behind it at once.
+void Lengthener::try_without(const Stroke& stroke) {
+  for (std::size_t before = 0; before <= std::min(reach, stroke.first); ++before) {
+    for (std::size_t after = 0; after <= reach && stroke.last + after <= route_.legs.size();
+         ++after) {
+      const std::size_t first = stroke.first - before;
+      const std::size_t last = stroke.last + after;
+      const Gears gears = gears_around(beside_, route_, first, last);
+      const Pose& to = route_.legs[last - 1].end;
+      const std::optional<Piece> piece = connector_.steer(route_.begin_of(first), to, gears);
+      if (piece && piece->count > 0) consider(first, last, {{*piece, to}});
+    }
+  }
+}
+
+// The gear changes `by` metres later than before leg `cusp`, along the curvature on either side or
+// straight ahead; and back the same way, if both sides have one curvature.
+void Lengthener::try_later(std::size_t cusp, double by) {
+  const Leg& before = route_.legs[cusp - 1];
+  const Leg& after = route_.legs[cusp];
+  const double curvature_before = search::last_driven(before.piece).curvature;
+  const double curvature_after = search::first_driven(after.piece).curvature;
+  for (const double curvature : {curvature_before, curvature_after, 0.0}) {
+    const Segment on{curvature, by * gear_of(before)};
+    const Pose via = advance(before.end, on);
+    if (is_near(curvature, curvature_before) && is_near(curvature, curvature_after)) {
+      const Piece there = piece_of({&on, 1});
+      consider(cusp, cusp, {{there, via}, {reversed(there), before.end}});
+    }
+    for (std::size_t ahead = 1; ahead <= std::min(reach, cusp); ++ahead) {
+      for (std::size_t behind = 1; behind <= std::min(reach, route_.legs.size() - cusp); ++behind) {
+        const std::size_t first = cusp - ahead;
+        const std::size_t last = cusp + behind;
+        const Gears gears = gears_around(beside_, route_, first, last);
+        const std::optional<Piece> there =
+            connector_.steer(route_.begin_of(first), via, {gears.before, gear_of(after)});
+        if (!there || there->count == 0) continue;
+        const Pose& to = route_.legs[last - 1].end;
+        const std::optional<Piece> back =
+            connector_.steer(via, to, {search::last_driven(*there), gears.after});
+        if (back && back->count > 0) consider(first, last, {{*there, via}, {*back, to}});
+      }
+    }
+  }
+}
+
+// What lengthens one stroke may shorten another; so often at most as there are ends of strokes.
+Route Lengthener::lengthened() {
+  bool changed = true;
+  for (std::size_t tries = 2 * strokes_of(route_).size(); changed && tries > 0; --tries) {
+    const std::vector<Stroke> strokes = strokes_of(route_);
+    changed = false;
+    for (std::size_t k = 0; k < strokes.size() && strokes.size() > 1 && !changed; ++k) {
+      const Stroke& stroke = strokes[k];
+      const double lack = least_ - stroke.length;
+      if (lack <= 0.0) continue;
+      best_.reset();
+      wanted_ = missing(route_, least_) - worth_it * lack;
+      try_without(stroke);
+      for (const double share : shares) {
+        if (best_) break;
+        if (k > 0) try_later(stroke.first, share * lack);
+        if (k + 1 < strokes.size()) try_later(stroke.last, share * lack);
+      }
+      changed = best_.has_value();
+      if (best_) route_ = *std::move(best_);
+    }
+  }
+  price(connector_, route_);
+  return route_;
+}
+
+}  // namespace
+
+search::Route with_strokes(search::Connector& connector, const search::Gears& beside,
+                           search::Route route, double least) {
+  if (missing(cut_at_changes(route), least) == 0.0) return route;
+  return Lengthener(connector, beside, std::move(route), least).lengthened();
+}
+
+}  // namespace vandplan::anytime
