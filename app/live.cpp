@@ -299,15 +299,16 @@ void add_live_options(CLI::App& command, LiveArguments& arguments, bool is_one) 
       ->capture_default_str()
       ->needs(replan);
   if (!is_one) return;
-  command
-      .add_option(actions_flag, arguments.actions,
-                  "What the plans ask of steering and speed over time (.csv), - prints it")
-      ->type_name("FILE")
-      ->needs(replan);
+  CLI::Option* const actions =
+      command
+          .add_option(actions_flag, arguments.actions,
+                      "What the plans ask of steering and speed over time (.csv), - prints it")
+          ->type_name("FILE")
+          ->needs(replan);
   command.add_option("--rate", arguments.rate, "Of the rows of --actions [1/s]; up to 1000")
       ->type_name("HZ")
       ->capture_default_str()
-      ->needs(replan);
+      ->needs(actions);
   const auto add = [&arguments](const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) arguments.options.push_back(typed_setting(setting));
   };

@@ -264,6 +264,9 @@ TEST_F(ReplanCommand, RefusesWhatIsWrongAndLeavesFilesAlone) {
   const Outcome none = run_vandplan({"drive", scenario_, "-o", csv_});
   EXPECT_EQ(none.status, 2);
   EXPECT_NE(none.err.find("RESULT: is not given"), std::string::npos) << none.err;
+  const Outcome rate = replan({"--rate", "10", "-o", csv_});
+  EXPECT_EQ(rate.status, 2);
+  EXPECT_NE(rate.err.find("--rate requires --actions"), std::string::npos) << rate.err;
   EXPECT_EQ(content_of(csv_), "mine");
 }
 
