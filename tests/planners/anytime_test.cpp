@@ -88,9 +88,25 @@ TEST(Anytime, EndsAsSoonAsItIsProvenToBeNearTheOptimum) {
   const PlanResult near = run(problem, options);
   ASSERT_TRUE(near.path);
   EXPECT_LE(near.cost, 1.2 * near.lower_bound);
-  EXPECT_LT(near.iterations, 10000);
+  EXPECT_LT(near.iterations, 3000);
+  options.budget.threads = 3;
+  const PlanResult shared = run(problem, options);
+  EXPECT_EQ(shared.path, near.path);
+  EXPECT_EQ(shared.iterations, near.iterations);
   options.budget.target_gap = 0.0;  // is not proven here
   EXPECT_EQ(run(problem, options).iterations, 20000);
+}
+
+// Around a corner shortening the first route is enough: no other way is looked for.
+TEST(Anytime, ProvesAnEasyGapWithFewTrials) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 30, pi / 2}, {box(-5, 12, 15, 60)});
+  PlanOptions options = iterations(20000);
+  options.budget.target_gap = 0.05;
+  for (options.budget.seed = 1; options.budget.seed <= 10; ++options.budget.seed) {
+    const PlanResult result = run(problem, options);
+    EXPECT_LE(result.cost, 1.05 * result.lower_bound);
+    EXPECT_LT(result.iterations, 130) << options.budget.seed;
+  }
 }
 
 // Parallel to a kerb, 0.3 m from the lorries before and behind.

@@ -57,6 +57,17 @@ constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 
                                                        {Work::bound, 0, 0, 4, 1},
                                                        {Work::detours, 0, 0, 0, 0}}};
 
+// Where a gap is to be proven: of the islands in the order of `plans`, after how many rounds with a
+// route they join, and their share. Rounds are short, and what mostly proves the gap comes first.
+struct GapPlan {
+  std::int64_t first_round;
+  std::int64_t share;
+};
+
+constexpr std::array<GapPlan, island_count> gap_plans = {
+    {{1, 48}, {6, 48}, {6, 16}, {0, 48}, {0, 1}, {6, 48}}};
+constexpr std::size_t bound_island = 4;  // works before each round then
+
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
 
@@ -85,8 +96,11 @@ class Run {
 
  private:
   void merge(Slice& slice);
+  [[nodiscard]] std::int64_t share_of(std::size_t island) const;
   [[nodiscard]] std::int64_t far_share(Work work, std::int64_t share) const;
   [[nodiscard]] double lower_bound() const;
+  [[nodiscard]] double enough() const;
+  void prove();
   void quicken();
   void offer_to_fastest();
 
@@ -105,6 +119,7 @@ class Run {
   std::vector<Segment> segments_;   // of the best route, in the end
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0;
+  std::int64_t rounds_with_route_ = 0;
 };
 
 Run::Run(const Task& task, const PlanOptions& options)
@@ -175,9 +190,32 @@ double Run::lower_bound() const {
   return least_cost(open_ground_, rule_, around);
 }
 
+// What a path may cost to be as near to the optimum as was asked for, as far as is proven.
+double Run::enough() const { return target_gap_ ? (1 + *target_gap_) * lower_bound() : 0.0; }
+
 bool Run::is_good_enough() const {
-  if (!best_ || !target_gap_) return false;
-  return (fastest_ ? fastest_->time() : best_->cost) <= (1 + *target_gap_) * lower_bound();
+  return best_ && target_gap_ && (fastest_ ? fastest_->time() : best_->cost) <= enough();
+}
+
+// Raises the bound, no further than it takes for the gap that was asked for.
+void Run::prove() {
+  Island& bound = islands_[bound_island];
+  std::int64_t left = best_ ? share_of(bound_island) : 0;
+  for (; left > 0 && bound.has_work() && !is_good_enough(); --left) {
+    Slice slice = bound.run(budget_.left(1, 0), &*best_, budget_, 0.0);
+    if (slice.iterations == 0) return;
+    merge(slice);
+  }
+}
+
+std::int64_t Run::share_of(std::size_t island) const {
+  const Plan& plan = is_far_ ? far_plans[island] : plans[island];
+  if (!best_) return rounds_ < plan.first_round ? 0 : plan.before;
+  const std::int64_t after = rule_.is_length() ? plan.after : plan.after_with_prices;
+  if (is_far_) return far_share(plan.work, after * growth(rounds_));
+  if (!target_gap_ || after == 0) return after * growth(rounds_);
+  const GapPlan& gap_plan = gap_plans[island];
+  return rounds_with_route_ < gap_plan.first_round ? 0 : gap_plan.share * growth(rounds_);
 }
 
 // Over a whole site a detour changes a small part of a route, and refining another one: each has
@@ -202,22 +240,22 @@ void Run::merge(Slice& slice) {
 // Every island works on its own, told only the best route so far; what they bring is merged in a
 // fixed order. So the outcome does not depend on the number of threads.
 void Run::round() {
+  if (target_gap_) prove();
+  if (is_good_enough()) return;
   std::array<std::int64_t, island_count> wanted{};
   std::int64_t granted = 0;
   for (std::size_t i = 0; i < island_count; ++i) {
     if (!islands_[i].has_work() && !(best_ && plans[i].work == Work::refine)) continue;
-    const Plan& plan = is_far_ ? far_plans[i] : plans[i];
-    const bool waits = !best_ && rounds_ < plan.first_round;
-    const std::int64_t after = rule_.is_length() ? plan.after : plan.after_with_prices;
-    std::int64_t share = best_ ? after * growth(rounds_) : plan.before;
-    if (best_ && is_far_) share = far_share(plan.work, share);
-    wanted[i] = budget_.left(waits ? 0 : share, granted);
+    if (target_gap_ && i == bound_island) continue;
+    wanted[i] = budget_.left(share_of(i), granted);
     granted += wanted[i];
   }
   std::array<Slice, island_count> slices;
   const Route* best = best_ ? &*best_ : nullptr;
+  const double good = fastest_ ? 0.0 : enough();
   parallel_for(island_count, best_ ? threads_ : 1,
-               [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_); });
+               [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_, good); });
+  if (best_) ++rounds_with_route_;
   for (Slice& slice : slices) merge(slice);  // [8]
   if (fastest_ && best_) {
     offer_to_fastest();

@@ -150,7 +150,7 @@ void Island::take_over(const Route& best) {
     candidate_.emplace(connector_, best, stream_seed(seed_, ++candidates_), scope_);
 }
 
-Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget) {
+Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget, double enough) {
   Slice slice;
   losers_.clear();
   if (best != nullptr) take_over(*best);
@@ -162,7 +162,9 @@ Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budg
   while (slice.iterations < iterations && has_work()) {
     if (slice.iterations % checks_of_time == 0 && budget.is_interrupted()) break;
     ++slice.iterations;
-    if (step()) slice.improvements.push_back({budget.elapsed(), slice.iterations, best_cost_});
+    if (!step()) continue;
+    slice.improvements.push_back({budget.elapsed(), slice.iterations, best_cost_});
+    if (best_cost_ <= enough) break;
   }
   slice.losers = std::move(losers_);
   if (slice.improvements.empty()) return slice;

@@ -40,9 +40,11 @@ class Island {
   Island(const Island&) = delete;
   Island& operator=(const Island&) = delete;
 
-  /// At most `iterations` of work; less if the budget is interrupted or nothing is left to do.
-  /// `best` is the best route of all islands, null while there is none.
-  [[nodiscard]] Slice run(std::int64_t iterations, const Route* best, const Budget& budget);
+  /// At most `iterations` of work; less if the budget is interrupted, nothing is left to do, or a
+  /// route costs no more than `enough`. `best` is the best route of all islands, null while there
+  /// is none.
+  [[nodiscard]] Slice run(std::int64_t iterations, const Route* best, const Budget& budget,
+                          double enough);
 
   /// Whether there is anything left to try.
   [[nodiscard]] bool has_work() const;
