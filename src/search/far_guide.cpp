@@ -38,6 +38,7 @@ FarGuide::FarGuide(const Task& task, const Bounds& box, const Options& options, 
       map_(task.world->local().map ? task.checker.get() : nullptr),
       box_(box),
       target_{target.x, target.y},
+      root_place_{root.x, root.y},
       side_(options.side * task.vehicle.width),
       near_(std::max(inner_radius(task.vehicle) + task.least_margin - side_ * std::sqrt(0.5),
                      side_ / 2)),
@@ -169,13 +170,43 @@ bool FarGuide::step() {
   return true;
 }
 
+std::int32_t FarGuide::known_cost(const RasterCell& cell) const noexcept {
+  const auto tile = tiles_.find(tile_of(cell));
+  return tile == tiles_.end() ? unknown_cell : (*tile->second)[place_in_tile(cell)];
+}
+
+// Down the costs: each cell but the target's was reached from one that costs less.
+std::vector<Point> FarGuide::way() const {
+  std::vector<Point> points = {root_place_};
+  RasterCell here = root_;
+  for (std::int32_t cost = known_cost(here); cost > 0;) {
+    RasterCell best = here;
+    std::int32_t least = unknown_cell;
+    for (const std::int32_t dy : {-1, 0, 1}) {
+      for (const std::int32_t dx : {-1, 0, 1}) {
+        const RasterCell next{here.x + dx, here.y + dy};
+        if (next.x < 0 || next.y < 0) continue;
+        const std::int32_t known = known_cost(next);
+        if (known < 0 || known >= cost) continue;
+        const std::int32_t through = known + (dx == 0 || dy == 0 ? straight_cost : diagonal_cost);
+        if (through >= least) continue;
+        least = through;
+        best = next;
+      }
+    }
+    here = best;
+    cost = known_cost(here);
+    points.push_back(cost > 0 ? centre_of(here) : target_);
+  }
+  if (points.size() == 1) points.push_back(target_);
+  return points;
+}
+
 double FarGuide::at(double x, double y) const noexcept {
   const double euclid = std::hypot(x - target_.x, y - target_.y);
   if (!reached_ || !contains(box_, {x, y})) return euclid;
   const RasterCell cell = cell_of({x, y});
-  const auto tile = tiles_.find(tile_of(cell));
-  const std::int32_t known =
-      tile == tiles_.end() ? unknown_cell : (*tile->second)[place_in_tile(cell)];
+  const std::int32_t known = known_cost(cell);
   if (known == closed_cell) return euclid;
   const double least =
       known == unknown_cell

@@ -47,6 +47,10 @@ class FarGuide final : public Guide {
   [[nodiscard]] bool is_connected() const noexcept override { return reached_; }
   [[nodiscard]] double at(double x, double y) const noexcept override;
 
+  /// The way that was found, from the root to the target: the places of both, and the centres of
+  /// the cells between. Needs `is_connected`.
+  [[nodiscard]] std::vector<Point> way() const;
+
  private:
   struct Entry {
     std::int64_t rank;
@@ -65,6 +69,7 @@ class FarGuide final : public Guide {
   [[nodiscard]] static std::uint64_t tile_of(const RasterCell& cell) noexcept;
   [[nodiscard]] static std::size_t place_in_tile(const RasterCell& cell) noexcept;
   [[nodiscard]] std::int32_t& cost_at(const RasterCell& cell);
+  [[nodiscard]] std::int32_t known_cost(const RasterCell& cell) const noexcept;
   void reach(const RasterCell& cell, std::int32_t cost);
   void settle(const RasterCell& cell, std::int32_t cost);
   [[nodiscard]] std::int64_t rank_of(const RasterCell& cell, std::int32_t cost) const noexcept;
@@ -73,6 +78,7 @@ class FarGuide final : public Guide {
   const CollisionChecker* map_;  // null without a map
   Bounds box_;
   Point target_;
+  Point root_place_;
   double side_;              // of a cell [m]
   double near_;              // from the centre of a blocked cell to an obstacle, at most [m]
   std::int64_t greediness_;  // in parts of `whole`

@@ -51,7 +51,7 @@ constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 6
 
 // Over a whole site: the same islands. A second way, which is nearly the shortest, comes first.
 constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 1, 64, 256, 256},
-                                                       {Work::search_from_start, 1, 64, 16, 16},
+                                                       {Work::search_from_start, 64, 64, 16, 16},
                                                        {Work::random_trees, 0, 16, 0, 0},
                                                        {Work::refine, 0, 0, 256, 256},
                                                        {Work::bound, 0, 0, 4, 1},

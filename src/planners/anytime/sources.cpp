@@ -43,6 +43,13 @@ constexpr double slack = 1.05;                 // what shortening may yet take o
 constexpr std::array far_shares = {1.0, 0.4};  // of the attempts with trees, in turns
 constexpr std::int64_t first_patience = 256;   // samples
 
+// Of a first route: the wheels are turned less, and walls avoided, when it is shortened.
+CostRule gears_alone(CostRule rule) {
+  rule.curvature_change_cost = 0.0;
+  rule.clearance_weight = 0.0;
+  return rule;
+}
+
 CostRule rule_from(const CostRule& rule, Root root) {
   return root == Root::start ? rule : reversed(rule, 0);
 }
@@ -61,6 +68,7 @@ Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
       by_price_(task, rule_from(rule, root)),
       guide_side_(first_guide_side),
       cutoff_(std::numeric_limits<double>::infinity()) {
+  if (is_far_) by_gears_.emplace(task, gears_alone(rule));
   next_guide();
 }
 
@@ -85,6 +93,7 @@ Gears Ladder::gears_from(const CostRule& rule) const {
 
 void Ladder::next_search() {
   lattice_.reset();
+  strung_.reset();
   if (level_ == searches.size() || (is_far_ && is_known() && !goes_far())) {
     finished_ = true;
     return;
@@ -93,6 +102,12 @@ void Ladder::next_search() {
   LatticeOptions options = goes_far() ? far_searches[level_].lattice : searches[level_];
   options.most_locks = level_ < last_coarse_level ? coarse_locks : fine_locks;
   lattice_.emplace(from_, to_, gears_from(connector.rule()), options, *guide_, connector);
+  const bool is_new_guide = guide_level_ == level_;
+  if (goes_far() && is_new_guide && guide_->is_connected()) {
+    std::vector<Point> way = static_cast<const FarGuide&>(*guide_).way();
+    if (root_ == Root::goal) std::reverse(way.begin(), way.end());
+    strung_.emplace(task_, std::move(way), *by_gears_);
+  }
   ++level_;
   is_done_ = false;
 }
@@ -121,10 +136,19 @@ bool Ladder::step() {
     next_search();
   }
   if (finished_) return false;
+  if (strung_) return step_strung();
   lattice_->set_cutoff(slack * cutoff_);
   const bool found = !lattice_->is_exhausted() && lattice_->step();
   is_done_ = found && is_far_;  // shortening finds what is beside it
   return found;
+}
+
+// True when the way was driven to its end, and nothing better is known.
+bool Ladder::step_strung() {
+  if (strung_->step()) return false;
+  is_done_ = strung_->is_complete();
+  if (!is_done_) strung_.reset();
+  return is_done_ && route().cost < slack * cutoff_;
 }
 
 bool Ladder::goes_far() const { return is_far_ && level_ < far_searches.size(); }
@@ -157,11 +181,13 @@ bool Ladder::step_rotation() {
 }
 
 std::int64_t Ladder::solves() const {
-  return by_length_.solves() + by_price_.solves() + (rotation_ ? rotation_->solves() : 0);
+  return by_length_.solves() + by_price_.solves() + (by_gears_ ? by_gears_->solves() : 0) +
+         (rotation_ ? rotation_->solves() : 0);
 }
 
 std::int64_t Ladder::checks() const {
-  return by_length_.checks() + by_price_.checks() + (rotation_ ? rotation_->checks() : 0);
+  return by_length_.checks() + by_price_.checks() + (by_gears_ ? by_gears_->checks() : 0) +
+         (rotation_ ? rotation_->checks() : 0);
 }
 
 std::size_t Ladder::size() const {
@@ -169,6 +195,11 @@ std::size_t Ladder::size() const {
 }
 
 Route Ladder::route() const {
+  if (strung_) {
+    Route route = strung_->route();
+    route.cost = cost_of(rule_, route);
+    return route;
+  }
   const Route& found = rotation_ ? rotation_->route() : lattice_->route();
   if (rule_.is_length() && root_ == Root::start) return found;
   Route route = root_ == Root::start ? found : reversed(found);

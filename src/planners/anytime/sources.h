@@ -9,6 +9,7 @@
 
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
+#include "planners/anytime/strung.h"
 #include "planners/anytime/trees.h"
 #include "search/guide.h"
 #include "search/route.h"
@@ -42,6 +43,7 @@ class Ladder {
   [[nodiscard]] bool takes_turns() const;
   [[nodiscard]] bool is_known() const;
   bool step_rotation();
+  bool step_strung();
   [[nodiscard]] Gears gears_from(const CostRule& rule) const;
   void next_search();
   void next_guide();
@@ -53,10 +55,11 @@ class Ladder {
   Pose from_;
   Pose to_;
   Root root_;
-  bool is_far_;          // over a site of which only a strip is looked at
-  CostRule rule_;        // of the route
-  Connector by_length_;  // of searches before a route is known
-  Connector by_price_;   // of searches from then on, in their direction
+  bool is_far_;                        // over a site of which only a strip is looked at
+  CostRule rule_;                      // of the route
+  Connector by_length_;                // of searches before a route is known
+  Connector by_price_;                 // of searches from then on, in their direction
+  std::optional<Connector> by_gears_;  // over a whole site, along a way
   std::unique_ptr<Guide> guide_;
   double guide_side_;    // of its cells [vehicle widths]
   bool guided_ = false;  // the guide is complete
@@ -65,6 +68,7 @@ class Ladder {
   std::size_t guide_level_ = 0;  // that the guide was made for
   bool is_done_ = false;         // the search has found what it can
   double cutoff_;
+  std::optional<Strung> strung_;  // along the way of the guide; else, or if that fails:
   std::optional<Lattice> lattice_;
   bool minds_prices_ = false;  // the searches that are under way
   std::optional<Rotation> rotation_;

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/strung.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vandplan::anytime {
+namespace {
+
+constexpr LatticeOptions leg_search = {12, 0.5, 2.0};
+constexpr int most_expansions = 256;   // for one leg
+constexpr double least_apart = 4.0;    // of corners [turning radii]
+constexpr double detour_factor = 1.5;  // what a leg may cost, times the beeline,
+constexpr double detour = 4.0;         // and more [turning radii]
+constexpr int most_left_out = 4;       // corners in a row that no leg gets to
+
+/// About how many steps of the way come to a distance.
+std::size_t places_in(double distance, std::span<const Point> way) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    length += std::hypot(way[i].x - way[i - 1].x, way[i].y - way[i - 1].y);
+  }
+  const double step = length / static_cast<double>(way.size() - 1);
+  return step > 0.0 ? static_cast<std::size_t>(std::ceil(distance / step)) : 1;
+}
+
+double heading_of(const Point& from, const Point& to) {
+  return std::atan2(to.y - from.y, to.x - from.x);
+}
+
+}  // namespace
+
+Strung::Strung(const Task& task, std::vector<Point> way, Connector& connector)
+    : task_(task),
+      connector_(connector),
+      way_(std::move(way)),
+      least_places_(places_in(least_apart * task.vehicle.min_turning_radius, way_)),
+      route_{task.start, {}, 0.0} {}
+
+// Whether the vehicle drives straight on from one place to the other.
+bool Strung::sees(std::size_t from, std::size_t to) {
+  const Point& a = way_[from];
+  const Point& b = way_[to];
+  const double distance = std::hypot(b.x - a.x, b.y - a.y);
+  return connector_.is_free({a.x, a.y, heading_of(a, b)}, Segment{0.0, distance});
+}
+
+// By steps that double, then by halving; the next place where nothing is seen.
+std::size_t Strung::farthest_seen(std::size_t from) {
+  const std::size_t last = way_.size() - 1;
+  std::size_t seen = from;
+  std::size_t step = least_places_;
+  while (from + step <= last && sees(from, from + step)) {
+    seen = from + step;
+    step *= 2;
+  }
+  std::size_t hidden = std::min(from + step, last + 1);
+  while (hidden - seen > 1) {
+    const std::size_t middle = seen + (hidden - seen) / 2;
+    (sees(from, middle) ? seen : hidden) = middle;
+  }
+  return std::max(seen, std::min(from + least_places_, last));
+}
+
+void Strung::pull() {
+  bends_.push_back(farthest_seen(bends_.back()));
+  if (bends_.back() + 1 == way_.size()) turn_corners();
+}
+
+// At a corner the vehicle points half to either side of it.
+void Strung::turn_corners() {
+  for (std::size_t i = 1; i + 1 < bends_.size(); ++i) {
+    const Point& corner = way_[bends_[i]];
+    const double in = heading_of(way_[bends_[i - 1]], corner);
+    const double out = heading_of(corner, way_[bends_[i + 1]]);
+    const Pose pose{corner.x, corner.y, wrap_angle(in + wrap_angle(out - in) / 2)};
+    for (const double aside : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+      const Pose there = compose(pose, {0.0, aside * task_.vehicle.width, 0.0});
+      if (!connector_.is_free(there)) continue;
+      corners_.push_back(there);
+      break;
+    }
+  }
+  corners_.push_back(task_.goal);
+}
+
+const Pose& Strung::here() const {
+  return route_.legs.empty() ? route_.start : route_.legs.back().end;
+}
+
+Gears Strung::gears_of_leg() const {
+  Gears gears = gears_at_ends(task_, connector_.rule());
+  if (!route_.legs.empty()) gears.before = last_driven(route_.legs.back().piece);
+  if (next_ + 1 < corners_.size()) gears.after = {};
+  if (task_.steering == Steering::reeds_shepp) gears = {gears.before.gear, 0};
+  return gears;
+}
+
+// A leg that costs more turns around on its way.
+double Strung::dearest_leg(const Pose& corner) const {
+  const double apart = std::hypot(corner.x - here().x, corner.y - here().y);
+  return detour_factor * apart + detour * connector_.radius();
+}
+
+// Straight to the corner; where that is not free, a search finds out.
+void Strung::begin_leg() {
+  const Pose& corner = corners_[next_];
+  const Gears gears = gears_of_leg();
+  const double dearest = dearest_leg(corner);
+  if (const auto direct = connector_.connect(here(), corner, {.cutoff = dearest, .gears = gears})) {
+    route_.legs.push_back({direct->piece, corner});
+    reach_corner();
+    return;
+  }
+  guide_.emplace(corner);
+  lattice_.emplace(here(), corner, gears, leg_search, *guide_, connector_);
+  lattice_->set_cutoff(dearest);
+  expansions_ = 0;
+}
+
+void Strung::reach_corner() {
+  lattice_.reset();
+  ++next_;
+  left_out_ = 0;
+}
+
+// False when corner after corner was not reached.
+bool Strung::search_leg() {
+  if (lattice_->step()) {
+    const std::vector<Leg>& legs = lattice_->route().legs;
+    route_.legs.insert(route_.legs.end(), legs.begin(), legs.end());
+    reach_corner();
+    return true;
+  }
+  if (++expansions_ < most_expansions && !lattice_->is_exhausted()) return true;
+  lattice_.reset();
+  if (next_ + 1 == corners_.size() || left_out_ == most_left_out) return false;
+  ++next_;
+  ++left_out_;
+  return true;
+}
+
+bool Strung::step() {
+  if (is_complete()) return false;
+  if (corners_.empty()) {
+    pull();
+  } else if (lattice_) {
+    return search_leg();
+  } else {
+    begin_leg();
+  }
+  return true;
+}
+
+}  // namespace vandplan::anytime
