@@ -11,12 +11,17 @@
 namespace vandplan::judge {
 namespace {
 
-std::size_t index_of(std::int32_t column, std::int32_t row, std::int32_t columns) {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-         static_cast<std::size_t>(column);
-}
+constexpr std::int32_t word_bits = 64;
+
+unsigned bit_of(std::int32_t column) { return static_cast<unsigned>(column % word_bits); }
 
 }  // namespace
+
+std::size_t CellTree::Level::word_of(std::int32_t column, std::int32_t row) const {
+  const std::int32_t words = columns / word_bits + 1;
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(words) +
+         static_cast<std::size_t>(column / word_bits);
+}
 
 CellTree::CellTree(const OccupancyGrid& grid)
     : grid_(grid),
@@ -27,7 +32,8 @@ CellTree::CellTree(const OccupancyGrid& grid)
   while (columns > 1 || rows > 1) {
     columns = (columns + 1) / 2;
     rows = (rows + 1) / 2;
-    levels_.push_back({columns, rows, std::vector<bool>(index_of(0, rows, columns))});
+    Level& level = levels_.emplace_back(Level{columns, rows, {}});
+    level.has_blocked.resize(level.word_of(0, rows + 1));
     fill(levels_.size(), {0, 0, columns, rows});
   }
 }
@@ -51,11 +57,9 @@ void CellTree::fill(std::size_t level, const CellRange& squares) {
   for (std::int32_t row = squares.row; row < squares.row + squares.rows; ++row) {
     for (std::int32_t column = squares.column; column < squares.column + squares.columns;
          ++column) {
-      bool is_any = false;
-      for (const int quarter : {0, 1, 2, 3}) {
-        is_any = is_any || has_blocked(level - 1, 2 * column + quarter % 2, 2 * row + quarter / 2);
-      }
-      to.has_blocked[index_of(column, row, to.columns)] = is_any;
+      std::uint64_t& word = to.has_blocked[to.word_of(column, row)];
+      const std::uint64_t bit = std::uint64_t{1} << bit_of(column);
+      word = blocked_quarters(level, column, row) != 0 ? word | bit : word & ~bit;
     }
   }
 }
@@ -69,7 +73,26 @@ bool CellTree::has_blocked(std::size_t level, std::int32_t column, std::int32_t 
   const auto [columns, rows] = size_of(level);
   if (column < 0 || row < 0 || column >= columns || row >= rows) return false;
   if (level == 0) return is_blocked(grid_, column, row);
-  return levels_[level - 1].has_blocked[index_of(column, row, columns)];
+  const Level& squares = levels_[level - 1];
+  return (squares.has_blocked[squares.word_of(column, row)] >> bit_of(column) & 1U) != 0;
+}
+
+unsigned CellTree::blocked_quarters(std::size_t level, std::int32_t column,
+                                    std::int32_t row) const {
+  unsigned quarters = 0;
+  if (level == 1) {
+    for (const int quarter : {0, 1, 2, 3}) {
+      const bool is_any = has_blocked(0, 2 * column + quarter % 2, 2 * row + quarter / 2);
+      quarters |= is_any ? 1U << quarter : 0U;
+    }
+    return quarters;
+  }
+  const Level& below = levels_[level - 2];  // two columns side by side share a word
+  for (const int up : {0, 1}) {
+    const std::uint64_t word = below.has_blocked[below.word_of(2 * column, 2 * row + up)];
+    quarters |= static_cast<unsigned>(word >> bit_of(2 * column) & 3U) << (2 * up);
+  }
+  return quarters;
 }
 
 // What is said of a passage need not be told to more than this part of what lacks: it is cut in
@@ -191,19 +214,19 @@ void CellTree::Search::look(const Square& square, double bound) {
   }
   if (square.level == 0) return look_at_cell(square);
   // The nearest quarter first: then the others are often too far.
-  std::array<std::pair<double, Square>, 4> near;
+  const unsigned quarters = tree_.blocked_quarters(square.level, square.column, square.row);
+  std::array<std::pair<double, int>, 4> near;
   std::size_t count = 0;
   for (const int quarter : {0, 1, 2, 3}) {
-    const Square part = part_of(square, quarter);
-    if (!tree_.has_blocked(part.level, part.column, part.row)) continue;
-    const double part_bound = bound_of(part);
+    if ((quarters >> quarter & 1U) == 0) continue;
+    const double part_bound = bound_of(part_of(square, quarter));
     if (part_bound >= least_) continue;
     std::size_t place = count++;
     for (; place > 0 && near[place - 1].first > part_bound; --place) near[place] = near[place - 1];
-    near[place] = {part_bound, part};
+    near[place] = {part_bound, quarter};
   }
   for (std::size_t i = 0; i < count && least_ > 0 && near[i].first < least_; ++i) {
-    look(near[i].second, near[i].first);
+    look(part_of(square, near[i].second), near[i].first);
   }
 }
 

@@ -29,11 +29,14 @@ class CellTree {
                                  Effort& effort) const;
 
  private:
-  /// Squares of one size, row by row.
+  /// Squares of one size: a bit each, of a row in as many words as it takes. Beside the last column
+  /// and above the last row there is room for one more, never set.
   struct Level {
     std::int32_t columns = 0;
     std::int32_t rows = 0;
-    std::vector<bool> has_blocked;
+    std::vector<std::uint64_t> has_blocked;
+
+    [[nodiscard]] std::size_t word_of(std::int32_t column, std::int32_t row) const;
   };
   struct Size {
     std::int32_t columns, rows;
@@ -47,6 +50,11 @@ class CellTree {
 
   /// Whether a blocked cell is in a square with sides of 2^level cells; false outside of the grid.
   [[nodiscard]] bool has_blocked(std::size_t level, std::int32_t column, std::int32_t row) const;
+
+  /// Which quarters of a square of level 1 or above hold a blocked cell: bit 0 is the lower left
+  /// one, bit 1 the lower right one, bits 2 and 3 are those above.
+  [[nodiscard]] unsigned blocked_quarters(std::size_t level, std::int32_t column,
+                                          std::int32_t row) const;
 
   OccupancyGrid grid_;
   Real cos_, sin_;             ///< of the heading of the grid
