@@ -10,11 +10,11 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr LatticeOptions leg_search = {12, 0.5, 2.0};
-constexpr int most_expansions = 256;   // for one leg
-constexpr double least_apart = 4.0;    // of corners [turning radii]
-constexpr double detour_factor = 1.5;  // what a leg may cost, times the beeline,
-constexpr double detour = 4.0;         // and more [turning radii]
-constexpr int most_left_out = 4;       // corners in a row that no leg gets to
+constexpr int most_expansions = 256;  // for one leg
+constexpr double least_apart = 4.0;   // of corners [turning radii]
+constexpr double leg_factor = 1.5;    // what a leg may cost, times the beeline,
+constexpr double leg_slack = 4.0;     // and more [turning radii]
+constexpr int most_left_out = 4;      // corners in a row that no leg gets to
 
 /// About how many steps of the way come to a distance.
 std::size_t places_in(double distance, std::span<const Point> way) {
@@ -101,7 +101,7 @@ Gears Strung::gears_of_leg() const {
 // A leg that costs more turns around on its way.
 double Strung::dearest_leg(const Pose& corner) const {
   const double apart = std::hypot(corner.x - here().x, corner.y - here().y);
-  return detour_factor * apart + detour * connector_.radius();
+  return leg_factor * apart + leg_slack * connector_.radius();
 }
 
 // Straight to the corner; where that is not free, a search finds out.
