@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/trigonometry.h"
+
 namespace vandplan::anytime {
 namespace {
 
@@ -27,7 +29,7 @@ std::size_t places_in(double distance, std::span<const Point> way) {
 }
 
 double heading_of(const Point& from, const Point& to) {
-  return std::atan2(to.y - from.y, to.x - from.x);
+  return base::atan_2(to.y - from.y, to.x - from.x);
 }
 
 }  // namespace
