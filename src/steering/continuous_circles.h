@@ -20,14 +20,13 @@ namespace vandplan::steering {
 
 /// The frame of a word, with the sine and cosine of half the turn.
 struct WordFrame {
-  WordFrame() = default;
-  explicit WordFrame(const MeanFrame& f) noexcept : x(f.x), y(f.y), a(f.half_turn) {
-    const auto [sin, cos] = base::sin_cos(a);
-    s = sin;
-    c = cos;
-  }
-  double x = 0, y = 0, a = 0, s = 0, c = 1;
+  double x, y, a, s, c;
 };
+
+inline WordFrame word_frame(const MeanFrame& f) noexcept {
+  const auto [sin, cos] = base::sin_cos(f.half_turn);
+  return {f.x, f.y, f.half_turn, sin, cos};
+}
 
 /// A number whose argument is an angle.
 struct Arrow {

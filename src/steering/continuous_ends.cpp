@@ -91,15 +91,14 @@ std::array<End, 2> ends_of(const Pose& pose, double curvature, double sharpness)
   return ends;
 }
 
-/// One way to begin with one way to end.
-struct Combination {
-  WordTask task;
-  Segment first, last;  ///< before and after the word; of length zero if the wheels are straight
-  double wound = 0;     ///< length of both
-};
-
+/// The ways to begin, each with every way to end.
 struct Combinations {
-  std::array<Combination, 4> list;
+  std::array<WordTask, 4> tasks;
+  /// What is driven before and after each word; of length zero if the wheels are straight.
+  struct Around {
+    Segment first, last;
+  };
+  std::array<Around, 4> around;
   std::size_t count = 0;
 };
 
@@ -115,14 +114,11 @@ Combinations combinations_of(const WordSolver& solver, const EndsTask& task, con
     for (std::size_t j = 0; j < (k1 == 0 ? 1U : 2U); ++j) {
       const Segment& first = starts[i].segment;
       const Segment& back = goals[j].segment;
-      Combination& c = all.list[all.count++];
-      c.task.frame = mean_frame(starts[i].pose, goals[j].pose, 1);
-      c.task.stops = stops;
-      c.task.windings.start = {-sign(first.length), sign(k0), std::abs(first.length)};
-      c.task.windings.goal = {sign(back.length), sign(k1), std::abs(back.length)};
-      c.first = first;
-      c.last = {0, -back.length, -back.curvature_rate};
-      c.wound = std::abs(first.length) + std::abs(back.length);
+      all.tasks[all.count] = {mean_frame(starts[i].pose, goals[j].pose, 1),
+                              {{-sign(first.length), sign(k0), std::abs(first.length)},
+                               {sign(back.length), sign(k1), std::abs(back.length)}},
+                              stops};
+      all.around[all.count++] = {first, {0, -back.length, -back.curvature_rate}};
     }
   }
   return all;
@@ -138,51 +134,48 @@ void shorten(Segment& segment, double saved) {
 }
 
 /// A word with what is driven before and after it, unless the word drives that back.
-UnitPath driven(const WordSolver& solver, const Combination& c, const FoundWord& found) {
+UnitPath driven(const WordSolver& solver, const Combinations& all, std::size_t which,
+                const FoundWord& found) {
+  const Windings& windings = all.tasks[which].windings;
+  const auto& [first, last] = all.around[which];
   UnitSegments inner = as_made_by(found.symmetry, solver.segments_of(found.word));
-  const Windings only_start{c.task.windings.start, {}}, only_goal{{}, c.task.windings.goal};
+  const Windings only_start{windings.start, {}}, only_goal{{}, windings.goal};
   const bool skips_first = saved(solver, found, only_start) > 0;
   const bool skips_last = saved(solver, found, only_goal) > 0;
   if (skips_first) {
     Segment& s = inner.list[0];
-    s.curvature = c.first.curvature;
-    shorten(s, c.first.length);
+    s.curvature = first.curvature;
+    shorten(s, first.length);
   }
-  if (skips_last) shorten(inner.list[inner.count - 1], c.last.length);
+  if (skips_last) shorten(inner.list[inner.count - 1], last.length);
   UnitPath path;
-  if (!skips_first) path.segments.add(c.first);
+  if (!skips_first) path.segments.add(first);
   for (std::size_t i = 0; i < inner.count; ++i) path.segments.add(inner.list[i]);
-  if (!skips_last) path.segments.add(c.last);
-  path.length = c.wound + found.word.length - saved(solver, found, c.task.windings);
+  if (!skips_last) path.segments.add(last);
+  path.length = windings.length() + found.word.length - saved(solver, found, windings);
   return path;
 }
 
 /// The two windings alone, or with the detour between them.
-UnitPath without_word(const WordSolver& solver, const Combination& c) {
+UnitPath without_word(const WordSolver& solver, const Combinations& all, std::size_t which) {
+  const WordTask& task = all.tasks[which];
+  const auto& [first, last] = all.around[which];
   UnitSegments inner;
-  if (!is_nothing(c.task.frame)) inner = detour(solver.turns(), c.task.frame);
+  if (!is_nothing(task.frame)) inner = detour(solver.turns(), task.frame);
   UnitPath path;
-  path.segments.add(c.first);
+  path.segments.add(first);
   for (std::size_t i = 0; i < inner.count; ++i) path.segments.add(inner.list[i]);
-  path.segments.add(c.last);
-  path.length = c.wound + length_of(inner);
+  path.segments.add(last);
+  path.length = task.windings.length() + length_of(inner);
   return path;
 }
 
 /// The least path, as a word of a combination, or without one.
 struct Answer {
   double length = infinite;
-  const Combination* combination = nullptr;
+  std::size_t which = 0;
   std::optional<FoundWord> word;
 };
-
-/// Takes a word of a combination if it is shorter.
-void consider(Answer& answer, const WordSolver& solver, const Combination& c,
-              const std::optional<FoundWord>& found) {
-  if (!found) return;
-  const double length = c.wound + found->word.length - saved(solver, *found, c.task.windings);
-  if (length < answer.length) answer = {length, &c, found};
-}
 
 double least_possible(const MeanFrame& f) {
   return reeds_shepp_formulas::shortest(
@@ -194,16 +187,12 @@ double least_possible(const MeanFrame& f) {
 Answer quick_answer(const WordSolver& solver, const Combinations& all, double cutoff) {
   Answer answer;
   for (std::size_t i = 0; i < all.count; ++i) {
-    const Combination& c = all.list[i];
-    if (is_nothing(c.task.frame)) {
-      if (c.wound < answer.length) answer = {c.wound, &c, std::nullopt};
-      continue;
-    }
-    // What a word drives back is part of what was wound.
-    if (i > 0 && least_possible(c.task.frame) - c.wound >= answer.length) continue;
-    const double most = std::min(answer.length, cutoff);
-    consider(answer, solver, c, least_word(solver, c.task, most - c.wound));
+    const double wound = all.tasks[i].windings.length();
+    if (is_nothing(all.tasks[i].frame) && wound < answer.length) answer = {wound, i, std::nullopt};
   }
+  const auto least =
+      least_word(solver, {all.tasks.data(), all.count}, std::min(answer.length, cutoff));
+  if (least) answer = {least->length, least->task, least->found};
   return answer;
 }
 
@@ -213,12 +202,15 @@ Answer answer_of(const WordSolver& solver, const Combinations& all, double least
   const double plausible = least + 2 + 6 * solver.turns().ramp();
   if (std::min(answer.length, cutoff) <= plausible) return answer;
   for (std::size_t i = 0; i < all.count; ++i) {  // every word that there is
-    const Combination& c = all.list[i];
-    for (const FoundWord& found : all_words(solver, c.task)) consider(answer, solver, c, found);
+    const Windings& windings = all.tasks[i].windings;
+    for (const FoundWord& found : all_words(solver, all.tasks[i])) {
+      const double length = windings.length() + found.word.length - saved(solver, found, windings);
+      if (length < answer.length) answer = {length, i, found};
+    }
   }
-  if (answer.combination != nullptr) return answer;
-  answer.combination = &all.list[0];
-  answer.length = without_word(solver, all.list[0]).length;
+  if (answer.length == infinite) {
+    answer.length = without_word(solver, all, 0).length;
+  }
   return answer;
 }
 
@@ -227,47 +219,51 @@ std::array<Stops, 4> with_fewer(const Stops& stops) {
   return {Stops{}, {false, true, false}, {stops.start, true, false}, {false, true, stops.goal}};
 }
 
-/// The ways to begin and end, with the least path of all.
+/// The least path of all, with the ways to begin and end that it is one of.
 struct Solution {
-  std::array<Combinations, 5> combinations;
+  Combinations combinations;
   Answer answer;
-
-  Solution(const WordSolver& solver, const EndsTask& task) {
-    combinations[0] = combinations_of(solver, task, task.stops);
-    const double least = least_possible(mean_frame(task.from, task.to, 1));
-    const double cutoff = task.cutoff * (1 + 1e-9) + 1e-12;  // rounding is no reason to pass over
-    answer = answer_of(solver, combinations[0], least, cutoff);
-    // Jumps nearly always help. Where the path is much longer than any has to be, look without.
-    constexpr double suspicious = 1.2;
-    if (!task.stops.inside || std::min(answer.length, cutoff) <= suspicious * least) return;
-    const auto fewer = with_fewer(task.stops);
-    for (std::size_t i = 0; i < fewer.size(); ++i) {
-      if (i > 0 && fewer[i] == task.stops) break;
-      combinations[i + 1] = combinations_of(solver, task, fewer[i]);
-      const Answer other = i == 0 ? answer_of(solver, combinations[1], least, cutoff)
-                                  : quick_answer(solver, combinations[i + 1], cutoff);
-      if (other.length < answer.length) answer = other;
-    }
-  }
-  Solution(const Solution&) = delete;  // the answer points into the combinations
 };
+
+/// `least`: what no path is shorter than.
+Solution solution_of(const WordSolver& solver, const EndsTask& task, double least) {
+  Solution solution{combinations_of(solver, task, task.stops), {}};
+  const double cutoff = task.cutoff * (1 + 1e-9) + 1e-12;  // rounding is no reason to pass over
+  solution.answer = answer_of(solver, solution.combinations, least, cutoff);
+  // Jumps nearly always help. Where the path is much longer than any has to be, look without.
+  constexpr double suspicious = 1.2;
+  if (!task.stops.inside || std::min(solution.answer.length, cutoff) <= suspicious * least) {
+    return solution;
+  }
+  const auto fewer = with_fewer(task.stops);
+  for (std::size_t i = 0; i < fewer.size(); ++i) {
+    if (i > 0 && fewer[i] == task.stops) break;
+    const Combinations other = combinations_of(solver, task, fewer[i]);
+    const Answer answer =
+        i == 0 ? answer_of(solver, other, least, cutoff) : quick_answer(solver, other, cutoff);
+    if (answer.length < solution.answer.length) solution = {other, answer};
+  }
+  return solution;
+}
+
+/// No path is shorter than that of Reeds and Shepp, but for rounding.
+double reeds_shepp_bound(const EndsTask& task) {
+  return least_possible(mean_frame(task.from, task.to, 1));
+}
 
 }  // namespace
 
 std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task) {
-  const Solution solution(solver, task);
-  const Answer& answer = solution.answer;
+  const auto [combinations, answer] = solution_of(solver, task, reeds_shepp_bound(task));
   if (answer.length > task.cutoff) return std::nullopt;
-  return answer.word ? driven(solver, *answer.combination, *answer.word)
-                     : without_word(solver, *answer.combination);
+  return answer.word ? driven(solver, combinations, answer.which, *answer.word)
+                     : without_word(solver, combinations, answer.which);
 }
 
 double least_length(const WordSolver& solver, const EndsTask& task) {
-  // No path is shorter than that of Reeds and Shepp, but for rounding.
-  if (least_possible(mean_frame(task.from, task.to, 1)) > task.cutoff * (1 + 1e-9) + 1e-12) {
-    return infinite;
-  }
-  const double length = Solution(solver, task).answer.length;
+  const double least = reeds_shepp_bound(task);
+  if (least > task.cutoff * (1 + 1e-9) + 1e-12) return infinite;
+  const double length = solution_of(solver, task, least).answer.length;
   return length > task.cutoff ? infinite : length;
 }
 
@@ -278,13 +274,13 @@ std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task) 
   };
   const Combinations all = combinations_of(solver, task, task.stops);
   for (std::size_t i = 0; i < all.count; ++i) {
-    Combination c = all.list[i];
-    take(without_word(solver, c));
-    if (is_nothing(c.task.frame)) continue;
-    for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
+    WordTask words = all.tasks[i];
+    take(without_word(solver, all, i));
+    if (is_nothing(words.frame)) continue;
+    for (const FoundWord& found : all_words(solver, words)) take(driven(solver, all, i, found));
     if (!task.stops.inside) continue;
-    c.task.stops = {};
-    for (const FoundWord& found : all_words(solver, c.task)) take(driven(solver, c, found));
+    words.stops = {};
+    for (const FoundWord& found : all_words(solver, words)) take(driven(solver, all, i, found));
   }
   return paths;
 }
@@ -307,17 +303,17 @@ void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, const 
                           const std::function<void(const UnitPath&)>& take) {
   const Combinations all = combinations_of(solver, task, task.stops);
   for (std::size_t i = 0; i < all.count; ++i) {
-    const Combination& c = all.list[i];
-    if (is_nothing(c.task.frame)) {
-      const bool changes = c.first.length * c.last.length < 0;
-      if (wanted.gear_changes == (changes ? 1 : 0)) take(without_word(solver, c));
+    const WordTask& part = all.tasks[i];
+    if (is_nothing(part.frame)) {
+      const bool changes = all.around[i].first.length * all.around[i].last.length < 0;
+      if (wanted.gear_changes == (changes ? 1 : 0)) take(without_word(solver, all, i));
       continue;
     }
     // What a word drives back is part of what was wound.
     WantedWords words = wanted;
-    words.longest += c.wound;
-    for_each_wanted_word(solver, c.task, words, [&](const FoundWord& found) {
-      const UnitPath path = driven(solver, c, found);
+    words.longest += part.windings.length();
+    for_each_wanted_word(solver, part, words, [&](const FoundWord& found) {
+      const UnitPath path = driven(solver, all, i, found);
       if (path.length <= wanted.longest) take(path);
     });
   }

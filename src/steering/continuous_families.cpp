@@ -19,7 +19,7 @@ Arcs sharp_arcs(const Kind& kind, const WordFrame& f, double radius, const Sharp
   return arcs;
 }
 
-constexpr int patient = 25;
+constexpr Patience patient{25};
 
 /// The word with circles if every turn reaches full lock; else by Newton's method from these
 /// circles, from circles without clothoids, or from circles of the radius that turns have which are
@@ -67,7 +67,7 @@ bool exists_sharp(const Kind& kind, const WordFrame& f) {
 /// The word in closed form, or by Newton's method if it may be shorter than `longest`.
 std::optional<SolvedWord> wanted_word(const WordSolver& solver, const Kind& kind,
                                       const WordFrame& frame, const Stops& stops, double longest) {
-  constexpr int quick = 12;
+  constexpr Patience quick{12};
   const CircleWord circles = circles::word_of(kind.formula, frame, Joints(solver.turns(), stops));
   if (circles.line >= longest) return std::nullopt;
   Arcs found;
@@ -91,7 +91,7 @@ std::optional<SolvedWord> wanted_word(const WordSolver& solver, const Kind& kind
 /// symmetries.
 template <typename Visit>
 void for_each_image(const MeanFrame& task, int gear_changes, Visit visit) {
-  const WordFrame frame(folded(task));
+  const WordFrame frame = word_frame(folded(task));
   const Symmetry undo = unfolding(task);
   for (const Kind& kind : kinds) {
     if (gear_changes >= 0 && gear_changes_of(steps_of(kind.formula)) != gear_changes) continue;

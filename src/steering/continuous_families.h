@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "steering/continuous_word.h"
@@ -28,6 +29,8 @@ struct Winding {
 
 struct Windings {
   Winding start, goal;
+
+  [[nodiscard]] double length() const { return start.length + goal.length; }
 };
 
 /// Two poses and what is driven before and after.
@@ -44,9 +47,16 @@ struct WordTask {
 /// Every word of the families, at most one of each formula and symmetry.
 [[nodiscard]] std::vector<FoundWord> all_words(const WordSolver& solver, const WordTask& task);
 
-/// The shortest of them, less what it saves, if that is below `cutoff`.
-[[nodiscard]] std::optional<FoundWord> least_word(const WordSolver& solver, const WordTask& task,
-                                                  double cutoff);
+/// The least word of several tasks.
+struct LeastWord {
+  std::size_t task = 0;  ///< which of them it is for
+  FoundWord found;
+  double length = 0.0;  ///< of both windings and the word, less what it saves
+};
+
+/// The least of all words for at most four tasks of the same stops, if one is below `cutoff`.
+[[nodiscard]] std::optional<LeastWord> least_word(const WordSolver& solver,
+                                                  std::span<const WordTask> tasks, double cutoff);
 
 /// Which words are of interest.
 struct WantedWords {

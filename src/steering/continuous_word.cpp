@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "base/trigonometry.h"
 
@@ -46,6 +47,11 @@ Shape made_shape(const Steps& steps, const Stops& stops) {
   };
   shape.may_cut_first = stops.start && rolls_on(0);
   shape.may_cut_last = stops.goal && rolls_on(steps.count - 2);
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    ++(shape.length_of[i] < 3 ? shape.counts[shape.length_of[i]] : shape.quarters);
+  }
+  shape.least = {shape.may_cut_first ? -1.0 : 0.0, shape.may_dip ? -2.0 : 0.0,
+                 shape.may_cut_last ? -1.0 : 0.0};
   return shape;
 }
 
@@ -202,7 +208,7 @@ std::optional<SolvedWord> WordSolver::at_full_lock(Formula formula, const Stops&
 
 std::optional<SolvedWord> WordSolver::solve(Formula formula, const Stops& stops,
                                             const WordFrame& frame, const Arcs& arcs,
-                                            int most_steps) const noexcept {
+                                            const Patience& patience) const noexcept {
   const Shape& shape = shape_of(formula, stops);
   const std::size_t last = shape.steps.count - 1;
   SolvedWord word{formula, stops, {}, 0, 0};
@@ -222,19 +228,38 @@ std::optional<SolvedWord> WordSolver::solve(Formula formula, const Stops& stops,
   const double guess =
       shape.senses[0] * arcs.first + shape.senses[1] * arcs.inner + shape.senses[2] * arcs.last;
   const double turn = 2 * frame.a + two_pi * std::round((guess - 2 * frame.a) / two_pi);
-  if (!close(word, frame, turn, most_steps) || !is_drivable(word)) return std::nullopt;
+  if (!close(word, frame, turn, patience) || !is_drivable(word)) return std::nullopt;
   return word;
 }
 
+bool WordSolver::is_hopeless(const SolvedWord& word, double moved, double longest) const noexcept {
+  // Both measured: with less room, words are lost.
+  constexpr double near = 0.3;  // of a turn or its clothoid; the next steps are far smaller
+  constexpr double room = 2;    // steps
+  const Shape& shape = shape_of(word.formula, word.stops);
+  const double ramp = turns_.ramp();
+  const double inner = shape.has_line ? 0 : std::abs(word.lengths[1]);
+  const double turn = std::max({std::abs(word.lengths[0]), inner, std::abs(word.lengths[2])});
+  if (moved > near * std::min(turn, ramp)) return false;
+  double length = shape.quarters * word.quarter;
+  for (std::size_t i = 0; i < 3; ++i) {
+    length += shape.counts[i] * word.lengths[i];
+    const double least = shape.least[i] * ramp - 1e-6;  // by so much noise is taken away later
+    if (word.lengths[i] + 2 * room * moved < least) return true;
+  }
+  return length - room * moved > longest + 1e-9;
+}
+
 bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
-                       int most_steps) const noexcept {
+                       const Patience& patience) const noexcept {
   const Shape& shape = shape_of(word.formula, word.stops);
   const double size = 1 + std::abs(frame.x) + std::abs(frame.y);
   // A step so small misses by no more than its square, times how fast the curvature changes.
   const double small_step = 1e-8 / std::sqrt(1 + turns_.sharpness());
+  const bool gives_up = patience.longest < std::numeric_limits<double>::infinity();
   double best = std::numeric_limits<double>::infinity();
   std::array<double, 3> best_lengths{};
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < patience.most_steps; ++step) {
     const Led there = led(turns_, shape, -frame.s, frame.c, word.lengths, word.quarter);
     const Vector miss{frame.x - there.end[0], frame.y - there.end[1], turn - there.end[2]};
     const double error = std::max({std::abs(miss[0]), std::abs(miss[1]), std::abs(miss[2])});
@@ -258,14 +283,18 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
       const double limit = 0.5 * turns_.ramp() + std::abs(word.lengths[i]);
       if (std::abs(change[i]) * part > limit) part = limit / std::abs(change[i]);
     }
+    double moved = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       double& length = word.lengths[i];
       const double next = length + part * change[i];
       const bool is_small = largest > small_step && shape.has_line && i != 1 &&
                             std::abs(length) < turns_.ramp() / 2 &&
                             std::abs(change[i]) > 0.1 * std::abs(length);
-      length = is_small ? by_angle(length, part * change[i]) : next;
+      const double last =
+          std::exchange(length, is_small ? by_angle(length, part * change[i]) : next);
+      moved = std::max(moved, std::abs(length - last));
     }
+    if (gives_up && part == 1 && is_hopeless(word, moved, patience.longest)) return false;
     // No step at all from far away: the lengths cannot lead there.
     if (largest <= small_step) return error <= 1e-6 * size;
   }

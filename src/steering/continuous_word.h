@@ -7,6 +7,7 @@
 // wheels straight or, where the vehicle stands, with any curvature. Lengths are in turning radii.
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "steering/continuous_circles.h"
@@ -27,9 +28,12 @@ struct Shape {
   std::array<double, 3> senses{};  ///< how the heading turns: with the first, inner, last turns
   std::size_t inner = 0;           ///< the first inner turn, if there is one
   bool has_line = false;
-  bool may_dip = false;        ///< the turns beside the line are to the same side
-  bool may_cut_first = false;  ///< the first turn stands before and rolls into another turn
-  bool may_cut_last = false;   ///< the last turn stands after and rolls out of another turn
+  std::array<double, 3> counts{};  ///< how many steps have each of the three lengths
+  double quarters = 0;             ///< and how many the quarter turn
+  std::array<double, 3> least{};   ///< of each of the three lengths, in clothoids to full lock
+  bool may_dip = false;            ///< the turns beside the line are to the same side
+  bool may_cut_first = false;      ///< the first turn stands before and rolls into another turn
+  bool may_cut_last = false;       ///< the last turn stands after and rolls out of another turn
 };
 
 [[nodiscard]] const Shape& shape_of(reeds_shepp_formulas::Formula formula,
@@ -54,6 +58,14 @@ struct UnitSegments {
   void add(const Segment& segment) noexcept;
 };
 
+/// How long Newton's method goes on.
+struct Patience {
+  int most_steps;
+  /// Longer words are of no use. If this is finite it gives up as well where a part seems to become
+  /// less than nothing.
+  double longest = std::numeric_limits<double>::infinity();
+};
+
 /// The word of a formula between the poses of a frame that is near the guess, if there is one.
 class WordSolver {
  public:
@@ -68,10 +80,11 @@ class WordSolver {
       const reeds_shepp_formulas::Arcs& arcs) const noexcept;
 
   /// The word of a formula that is near the guess, if there is one and Newton's method finds it.
+  /// It gives up where the word would be longer than `longest`.
   [[nodiscard]] std::optional<SolvedWord> solve(reeds_shepp_formulas::Formula formula,
                                                 const Stops& stops, const WordFrame& frame,
                                                 const reeds_shepp_formulas::Arcs& guess,
-                                                int most_steps) const noexcept;
+                                                const Patience& patience) const noexcept;
 
   /// The radius of the circle on which a turn by `angle` with straight wheels at both ends begins
   /// and ends, in the directions of a circle.
@@ -88,7 +101,11 @@ class WordSolver {
  private:
   /// Changes the lengths until the word ends at the goal with the heading changed by `turn`.
   [[nodiscard]] bool close(SolvedWord& word, const WordFrame& frame, double turn,
-                           int most_steps) const noexcept;
+                           const Patience& patience) const noexcept;
+
+  /// Whether the lengths, which were last moved by so much, seem to become none of use.
+  [[nodiscard]] bool is_hopeless(const SolvedWord& word, double moved,
+                                 double longest) const noexcept;
 
   /// Whether no part is driven backwards; works out the length.
   [[nodiscard]] bool is_drivable(SolvedWord& word) const noexcept;

@@ -25,10 +25,12 @@ struct MeanFrame {
 
 /// A mean frame with what formulas share about the circles of radius 1 that its poses can turn on.
 struct Circles {
-  explicit Circles(const MeanFrame& frame) noexcept : x(frame.x), y(frame.y), a(frame.half_turn) {
-    const auto [sin, cos] = base::sin_cos(a);
-    s = sin;
-    c = cos;
+  explicit Circles(const MeanFrame& frame) noexcept
+      : Circles(frame, base::sin_cos(frame.half_turn)) {}
+
+  /// With the sine and cosine of half the turn.
+  Circles(const MeanFrame& frame, const base::SinCos& half) noexcept
+      : x(frame.x), y(frame.y), a(frame.half_turn), s(half.sin), c(half.cos) {
     const double shared = (x - 2 * s) * (x + 2 * s);
     lr = shared + y * (y - 4 * c);
     rl = shared + y * (y + 4 * c);
