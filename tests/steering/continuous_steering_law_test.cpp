@@ -230,6 +230,17 @@ TEST(ContinuousLaw, IsTheLeastOfAllWords) {
   });
 }
 
+TEST(ContinuousLaw, IsTheLeastOfAllWordsWithGivenCurvatures) {
+  Loss loss;
+  for_each_case(13, 1000, [&](Rng& rng) {
+    const double ramp = any_size(1e-2, 0.5, rng);
+    const ContinuousSteering steering(radius, 1 / (ramp * radius * radius), Continuity::throughout);
+    loss.count({steering,
+                near_or_far_pair(rng),
+                {any_curvature(radius, rng), any_curvature(radius, rng)}});
+  });
+}
+
 TEST(ContinuousLaw, IsTheLeastOfAllWordsWhereAnEndRolls) {
   Loss loss;
   for_each_case(12, 1500, [&](Rng& rng) {
