@@ -70,7 +70,7 @@ struct Saving {
   Symmetry symmetry;
 };
 
-constexpr double quick_steering = 0.6;  ///< with ramps so long at most
+constexpr double quick_steering = 0.6;  ///< the longest ramp for which that was measured
 constexpr std::array<Saving, 19> saving_images = {{
     {0, {true, true, true}},
     {1, in_x},
@@ -109,10 +109,10 @@ bool is_likely(const Arrow& arrow, double low, double high, bool is_three_arcs) 
 /// A task, with what the search asks of it again and again.
 struct View {
   const WordTask* task;
-  Symmetry undo;  ///< from the folded frame
-  WordFrame frame;
-  double most_saved;
-  double least;  ///< no path of a word is shorter, less what it saves
+  Symmetry undo;      ///< from the folded frame
+  WordFrame frame;    ///< the folded one
+  double most_saved;  ///< by any word
+  double least;       ///< no path of a word is shorter, less what it saves
 };
 
 /// A word of a task as a symmetry of its folded frame makes it.
@@ -132,8 +132,8 @@ struct Open {
   Arcs guess;
   Arcs circles;  ///< a second guess, on a leg: the arcs of the word at full lock
   bool has_circles;
-  double most_saved;
-  double bound;  ///< no path of the word is much shorter, less what it may save
+  double most_saved;  ///< no word of the image saves more
+  double bound;       ///< no path of the word is much shorter, less what it may save
 };
 
 /// What the arcs of a word add up to; nearly a whole turn is a little less than none.
