@@ -58,14 +58,20 @@ struct Envelope {
       // Where the new one gets below the last one: the first whole number from here on.
       const std::int64_t above =
           (centre * centre - last.centre * last.centre) + height - last.height;
-      const std::int64_t begin = above < 0 ? 0 : above / (2 * (centre - last.centre)) + 1;
-      if (begin > last.begin) {
-        parts.push_back({centre, height, begin});
+      const std::int64_t twice = 2 * (centre - last.centre);
+      if (above >= last.begin * twice) {
+        parts.push_back({centre, height, quotient(above, twice) + 1});
         return;
       }
       parts.pop_back();
     }
     parts.push_back({centre, height, 0});
+  }
+
+ private:
+  /// Whole numbers below 2^52, divided and rounded down: exact, and faster than whole numbers are.
+  static std::int64_t quotient(std::int64_t number, std::int64_t by) {
+    return static_cast<std::int64_t>(static_cast<double>(number) / static_cast<double>(by));
   }
 };
 
@@ -173,15 +179,27 @@ CornerSquares::Stretch CornerSquares::affected(std::int32_t y, const CellBox& ch
   };
   const std::int32_t dy = beside(y, changed.y_min, changed.y_max + 1);
   const std::uint16_t* const row = from(0, y);
-  const auto stays = [&](std::int32_t x) {
+  // How many corners from one on stay, at least, to either side: from one to the next neither
+  // distance changes by more than 1.
+  const auto staying = [&](std::int32_t x) {
     const std::int32_t dx = beside(x, changed.x_min, changed.x_max + 1);
     const std::int32_t square = dx * dx + dy * dy;
-    return square > row[x] || square >= furthest * furthest;
+    if (square <= row[x] && square < furthest * furthest) return 0;
+    const double gap = std::sqrt(static_cast<double>(square)) - std::sqrt(static_cast<double>(row[x]));
+    return std::max(static_cast<std::int32_t>(gap / 2), 1);
   };
   std::int32_t begin = std::max(changed.x_min - furthest, 0);
   std::int32_t end = std::min(changed.x_max + 1 + furthest, columns_ - 1) + 1;
-  while (begin < end && stays(begin)) ++begin;
-  while (end > begin && stays(end - 1)) --end;
+  while (begin < end) {
+    const std::int32_t count = staying(begin);
+    if (count == 0) break;
+    begin = std::min(begin + count, end);
+  }
+  while (end > begin) {
+    const std::int32_t count = staying(end - 1);
+    if (count == 0) break;
+    end = std::max(end - count, begin);
+  }
   const std::int32_t left = begin == 0 ? 0 : begin - 1 - root_of(row[begin - 1]);
   const std::int32_t right = end == columns_ ? columns_ - 1 : end + root_of(row[end]);
   return {y, begin, end, std::max(left, 0), std::min(right, columns_ - 1)};

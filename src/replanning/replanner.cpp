@@ -59,6 +59,15 @@ void check_vehicle_of(const Scenario& scenario) {
   }
 }
 
+/// What the judge has seen of a drive and found good; it holds for the rest of it.
+struct Judged {
+  bool ground = false;   // it touches nothing that stands, as that is known now
+  bool company = false;  // and nobody, as they are thought to move now
+  bool times = false;    // and keeps the limits of the vehicle
+
+  [[nodiscard]] bool all() const noexcept { return ground && company && times; }
+};
+
 ReplanAnswer in_frame(const ReplanAnswer& local, const Point& origin) {
   ReplanAnswer answer = local;
   TimedPath drive = *local.drive;
@@ -113,15 +122,15 @@ class Replanner::Impl {
     std::vector<MovingObstacle> local = problem::local_moving(moving, ground_.origin());
     if (local == moving_) return;
     moving_ = std::move(local);
-    is_judged_ = false;
+    judged_.company = false;
   }
 
   const ReplanAnswer& tick(double t, const VehicleState* state) {
     ++ticks_;
     scene_.world = ground_.world();
     scene_.moving = later(moving_, t);
-    if (ground_version_ != ground_.version()) is_judged_ = false;
-    has_news_ = !is_judged_;
+    if (ground_version_ != ground_.version()) judged_.ground = false;
+    has_news_ = !judged_.all();
     ground_version_ = ground_.version();
     if (!answer_.drive) {
       begin(t);
@@ -161,12 +170,25 @@ class Replanner::Impl {
     return check_drive(problem, rest.drive, {margin, rest.drive.speeds.knots.front().v}).reason;
   }
 
-  /// When a drive that begins now meets what moves [s]; 0 where it is no good for other reasons.
+  /// Why what is left of the drive is no good; empty if it is. What the judge has seen, he need not
+  /// see again.
+  [[nodiscard]] std::string fault_of_rest(const CutDrive& rest) const {
+    if (!judged_.times) return fault_of(rest, answer_.reaches_goal, margin());
+    const Problem problem = problem_of(rest, answer_.reaches_goal);
+    if (!judged_.ground) {
+      const PathClaims claims{.clearance = options_.plan.clearance};
+      const PathCheck way = check_path(problem, rest.drive.path, claims);
+      if (!way.valid) return way.reason;
+    }
+    if (judged_.company) return "";
+    return check_company(problem, rest.drive, {margin()}).reason;
+  }
+
+  /// When a drive that begins now meets what moves [s]; 0 where it hits what stands.
   [[nodiscard]] double met_at(const CutDrive& rest, bool reaches_goal) const {
     const Problem problem = problem_of(rest, reaches_goal);
     if (!check_path(problem, rest.drive.path).valid) return 0.0;
-    const DriveCheck check =
-        check_drive(problem, rest.drive, {0.0, rest.drive.speeds.knots.front().v});
+    const DriveCheck check = check_company(problem, rest.drive);
     return check.valid ? infinite : check.t.value_or(0.0);
   }
 
@@ -180,7 +202,7 @@ class Replanner::Impl {
   }
 
   void take(double t, Way way, const Motion& now) {
-    is_judged_ = true;
+    judged_ = {true, true, true};
     set({.outcome = way.outcome,
          .begin = t,
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
@@ -227,14 +249,13 @@ class Replanner::Impl {
          .reaches_goal = false,
          .is_safe = false,
          .reason = "the vehicle is not where it should be"});
-    is_judged_ = false;
+    judged_ = {};
   }
 
   void go_on(double t) {
     const CutDrive rest = rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin);
-    const bool is_good =
-        (is_judged_ && answer_.is_safe) || fault_of(rest, answer_.reaches_goal, margin()).empty();
-    if (is_good) is_judged_ = true;
+    const bool is_good = judged_.all() || fault_of_rest(rest).empty();
+    if (is_good) judged_ = {true, true, true};
     if (is_good && answer_.reaches_goal) {
       next_look_ = 0;
       return improve(t, rest);
@@ -250,10 +271,10 @@ class Replanner::Impl {
     Ways ways(scene_, options_.plan);
     const std::size_t rounds = is_good || options_.committed == 0.0 ? 1 : 2;
     Effort each = effort(options_.tick_iterations * urgent_share / 2);
-    std::optional<Way> best;
+    std::vector<Way> found;  // the cheapest last
     for (std::size_t i = 0; i < rounds * looks.size(); ++i) {
       const std::size_t k = next_look_ % (rounds * looks.size());
-      if (best && k % looks.size() == 0) break;
+      if (k % looks.size() == 0 && take_cheapest(t, found, rest.begin)) return true;
       each.states = options_.tick_states * urgent_share - ways.work().states;
       const bool is_enough = ways.work().iterations >= 2 * each.iterations || each.states <= 0;
       if (i > 0 && is_enough) break;
@@ -261,14 +282,21 @@ class Replanner::Impl {
       const Look look = looks[k % looks.size()];
       const Wish wish{.committed = k < looks.size() ? options_.committed : 0.0,
                       .rest_reaches_goal = answer_.reaches_goal,
-                      .most = best ? best->cost : infinite};
+                      .most = found.empty() ? infinite : found.back().cost};
       auto way = ways.to_goal(look, rest, wish, each);
-      if (!way || way->cost >= wish.most) continue;
-      if (fault_of(*way, rest.begin, margin()).empty()) best = std::move(way);
+      if (way && way->cost < wish.most) found.push_back(*std::move(way));
     }
-    if (!best) return false;
-    take(t, *std::move(best), rest.begin);
-    return true;
+    return take_cheapest(t, found, rest.begin);
+  }
+
+  /// Takes the last one that the judge accepts; the others are gone.
+  bool take_cheapest(double t, std::vector<Way>& found, const Motion& now) {
+    for (; !found.empty(); found.pop_back()) {
+      if (!fault_of(found.back(), now, margin()).empty()) continue;
+      take(t, std::move(found.back()), now);
+      return true;
+    }
+    return false;
   }
 
   /// The old way stays unless another one is better by so much.
@@ -280,19 +308,17 @@ class Replanner::Impl {
     Wish wish{.committed = options_.committed,
               .rest_reaches_goal = true,
               .most = ways.cost_of(rest.drive) * (1 - options_.better)};
-    std::optional<Way> best;
+    std::vector<Way> found;  // the cheapest last
     for (const Look look : looks) {
       if (look == Look::new_times && !has_news_) continue;
       if (look == Look::without_stop && ticks_ % 2 != 0) continue;
       if (look == Look::around) continue;
       auto way = ways.to_goal(look, rest, wish, effort(options_.tick_iterations));
       if (!way || way->cost >= wish.most) continue;
-      if (!fault_of(*way, rest.begin, margin()).empty()) continue;
       wish.most = way->cost;
-      best = std::move(way);
+      found.push_back(*std::move(way));
     }
-    if (best) return take(t, *std::move(best), rest.begin);
-    keep();
+    if (!take_cheapest(t, found, rest.begin)) keep();
   }
 
   void keep() {
@@ -320,10 +346,11 @@ class Replanner::Impl {
     Way braking = ways.braking(rest);
     if (met_at(rest, answer_.reaches_goal) > met_at({braking.drive, rest.begin}, false)) {
       answer_.outcome = out_.outcome = TickOutcome::none;
+      judged_.ground = judged_.company = false;
     } else {
       take(t, std::move(braking), rest.begin);
+      judged_ = {};
     }
-    is_judged_ = false;
     answer_.is_safe = out_.is_safe = false;
     answer_.reason = out_.reason = fault.empty() ? "there is no time to stop" : fault;
   }
@@ -338,8 +365,8 @@ class Replanner::Impl {
   std::int64_t ground_version_ = 0;
   std::int64_t ticks_ = 0;
   std::size_t next_look_ = 0;  // of those for a drive that is needed
-  bool is_judged_ = false;     // among these movers on this ground
-  bool has_news_ = false;      // of them since the last tick
+  Judged judged_;              // of the answer, by the judge
+  bool has_news_ = false;      // of ground or movers since the last tick
 };
 
 Replanner::Replanner(const Scenario& scenario, const ReplanOptions& options)

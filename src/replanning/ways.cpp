@@ -9,6 +9,7 @@
 #include "moving/yielding.h"
 #include "speed/moving_start.h"
 #include "vandplan/input_error.h"
+#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
 
 namespace vandplan::replanning {
@@ -76,17 +77,23 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
 }
 
 /// What the planner drives from standing at a pose, `t` seconds from now; nothing if it finds none.
+/// Nobody has judged it: whoever takes a drive lets the judge see the whole of it.
 std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, double t,
                                             const PlanOptions& options) {
   const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
+  if (reeds_shepp_length(pose, scene_.goal, scene_.vehicle.min_turning_radius) == 0.0) return {};
   try {
     Problem problem =
         make_problem(scene_.world, scene_.planned, pose, scene_.goal,
                      {std::clamp(curvature, -sharpest, sharpest), scene_.goal_curvature});
     if (t >= 0.0) problem = with_moving(std::move(problem), later(scene_.moving, t));
-    PlanResult result = plan(problem, options);
-    work_.iterations += result.iterations;
-    if (result.path) return std::move(result.path->segments);
+    const Planner& planner = default_planner();
+    const PlanOptions all = complete(planner, options);
+    const Task task = task_of(problem, all.clearance, *all.steering);
+    if (!task.checker->is_free(task.start) || !task.checker->is_free(task.goal)) return {};
+    PlannerAnswer answer = planner.function(task, all);
+    work_.iterations += answer.iterations;
+    if (answer.segments) return *std::move(answer.segments);
   } catch (const InputError&) {
     // Whoever is off by more than a planner accepts finds no way from there.
   }
