@@ -60,40 +60,43 @@ struct Envelope {
           (centre * centre - last.centre * last.centre) + height - last.height;
       const std::int64_t twice = 2 * (centre - last.centre);
       if (above >= last.begin * twice) {
-        parts.push_back({centre, height, quotient(above, twice) + 1});
+        // Most are side by side, and what is divided by a known 2 is shifted.
+        parts.push_back({centre, height, (twice == 2 ? above / 2 : above / twice) + 1});
         return;
       }
       parts.pop_back();
     }
     parts.push_back({centre, height, 0});
   }
-
- private:
-  /// Whole numbers below 2^52, divided and rounded down: exact, and faster than whole numbers are.
-  static std::int64_t quotient(std::int64_t number, std::int64_t by) {
-    return static_cast<std::int64_t>(static_cast<double>(number) / static_cast<double>(by));
-  }
 };
 
-/// [2] The least of all parabolas over a row of column distances, from one of its places on.
-void fill_row(std::span<const std::uint8_t> distances, std::size_t first, Envelope& envelope,
-              std::span<std::uint16_t> squares) {
+/// [2] The least of all parabolas over a row of column distances, taken where it is less. The
+/// squares begin `shift` places after these, or before if it is negative.
+void lower_row(std::span<const std::uint8_t> distances, std::int64_t shift, Envelope& envelope,
+               std::span<std::uint16_t> squares) {
+  // Places count from the leftmost one of both.
+  const std::int64_t first_source = std::max<std::int64_t>(-shift, 0);
+  const std::int64_t first = first_source + shift;
+  const std::int64_t last = first + std::ssize(squares);
   envelope.parts.clear();
   for (std::size_t x = 0; x < distances.size(); ++x) {
     const std::int64_t distance = distances[x];
-    if (distance < far) envelope.add(static_cast<std::int64_t>(x), distance * distance);
+    if (distance == far) continue;
+    envelope.add(first_source + static_cast<std::int64_t>(x), distance * distance);
   }
-  std::fill(squares.begin(), squares.end(), beyond);
-  const auto begin_of_all = static_cast<std::int64_t>(first);
-  const auto end_of_all = static_cast<std::int64_t>(first + squares.size());
   for (std::size_t i = 0; i < envelope.parts.size(); ++i) {
     const auto& [centre, height, begin] = envelope.parts[i];
-    const std::int64_t end =
-        i + 1 < envelope.parts.size() ? envelope.parts[i + 1].begin : end_of_all;
-    for (std::int64_t x = std::max(begin, begin_of_all); x < std::min(end, end_of_all); ++x) {
-      const std::int64_t square = (x - centre) * (x - centre) + height;
-      squares[static_cast<std::size_t>(x) - first] =
-          static_cast<std::uint16_t>(std::min<std::int64_t>(square, beyond));
+    const bool is_last = i + 1 == envelope.parts.size();
+    const std::int64_t from = std::max({begin, first, centre - far});
+    const std::int64_t to = std::min(is_last ? last : envelope.parts[i + 1].begin, last);
+    const std::int64_t end = std::min<std::int64_t>(to, centre + far);
+    if (from >= end) continue;
+    const auto aside = static_cast<std::int32_t>(from - centre);
+    const auto up = static_cast<std::int32_t>(height);
+    std::uint16_t* const row = squares.data() + (from - first);
+    for (std::int32_t k = 0; k < static_cast<std::int32_t>(end - from); ++k) {
+      const std::int32_t square = (aside + k) * (aside + k) + up;
+      row[k] = static_cast<std::uint16_t>(std::min<std::int32_t>(square, row[k]));
     }
   }
 }
@@ -142,15 +145,15 @@ std::int32_t root_of(std::uint16_t square) {
 CornerSquares::CornerSquares(const BitGrid& cells)
     : columns_(cells.columns() + 1),
       rows_(cells.rows() + 1),
-      squares_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+      squares_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), beyond) {
   std::vector<Stretch> all;
   all.reserve(static_cast<std::size_t>(rows_));
   for (std::int32_t y = 0; y < rows_; ++y) all.push_back({y, 0, columns_, 0, columns_ - 1});
-  fill(cells, all);
+  lower(cells, all);
 }
 
-/// The squares of corners of rows one below the other, from column distances.
-void CornerSquares::fill(const BitGrid& cells, const std::vector<Stretch>& stretches) {
+/// Lowers the squares of corners of rows one below the other, by column distances.
+void CornerSquares::lower(const BitGrid& cells, const std::vector<Stretch>& stretches) {
   CellBox box{columns_, -1, std::max(stretches.front().y - furthest, 0),
               std::min(stretches.back().y + furthest, rows_ - 1)};
   for (const Stretch& stretch : stretches) {
@@ -162,10 +165,10 @@ void CornerSquares::fill(const BitGrid& cells, const std::vector<Stretch>& stret
   Envelope envelope;
   for (const auto& [y, begin, end, first, last] : stretches) {
     const std::size_t row = static_cast<std::size_t>(y - box.y_min) * width;
-    fill_row(
+    lower_row(
         std::span(distances).subspan(row + static_cast<std::size_t>(first - box.x_min),
                                      static_cast<std::size_t>(last - first) + 1),
-        static_cast<std::size_t>(begin - first), envelope,
+        begin - first, envelope,
         std::span(squares_).subspan(index_of(begin, y), static_cast<std::size_t>(end - begin)));
   }
 }
@@ -185,7 +188,8 @@ CornerSquares::Stretch CornerSquares::affected(std::int32_t y, const CellBox& ch
     const std::int32_t dx = beside(x, changed.x_min, changed.x_max + 1);
     const std::int32_t square = dx * dx + dy * dy;
     if (square <= row[x] && square < furthest * furthest) return 0;
-    const double gap = std::sqrt(static_cast<double>(square)) - std::sqrt(static_cast<double>(row[x]));
+    const double gap =
+        std::sqrt(static_cast<double>(square)) - std::sqrt(static_cast<double>(row[x]));
     return std::max(static_cast<std::int32_t>(gap / 2), 1);
   };
   std::int32_t begin = std::max(changed.x_min - furthest, 0);
@@ -205,18 +209,41 @@ CornerSquares::Stretch CornerSquares::affected(std::int32_t y, const CellBox& ch
   return {y, begin, end, std::max(left, 0), std::min(right, columns_ - 1)};
 }
 
+/// Whether a corner in a box of cells was one of a cell that is set, and is so no more.
+bool CornerSquares::is_less(const BitGrid& cells, const CellBox& changed) const {
+  for (std::int32_t y = changed.y_min; y <= changed.y_max + 1; ++y) {
+    for (std::int32_t x = changed.x_min; x <= changed.x_max + 1; ++x) {
+      if (*from(x, y) != 0) continue;
+      const CellBox around = shared({x - 1, x, y - 1, y}, {0, columns_ - 2, 0, rows_ - 2});
+      if (!cells.any_run(around, [](std::int32_t, std::int32_t, std::int32_t) { return true; })) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 CellBox CornerSquares::update(const BitGrid& cells, const CellBox& changed) {
+  // Where cells are set, and none was before, no others can be nearer than they were.
+  const bool forgets = is_less(cells, changed);
   std::vector<Stretch> stretches;
   CellBox box{columns_, -1, rows_, -1};
   const std::int32_t last = std::min(changed.y_max + 1 + furthest, rows_ - 1);
   for (std::int32_t y = std::max(changed.y_min - furthest, 0); y <= last; ++y) {
-    const Stretch stretch = affected(y, changed);
+    Stretch stretch = affected(y, changed);
     if (stretch.begin == stretch.end) continue;
+    if (forgets) {
+      std::uint16_t* const row = squares_.data() + index_of(0, y);
+      std::fill(row + stretch.begin, row + stretch.end, beyond);
+    } else {
+      stretch.first_source = changed.x_min;
+      stretch.last_source = changed.x_max + 1;
+    }
     stretches.push_back(stretch);
     box = {std::min(box.x_min, stretch.begin), std::max(box.x_max, stretch.end - 1),
            std::min(box.y_min, y), y};
   }
-  if (!stretches.empty()) fill(cells, stretches);
+  if (!stretches.empty()) lower(cells, stretches);
   return box;
 }
 

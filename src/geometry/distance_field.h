@@ -48,7 +48,8 @@ class CornerSquares {
            static_cast<std::size_t>(x);
   }
   [[nodiscard]] Stretch affected(std::int32_t y, const CellBox& changed) const;
-  void fill(const BitGrid& cells, const std::vector<Stretch>& stretches);
+  [[nodiscard]] bool is_less(const BitGrid& cells, const CellBox& changed) const;
+  void lower(const BitGrid& cells, const std::vector<Stretch>& stretches);
 
   std::int32_t columns_, rows_;  // of corners
   std::vector<std::uint16_t> squares_;
