@@ -311,8 +311,8 @@ class Replanner::Impl {
     std::vector<Way> found;  // the cheapest last
     for (const Look look : looks) {
       if (look == Look::new_times && !has_news_) continue;
-      if (look == Look::without_stop && ticks_ % 2 != 0) continue;
-      if (look == Look::around) continue;
+      if (look == Look::around || look == (ticks_ % 2 == 0 ? Look::from_stop : Look::without_stop))
+        continue;
       auto way = ways.to_goal(look, rest, wish, effort(options_.tick_iterations));
       if (!way || way->cost >= wish.most) continue;
       wish.most = way->cost;
