@@ -68,6 +68,20 @@ struct Judged {
   [[nodiscard]] bool all() const noexcept { return ground && company && times; }
 };
 
+/// What the judge says of a drive.
+struct Verdict {
+  std::string fault = {};  // why it is no good; empty if it is
+  double met = infinite;   // when somebody is met, if that is why [s]
+
+  [[nodiscard]] bool is_good() const noexcept { return fault.empty(); }
+};
+
+Verdict verdict_of(DriveCheck check) {
+  // No clearance is known where the times were found wrong before anybody was looked at.
+  const double met = check.clearance ? check.t.value_or(infinite) : infinite;
+  return {std::move(check.reason), met};
+}
+
 ReplanAnswer in_frame(const ReplanAnswer& local, const Point& origin) {
   ReplanAnswer answer = local;
   TimedPath drive = *local.drive;
@@ -160,28 +174,33 @@ class Replanner::Impl {
         scene_.moving);
   }
 
-  /// Why a drive that begins now is no good; empty if it is.
-  [[nodiscard]] std::string fault_of(const CutDrive& rest, bool reaches_goal, double margin) const {
+  /// Of a drive that begins now.
+  [[nodiscard]] Verdict judged(const CutDrive& rest, bool reaches_goal, double margin) const {
     const Problem problem = problem_of(rest, reaches_goal);
     ClearanceOptions clearance = options_.plan.clearance;
     clearance.margin = margin;
-    const PathCheck way = check_path(problem, rest.drive.path, {.clearance = clearance});
-    if (!way.valid) return way.reason;
-    return check_drive(problem, rest.drive, {margin, rest.drive.speeds.knots.front().v}).reason;
+    PathCheck way = check_path(problem, rest.drive.path, {.clearance = clearance});
+    if (!way.valid) return {std::move(way.reason)};
+    return verdict_of(
+        check_drive(problem, rest.drive, {margin, rest.drive.speeds.knots.front().v}));
   }
 
-  /// Why what is left of the drive is no good; empty if it is. What the judge has seen, he need not
-  /// see again.
-  [[nodiscard]] std::string fault_of_rest(const CutDrive& rest) const {
-    if (!judged_.times) return fault_of(rest, answer_.reaches_goal, margin());
+  [[nodiscard]] Verdict judged(const Way& way, const Motion& now, double margin) const {
+    return judged({way.drive, now}, way.reaches_goal, margin);
+  }
+
+  /// Of what is left of the drive. What the judge has seen he need not see again.
+  [[nodiscard]] Verdict judged_again(const CutDrive& rest) const {
+    if (judged_.all()) return {};
+    if (!judged_.times) return judged(rest, answer_.reaches_goal, margin());
     const Problem problem = problem_of(rest, answer_.reaches_goal);
     if (!judged_.ground) {
-      const PathClaims claims{.clearance = options_.plan.clearance};
-      const PathCheck way = check_path(problem, rest.drive.path, claims);
-      if (!way.valid) return way.reason;
+      PathCheck way =
+          check_path(problem, rest.drive.path, {.clearance = options_.plan.clearance});
+      if (!way.valid) return {std::move(way.reason)};
     }
-    if (judged_.company) return "";
-    return check_company(problem, rest.drive, {margin()}).reason;
+    if (judged_.company) return {};
+    return verdict_of(check_company(problem, rest.drive, {margin()}));
   }
 
   /// When a drive that begins now meets what moves [s]; 0 where it hits what stands.
@@ -190,10 +209,6 @@ class Replanner::Impl {
     if (!check_path(problem, rest.drive.path).valid) return 0.0;
     const DriveCheck check = check_company(problem, rest.drive);
     return check.valid ? infinite : check.t.value_or(0.0);
-  }
-
-  [[nodiscard]] std::string fault_of(const Way& way, const Motion& now, double margin) const {
-    return fault_of({way.drive, now}, way.reaches_goal, margin);
   }
 
   void set(ReplanAnswer answer) {
@@ -219,7 +234,7 @@ class Replanner::Impl {
     first.states = std::max<std::int64_t>(first.states, 200'000);
     Ways ways(scene_, options_.plan);
     if (auto way = ways.from_standing(task.start, task.curvatures.start, first)) {
-      if (fault_of(*way, now, margin()).empty()) return take(t, *std::move(way), now);
+      if (judged(*way, now, margin()).is_good()) return take(t, *std::move(way), now);
     }
     stop_or_brake(t, {standing_at(task.start), now});
   }
@@ -254,23 +269,27 @@ class Replanner::Impl {
 
   void go_on(double t) {
     const CutDrive rest = rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin);
-    const bool is_good = judged_.all() || fault_of_rest(rest).empty();
-    if (is_good) judged_ = {true, true, true};
-    if (is_good && answer_.reaches_goal) {
+    const Verdict verdict = judged_again(rest);
+    if (verdict.is_good()) judged_ = {true, true, true};
+    if (verdict.is_good() && answer_.reaches_goal) {
       next_look_ = 0;
       return improve(t, rest);
     }
-    if (look_on(t, rest, is_good)) return;
-    if (is_good) return keep();
+    if (look_on(t, rest, verdict)) return;
+    if (verdict.is_good()) return keep();
     stop_or_brake(t, rest);
   }
 
   /// Looks for other drives one after the other until enough is done for one tick; the next tick
-  /// goes on from there. What was committed is given up last, and only if it must be.
-  bool look_on(double t, const CutDrive& rest, bool is_good) {
+  /// goes on from there. What was committed is given up last, and at once if it cannot be kept.
+  bool look_on(double t, const CutDrive& rest, const Verdict& verdict) {
+    if (verdict.met <= 0.0) return false;  // so is every other drive
     Ways ways(scene_, options_.plan);
-    const std::size_t rounds = is_good || options_.committed == 0.0 ? 1 : 2;
+    const bool stands = rest.drive.speeds.duration == 0.0;
+    const double committed = stands || verdict.met < options_.committed ? 0.0 : options_.committed;
+    const std::size_t rounds = verdict.is_good() || committed == 0.0 ? 1 : 2;
     Effort each = effort(options_.tick_iterations * urgent_share / 2);
+    bool has_gone_around = false;
     std::vector<Way> found;  // the cheapest last
     for (std::size_t i = 0; i < rounds * looks.size(); ++i) {
       const std::size_t k = next_look_ % (rounds * looks.size());
@@ -280,11 +299,13 @@ class Replanner::Impl {
       if (i > 0 && is_enough) break;
       ++next_look_;
       const Look look = looks[k % looks.size()];
-      const Wish wish{.committed = k < looks.size() ? options_.committed : 0.0,
+      if (look == Look::around && std::exchange(has_gone_around, true)) continue;
+      const Wish wish{.committed = k < looks.size() ? committed : 0.0,
                       .rest_reaches_goal = answer_.reaches_goal,
                       .most = found.empty() ? infinite : found.back().cost};
       auto way = ways.to_goal(look, rest, wish, each);
       if (way && way->cost < wish.most) found.push_back(*std::move(way));
+      if (!found.empty() && look == Look::new_times) break;  // the way stays
     }
     return take_cheapest(t, found, rest.begin);
   }
@@ -292,7 +313,7 @@ class Replanner::Impl {
   /// Takes the last one that the judge accepts; the others are gone.
   bool take_cheapest(double t, std::vector<Way>& found, const Motion& now) {
     for (; !found.empty(); found.pop_back()) {
-      if (!fault_of(found.back(), now, margin()).empty()) continue;
+      if (!judged(found.back(), now, margin()).is_good()) continue;
       take(t, std::move(found.back()), now);
       return true;
     }
@@ -336,9 +357,9 @@ class Replanner::Impl {
         each.states = std::max<std::int64_t>(each.states * urgent_share - ways.work().states, 0);
         auto way = ways.to_stop(i, rest, kept, each);
         if (!way) continue;
-        std::string why = fault_of(*way, rest.begin, kept);
-        if (why.empty()) return take(t, *std::move(way), rest.begin);
-        if (fault.empty()) fault = std::move(why);
+        Verdict verdict = judged(*way, rest.begin, kept);
+        if (verdict.is_good()) return take(t, *std::move(way), rest.begin);
+        if (fault.empty()) fault = std::move(verdict.fault);
       }
       if (margin() == 0.0) break;
     }
