@@ -130,6 +130,22 @@ class LimitCheck {
                       knot.t + d, place};
   }
 
+  /// The last look from `k` to `count` with the curvature and the acceleration of look `k`; that
+  /// one itself where either of them changes all the time.
+  template <typename When>
+  [[nodiscard]] int last_alike(const SpeedKnot& knot, const When& when, int k, int count) const {
+    const Stretch& stretch =
+        track_.stretches[place_at(track_, after_knot(knot, when(k)).s).stretch];
+    if (knot.jerk != 0 || stretch.rate != 0) return k;
+    const Real end = stretch.s + stretch.length;
+    int beyond = count + 1;
+    while (beyond - k > 1) {
+      const int middle = k + (beyond - k) / 2;
+      (after_knot(knot, when(middle)).s < end ? k : beyond) = middle;
+    }
+    return k;
+  }
+
  private:
   struct Limit {
     const char* what;
@@ -173,9 +189,14 @@ std::optional<DriveFault> broken_limit(const SpeedProfile& speeds, const Track& 
     const Real way = std::abs(static_cast<Real>(speeds.knots[i + 1].s) - knot.s);
     if (way <= least_motion || lasts <= 0) continue;
     const auto count = static_cast<int>(std::min<Real>(std::ceil(way / look_step), 1e7)) + 2;
+    const auto when = [&](int k) {
+      return lasts * std::clamp<Real>(static_cast<Real>(k) / count, 1e-6, 1 - 1e-6);
+    };
     for (int k = 0; k <= count; ++k) {
-      const Real share = std::clamp<Real>(static_cast<Real>(k) / count, 1e-6, 1 - 1e-6);
-      if (auto fault = check.at(knot, lasts * share)) return fault;
+      if (auto fault = check.at(knot, when(k))) return fault;
+      // On one curvature with one acceleration no limit is nearer than at one of both ends.
+      const int last = check.last_alike(knot, when, k, count);
+      if (last > k + 1 && !check.at(knot, when(last))) k = last;
     }
   }
   return std::nullopt;

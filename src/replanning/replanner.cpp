@@ -195,8 +195,7 @@ class Replanner::Impl {
     if (!judged_.times) return judged(rest, answer_.reaches_goal, margin());
     const Problem problem = problem_of(rest, answer_.reaches_goal);
     if (!judged_.ground) {
-      PathCheck way =
-          check_path(problem, rest.drive.path, {.clearance = options_.plan.clearance});
+      PathCheck way = check_path(problem, rest.drive.path, {.clearance = options_.plan.clearance});
       if (!way.valid) return {std::move(way.reason)};
     }
     if (judged_.company) return {};
@@ -299,7 +298,8 @@ class Replanner::Impl {
       if (i > 0 && is_enough) break;
       ++next_look_;
       const Look look = looks[k % looks.size()];
-      if (look == Look::around && std::exchange(has_gone_around, true)) continue;
+      if (look == Look::around && (!found.empty() || std::exchange(has_gone_around, true)))
+        continue;
       const Wish wish{.committed = k < looks.size() ? committed : 0.0,
                       .rest_reaches_goal = answer_.reaches_goal,
                       .most = found.empty() ? infinite : found.back().cost};
