@@ -170,6 +170,32 @@ TEST(Replanner, TakesABetterWayAfterTheNextSecond) {
   }
 }
 
+TEST(Replanner, StaysOnItsWayWhereOtherTimesDo) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  for (double t = 0; t < 3; t += tick_period) (void)replanner.tick(t);
+  // Somebody stands in the lane until 16 s: waiting takes longer than going round.
+  const MovingObstacle waits = car({{0, {30, 0, 0}}, {16, {30, 0, 0}}});
+  replanner.set_moving(std::vector{waits});
+  const ReplanAnswer& after = replanner.tick(3);
+  EXPECT_EQ(after.outcome, TickOutcome::new_times);
+  EXPECT_TRUE(after.is_safe);
+}
+
+TEST(Replanner, LooksForTheGoalAgainWhenWhoIsTooNearHasGone) {
+  Scenario scenario = lane();
+  ReplanOptions options;
+  options.plan.clearance.margin = 0.3;
+  Replanner replanner(scenario, options);
+  (void)replanner.tick(0);
+  // 0.2 m beside the vehicle, which stands: no drive keeps the margin.
+  const double side = scenario.vehicle.width / 2 + 0.2 + 0.95;
+  replanner.set_moving(std::vector{car({{0, {0, side, 0}}}, Afterwards::stays)});
+  EXPECT_FALSE(replanner.tick(0.1).reaches_goal);
+  replanner.set_moving({});
+  EXPECT_TRUE(replanner.tick(0.2).reaches_goal);
+}
+
 TEST(Replanner, PlansFromTheSpeedThatIsMeasured) {
   const Scenario scenario = lane();
   Replanner replanner(scenario);
