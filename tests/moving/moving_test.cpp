@@ -232,6 +232,18 @@ TEST(DriveCheck, EveryLimitIsHeld) {
             "the lateral acceleration is");
 }
 
+TEST(DriveCheck, LimitsAreHeldWithinWhatIsDrivenAtOneSpeed) {
+  Vehicle gentle;
+  gentle.limits.max_lateral_acceleration = 0.5;
+  gentle.limits.max_steering_rate = 10;
+  // A bend amidst lines, which asks for 0.625 m/s^2 at 2.5 m/s.
+  const Path path{{0, 0, 0}, {{0, 15}, {0, 1, 0.1}, {0.1, 4}, {0.1, 1, -0.1}, {0, 19}}};
+  const Problem problem = problem_of_path({.bounds = wide_bounds}, path, gentle);
+  const SpeedProfile as_if_straight = speed_profile({{0, 0, 0}, {{0, 40}}}, gentle);
+  EXPECT_EQ(check_drive(problem, {path, as_if_straight}).reason.substr(0, 27),
+            "the lateral acceleration is");
+}
+
 TEST(DriveCheck, StandsWhereTheGearChanges) {
   const Path path{{0, 0, 0}, {{0, 10}, {0, -10}}};
   Vehicle slow;
