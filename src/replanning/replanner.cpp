@@ -298,8 +298,10 @@ class Replanner::Impl {
       if (i > 0 && is_enough) break;
       ++next_look_;
       const Look look = looks[k % looks.size()];
-      if (look == Look::around && (!found.empty() || std::exchange(has_gone_around, true)))
-        continue;
+      if (look == Look::around) {
+        if (!found.empty() || has_gone_around) continue;
+        has_gone_around = true;
+      }
       const Wish wish{.committed = k < looks.size() ? committed : 0.0,
                       .rest_reaches_goal = answer_.reaches_goal,
                       .most = found.empty() ? infinite : found.back().cost};
@@ -329,11 +331,11 @@ class Replanner::Impl {
     Wish wish{.committed = options_.committed,
               .rest_reaches_goal = true,
               .most = ways.cost_of(rest.drive) * (1 - options_.better)};
+    const Look not_now = ticks_ % 2 == 0 ? Look::from_stop : Look::without_stop;
     std::vector<Way> found;  // the cheapest last
     for (const Look look : looks) {
       if (look == Look::new_times && !has_news_) continue;
-      if (look == Look::around || look == (ticks_ % 2 == 0 ? Look::from_stop : Look::without_stop))
-        continue;
+      if (look == Look::around || look == not_now) continue;
       auto way = ways.to_goal(look, rest, wish, effort(options_.tick_iterations));
       if (!way || way->cost >= wish.most) continue;
       wish.most = way->cost;
