@@ -44,12 +44,8 @@ HitchTurn::Riccati HitchTurn::riccati(double curvature) const noexcept {
   r.c = curvature * (1 + lever) / 2;
   r.square = r.b * r.b / 4 - r.a * r.c;
   r.root = std::sqrt(std::abs(r.square));
+  r.inverse_root = 1 / r.root;
   return r;
-}
-
-double HitchTurn::rate(double curvature, double u) const noexcept {
-  const double lever = hitch_ / wheelbase_;
-  return (curvature * ((1 - lever) + (1 + lever) * u * u)) / 2 - u / wheelbase_;
 }
 
 HitchTurn::After HitchTurn::after(const Riccati& r, double u, double way) noexcept {
@@ -65,17 +61,19 @@ HitchTurn::After HitchTurn::after(const Riccati& r, double u, double way) noexce
     ratio = way * (1 + q / 6 * (1 + q / 20 * (1 + q / 42)));
   } else if (r.square > 0) {
     const double e = base::exponential(z);
-    even = (e + 1 / e) / 2;
-    ratio = (e - 1 / e) / (2 * r.root);
+    const double inverse = 1 / e;
+    even = (e + inverse) / 2;
+    ratio = (e - inverse) / 2 * r.inverse_root;
   } else {
     const auto [sin, cos] = base::sin_cos(z);
     even = cos;
-    ratio = sin / r.root;
+    ratio = sin * r.inverse_root;
   }
   const double above = u * (even + r.b / 2 * ratio) + r.a * ratio;
   const double below = even - (r.b / 2 + r.c * u) * ratio;
   if (!(below > 0)) return {above, nan};
-  return {above / below, 1 / (below * below)};
+  const double inverse = 1 / below;
+  return {above * inverse, inverse * inverse};
 }
 
 HitchTurn::After HitchTurn::after(int turn, double u, double way) const noexcept {

@@ -19,8 +19,11 @@ class HitchTurn {
 
   [[nodiscard]] double most() const noexcept { return most_; }
 
-  /// Change of u per unit driven forward with that curvature (2).
-  [[nodiscard]] double rate(double curvature, double u) const noexcept;
+  /// Change of u per unit driven forward at a turn of -1, 0 or 1 (2).
+  [[nodiscard]] double rate(int turn, double u) const noexcept {
+    const Riccati& r = of_turn(turn);
+    return r.a + u * (r.b + r.c * u);
+  }
 
   /// u at the end of a way, and its derivative to u at the start.
   struct After {
@@ -44,6 +47,7 @@ class HitchTurn {
   /// du/ds = a + b u + c u^2, and b^2/4 - a c.
   struct Riccati {
     double a = 0.0, b = 0.0, c = 0.0, square = 0.0, root = 0.0;
+    double inverse_root = 0.0;  // of no use where the root is next to nothing
   };
   [[nodiscard]] Riccati riccati(double curvature) const noexcept;
   [[nodiscard]] static After after(const Riccati& r, double u, double way) noexcept;

@@ -25,36 +25,15 @@ void drive_arc(RigPlace& place, double curvature, double way) noexcept {
   }
   place.heading += curvature * way;
   const auto [sin, cos] = base::sin_cos(place.heading);
-  place.x += (sin - place.sin) / curvature;
-  place.y -= (cos - place.cos) / curvature;
+  const double radius = 1 / curvature;
+  place.x += (sin - place.sin) * radius;
+  place.y -= (cos - place.cos) * radius;
   place.sin = sin;
   place.cos = cos;
 }
 
 double wrapped(double angle) noexcept {
   return angle - full_turn * std::floor(angle / full_turn + 0.5);
-}
-
-/// Solves four linear equations, the right sides in the last column, by Gauss with row pivots.
-bool solve_linear(std::array<std::array<double, 5>, 4>& rows, std::array<double, 4>& result) {
-  for (std::size_t c = 0; c < 4; ++c) {
-    std::size_t pivot = c;
-    for (std::size_t i = c + 1; i < 4; ++i) {
-      if (std::abs(rows[i][c]) > std::abs(rows[pivot][c])) pivot = i;
-    }
-    if (!(std::abs(rows[pivot][c]) > 1e-14)) return false;
-    if (pivot != c) std::swap(rows[pivot], rows[c]);
-    for (std::size_t i = c + 1; i < 4; ++i) {
-      const double factor = rows[i][c] / rows[c][c];
-      for (std::size_t j = c; j < 5; ++j) rows[i][j] -= factor * rows[c][j];
-    }
-  }
-  for (std::size_t c = 4; c-- > 0;) {
-    double value = rows[c][4];
-    for (std::size_t j = c + 1; j < 4; ++j) value -= rows[c][j] * result[j];
-    result[c] = value / rows[c][c];
-  }
-  return true;
 }
 
 }  // namespace
@@ -91,7 +70,9 @@ RigPlace rig_place(double x, double y, double heading, double u) noexcept {
 }
 
 RigWordSolver::RigWordSolver(const HitchTurn& hitch) noexcept
-    : hitch_(hitch), hold_radius_(1 / std::min(1.0, hitch.hold_curvature(hitch.most()))) {}
+    : hitch_(hitch),
+      hold_(hitch.hold_curvature(hitch.most())),
+      hold_radius_(1 / std::min(1.0, hold_)) {}
 
 double price_of(const RigWord& word, const WordPrices& prices) noexcept {
   double sum = 0.0;
@@ -118,8 +99,8 @@ bool RigWordSolver::divide(const RigPlace& place, const Letter& letter,
   const double gear = letter.way < 0 ? -1 : 1;
   const double rate = gear * hitch_.rate(letter.turn, place.u);
   const double limit = rate > 0 ? most : -most;
-  const double hold = hitch_.hold_curvature(limit);
-  if (std::abs(hold) > 1) return false;
+  const double hold = rate > 0 ? hold_ : -hold_;
+  if (hold_ > 1) return false;
   const bool is_there = std::abs(place.u) >= most * (1 - 1e-13) && place.u * rate > 0;
   const double way = is_there ? 0.0 : hitch_.way_between(letter.turn, place.u, limit);
   if (!(way * gear >= 0)) return false;
@@ -245,25 +226,36 @@ bool RigWordSolver::leads(const Task& task, std::span<const Segment> segments) c
   return off <= std::max(close, task.tolerance * 8);
 }
 
+/// Of the matrix with these columns, by minors of its upper and of its lower half (Laplace).
+double RigWordSolver::determinant(const Slope& a, const Slope& b, const Slope& c,
+                                  const Slope& d) noexcept {
+  const auto upper = [](const Slope& p, const Slope& q) { return p.x * q.y - p.y * q.x; };
+  const auto lower = [](const Slope& p, const Slope& q) {
+    return p.heading * q.u - p.u * q.heading;
+  };
+  return upper(a, b) * lower(c, d) - upper(a, c) * lower(b, d) + upper(a, d) * lower(b, c) +
+         upper(b, c) * lower(a, d) - upper(b, d) * lower(a, c) + upper(c, d) * lower(a, b);
+}
+
+/// Cramer's rule.
 std::optional<std::array<double, 4>> RigWordSolver::newton_step(const Mismatch& here) noexcept {
-  std::array<std::array<double, 5>, 4> rows{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Slope& s = here.slopes[i];
-    rows[0][i] = s.x;
-    rows[1][i] = s.y;
-    rows[2][i] = s.heading;
-    rows[3][i] = s.u;
-    rows[i][4] = -here.value[i];
-  }
-  std::array<double, 4> change{};
-  if (!solve_linear(rows, change)) return std::nullopt;
-  return change;
+  constexpr double singular = 1e-14;
+  const auto& [a, b, c, d] = here.slopes;
+  const double whole = determinant(a, b, c, d);
+  if (!(std::abs(whole) > singular)) return std::nullopt;
+  const Slope wanted{-here.value[0], -here.value[1], -here.value[2], -here.value[3]};
+  const double inverse = 1 / whole;
+  return std::array<double, 4>{
+      inverse * determinant(wanted, b, c, d), inverse * determinant(a, wanted, c, d),
+      inverse * determinant(a, b, wanted, d), inverse * determinant(a, b, c, wanted)};
 }
 
 std::optional<RigSegments> RigWordSolver::solve(const Task& task, RigWord& guess) const noexcept {
   constexpr int usual_steps = 12, most_steps = 40, most_trials = 2;
   constexpr double longest_step = 1.0;
   const double longest_turn = full_turn * hold_radius_;
+  // What it costs to close a gap of one radian or radius, about.
+  const double dearest = 2 * std::max(task.prices.forward, task.prices.reverse);
   std::size_t meeting = 0;
   while (meeting < RigWord::letters && guess.lengths[meeting] >= 0) ++meeting;
   Mismatch here, there;
@@ -294,13 +286,14 @@ std::optional<RigSegments> RigWordSolver::solve(const Task& task, RigWord& guess
     if (!is_nearer) return std::nullopt;
     guess = next;
     std::swap(here, there);
-    // 3. What closes no better than by halves or leads to a long detour is given up.
+    // 3. What closes no better than by halves, leads to a long detour or gets too dear is given up.
     if (step >= usual_steps && squared > before / 2) return std::nullopt;
     for (std::size_t i = 0; i < 4; ++i) {
       if (guess.turns[i] != 0 && std::abs(guess.lengths[i]) > 1.5 * longest_turn)
         return std::nullopt;
     }
-    if (squared < 1e-2 && price_of(guess, task.prices) > 1.25 * task.cutoff) return std::nullopt;
+    const double most_change = dearest * std::sqrt(squared);
+    if (price_of(guess, task.prices) > task.cutoff + most_change) return std::nullopt;
   }
   // 4. Only words within a turn and the cutoff, driven once more from start to goal.
   for (std::size_t i = 0; i < 4; ++i) {

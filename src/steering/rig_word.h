@@ -90,6 +90,8 @@ class RigWordSolver {
 
   [[nodiscard]] bool evaluate(const Task& task, const RigWord& word, std::size_t meeting,
                               Mismatch& mismatch) const noexcept;
+  [[nodiscard]] static double determinant(const Slope& a, const Slope& b, const Slope& c,
+                                          const Slope& d) noexcept;
   [[nodiscard]] static std::optional<std::array<double, 4>> newton_step(
       const Mismatch& here) noexcept;
   [[nodiscard]] bool drive(RigPlace& place, const Letter& letter, Slope* slopes,
@@ -100,6 +102,7 @@ class RigWordSolver {
                                                        std::size_t meeting) const noexcept;
 
   HitchTurn hitch_;
+  double hold_;  // curvature that holds the largest hitch angle
   double hold_radius_;
 };
 

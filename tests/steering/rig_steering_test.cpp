@@ -320,7 +320,7 @@ TEST(HitchTurn, AgreesWithTheMotionOfTheRig) {
 TEST(HitchTurn, HoldsTheAngleOnItsCircle) {
   const steering::HitchTurn hitch(1.4, 0.1, 1);
   for (const double u : {-0.7, 0.0, 0.2, 0.9}) {
-    EXPECT_NEAR(hitch.rate(hitch.hold_curvature(u), u), 0, 1e-15);
+    EXPECT_NEAR(hitch.after_arc(hitch.hold_curvature(u), u, 1).u, u, 1e-15);
   }
 }
 
