@@ -213,7 +213,7 @@ class LeastWord {
 
   /// Whether the word is far dearer than most between states as far apart.
   [[nodiscard]] bool is_dear() const {
-    return !least_ || task_.cutoff > 2 * bound_ + 9 * size_of(task_);
+    return !least_ || task_.cutoff > 2 * bound_ + 6 * solver_.hold_radius() * size_of(task_);
   }
 
   void look_at(std::size_t number) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_iterations = 15;
 constexpr double close_enough = 1e-10;  // [m, rad]
-constexpr double difference = 1e-6;     // for derivatives [rad]
+constexpr double difference = 1e-7;     // for derivatives [rad]
 
 /// A vector turned by a quarter to the left: how a point moves when all turns about the origin.
 Point turned(double x, double y) { return {-y, x}; }
@@ -61,11 +61,10 @@ void Closer::differentiate(std::span<const Segment> segments) {
     const Point bend = turned(end.x - (first.x + 4 * middle.x + last.x) / 6,
                               end.y - (first.y + 4 * middle.y + last.y) / 6);
     const double tick = difference * most_curvature_;
-    const auto after = [&](double more_angle, double more_curvature) {
-      return hitch_angle_after(vehicle_, angle + more_angle, {curvature + more_curvature, length});
-    };
-    const double by_curvature = (after(0, tick) - after(0, -tick)) / (2 * tick);
-    const double by_angle = (after(difference, 0) - after(-difference, 0)) / (2 * difference);
+    const double bent = hitch_angle_after(vehicle_, angle, {curvature + tick, length});
+    const double folded = hitch_angle_after(vehicle_, angle + difference, segments[i]);
+    const double by_curvature = (bent - angle_after) / tick;
+    const double by_angle = (folded - angle_after) / difference;
     const double by_length = hitch_rate(vehicle_, angle_after, curvature);
     columns_[i] = {
         {length * bend.x, length * bend.y, length, passed_on * by_curvature},
@@ -124,10 +123,8 @@ bool Closer::step(std::span<Segment> segments, const Vector& gap) {
       Column& column = columns_[i];
       const auto& [curvature, length, rate] = segments[i];
       const double bent = dot(column.curvature, multipliers);
-      const double longer = dot(column.length, multipliers);
       const bool is_sharp = std::abs(curvature) >= most_curvature_ && bent * curvature > 0.0;
       const bool is_gone = length == 0.0;
-      (void)longer;
       is_final &= column.curvature_is_fixed || !(is_sharp || is_gone);
       is_final &= column.length_is_fixed || !is_gone;
       column.curvature_is_fixed |= is_sharp || is_gone;
