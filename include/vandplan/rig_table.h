@@ -6,6 +6,8 @@
 // What the thesis' heuristic look-up table is for a vehicle alone: docs/algorithms/trailers.md.
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,7 +26,7 @@ struct RigTableOptions {
 
 /// Lengths of the paths of `RigSteering` between states of one rig on open ground, one for each
 /// cell of relative place and heading and each pair of hitch angles. Only the left half is stored:
-/// the mirrored states have the mirrored path. Immutable.
+/// the mirrored states have the mirrored path. Immutable; copies share the entries.
 class RigTable {
  public:
   /// Works all lengths out, on so many threads: of the usual options 172 800, some 2 s on one core.
@@ -33,15 +35,36 @@ class RigTable {
   explicit RigTable(const Vehicle& vehicle, const RigTableOptions& options = {}, int threads = 1);
 
   /// About how far it is from one state to another [m]: the length of the cell, from its middle to
-  /// its middle; beyond the table that of the last cell on the way there, and the straight line
-  /// from there on. Infinite where steering found no path. The hitch angles are within the limit.
+  /// its middle, to `unit()`; beyond the table that of the last cell on the way there, and the
+  /// straight line from there on. Infinite where steering found no path. The hitch angles are
+  /// within the limit.
   [[nodiscard]] double distance(const RigState& from, const RigState& to) const noexcept;
 
+  /// A state as the table sees it: what is looked up often is worked out once.
+  struct Place {
+    Pose pose;
+    double sin, cos;  ///< of the heading
+    int hitch_angle;  ///< its cell
+  };
+  [[nodiscard]] Place place_of(const RigState& state) const noexcept;
+  [[nodiscard]] double look_up(const Place& from, const Place& to) const noexcept;
+
+  /// The table of a rig of the same shape that is `factor` times as large; > 0, finite.
+  [[nodiscard]] RigTable scaled(double factor) const;
+
   [[nodiscard]] const RigTableOptions& options() const noexcept { return options_; }
-  /// All lengths [m], row-major [x][y][heading][first hitch angle][last hitch angle].
-  [[nodiscard]] std::span<const float> entries() const noexcept { return entries_; }
+  /// What an entry counts [m]: a decimetre, but for scaled tables.
+  [[nodiscard]] double unit() const noexcept { return unit_; }
+  /// All lengths, row-major [x][y][heading][first hitch angle][last hitch angle]; `none` where
+  /// there is no path, or one of more than 65 534 units.
+  [[nodiscard]] std::span<const std::uint16_t> entries() const noexcept { return entries_; }
+  static constexpr std::uint16_t none = 0xFFFF;
 
  private:
+  friend RigTable embedded_rig_table(const Vehicle& vehicle);
+  /// Of constant data with the usual options.
+  RigTable(double max_hitch_angle, std::span<const std::uint16_t> entries) noexcept;
+
   /// A cell of both states, whose y is not negative.
   struct Cell {
     int x, y, heading, first, last;
@@ -52,7 +75,19 @@ class RigTable {
 
   RigTableOptions options_;
   double most_hitch_angle_;
-  std::vector<float> entries_;
+  double unit_ = 0.1;
+  std::shared_ptr<const std::vector<std::uint16_t>> storage_;  // empty: constant data
+  std::span<const std::uint16_t> entries_;
 };
+
+/// The table of the catalogue's `tractor-semitrailer`, computed when the library was built, as
+/// large as the vehicle's turning radius asks for: a guess for rigs of other shapes. Costs nothing
+/// to call.
+[[nodiscard]] RigTable embedded_rig_table(const Vehicle& vehicle);
+
+/// What no path from one state to another is shorter than [m], from the table of bounds: the least
+/// way of the tractor by itself, or that of the trailer. The vehicle has a trailer.
+[[nodiscard]] double rig_length_bound(const Vehicle& vehicle, const RigState& from,
+                                      const RigState& to) noexcept;
 
 }  // namespace vandplan

@@ -15,6 +15,12 @@ using namespace search;
 
 namespace {
 
+/// Whether a table of the thesis ranks.
+bool is_table(Estimate estimate) {
+  return estimate == Estimate::hlut_1 || estimate == Estimate::hlut_2 ||
+         estimate == Estimate::hlut_3 || estimate == Estimate::hlut_4;
+}
+
 /// Whether what rounding does to a hitch angle somewhere on the way grows beyond what the judge
 /// allows at its end, where it should be at `states` before and after the segments.
 bool runs_away(const Vehicle& vehicle, std::span<const RigState> states,
@@ -48,17 +54,30 @@ GrownTree::GrownTree(const Task& task, const PlanOptions& options, Estimate esti
   rig_.emplace(task.vehicle);
   hitch_angles_.reserve(max_nodes_);
   hitch_angles_.push_back(task.hitch_angles.start);
+  if (!is_table(estimate)) return;
+  rig_table_ = embedded_rig_table(task.vehicle);
+  places_.push_back(rig_table_->place_of(state(0)));
 }
 
 RigState GrownTree::state(NodeId node) const {
   return {tree_.pose(node), rig_ ? hitch_angles_[static_cast<std::size_t>(node)] : 0.0};
 }
 
-const std::vector<Candidate>& GrownTree::first(std::size_t count, const Pose& sample) {
+const std::vector<Candidate>& GrownTree::first(std::size_t count, const RigState& sample) {
   ranking_time_.start();
-  const std::vector<Candidate>& candidates = ranking_.first(count, sample);
+  if (rig_table_) rank_by_table(sample);
+  const std::vector<Candidate>& candidates =
+      rig_table_ ? ranking_.first(count, lengths_) : ranking_.first(count, sample.pose);
   ranking_time_.stop();
   return candidates;
+}
+
+void GrownTree::rank_by_table(const RigState& sample) {
+  const RigTable::Place to = rig_table_->place_of(sample);
+  lengths_.clear();
+  for (const RigTable::Place& from : places_) {
+    lengths_.push_back(static_cast<float>(rig_table_->look_up(from, to)));
+  }
 }
 
 std::optional<Adoption> GrownTree::try_edge(NodeId node, const RigState& to, double cutoff) {
@@ -89,6 +108,7 @@ std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const RigState& to,
 NodeId GrownTree::add(const RigState& state, const Adoption& adoption) {
   const NodeId added = tree_.add(state.pose, adoption.parent, adoption.cost_to_come);
   if (rig_) hitch_angles_.push_back(state.hitch_angle);
+  if (rig_table_) places_.push_back(rig_table_->place_of(state));
   ranking_.add_last();
   return added;
 }

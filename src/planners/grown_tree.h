@@ -11,6 +11,7 @@
 #include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/rig_steering.h"
+#include "vandplan/rig_table.h"
 #include "vandplan/search.h"
 
 namespace vandplan::planning {
@@ -22,7 +23,8 @@ struct Adoption {
 };
 
 /// A tree, how its edges are made, and which of its nodes are tried first. With a trailer nodes are
-/// states of the rig, and edges those of `RigSteering`; nodes are ranked by their poses.
+/// states of the rig, and edges those of `RigSteering`; nodes are ranked by their states where the
+/// estimate is a table of the thesis, which is the table of rigs then, and else by their poses.
 class GrownTree {
  public:
   /// Of the start alone. The task outlives it.
@@ -30,7 +32,7 @@ class GrownTree {
             search::RankBy by);
 
   /// The first `count` nodes in order; valid until the next call.
-  const std::vector<search::Candidate>& first(std::size_t count, const Pose& sample);
+  const std::vector<search::Candidate>& first(std::size_t count, const RigState& sample);
   /// The edge from a node to a state, if it is free and reaches the state below the cutoff of cost.
   std::optional<Adoption> try_edge(search::NodeId node, const RigState& to,
                                    double cutoff = std::numeric_limits<double>::infinity());
@@ -51,6 +53,7 @@ class GrownTree {
               PlannerAnswer& answer);
 
  private:
+  void rank_by_table(const RigState& sample);
   std::optional<Adoption> try_rig_edge(search::NodeId node, const RigState& to, double cutoff);
   [[nodiscard]] RigState state(search::NodeId node) const;
 
@@ -63,8 +66,11 @@ class GrownTree {
   search::PhaseTimer ranking_time_;
   // With a trailer:
   std::optional<RigSteering> rig_;
-  std::vector<double> hitch_angles_;  // of all nodes [rad]
-  std::vector<Segment> way_;          // to the goal, if one is kept
+  std::optional<RigTable> rig_table_;    // if it ranks,
+  std::vector<RigTable::Place> places_;  // all nodes,
+  std::vector<float> lengths_;           // and their lengths to a sample [m]
+  std::vector<double> hitch_angles_;     // of all nodes [rad]
+  std::vector<Segment> way_;             // to the goal, if one is kept
   std::int64_t rig_solves_ = 0, rig_checks_ = 0;
   search::PhaseTimer rig_steering_time_, rig_checking_time_;
 };

@@ -98,7 +98,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, Selection selec
       break;
     }
     const auto [sample, is_goal] = sampler.next();                        // [2]
-    const std::vector<Candidate>& near = tree.first(count, sample.pose);  // [3]
+    const std::vector<Candidate>& near = tree.first(count, sample);       // [3]
     const auto parent = select(selection, near, quality, sampler.rng());  // [4]
     refused += parent ? 0 : 1;
     if (!parent) continue;

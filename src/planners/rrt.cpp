@@ -21,7 +21,7 @@ RankBy rank_by(Strategy strategy) {
 // Steps [3] and [4] of the tree.
 std::optional<Adoption> adopt(GrownTree& tree, const RigState& sample, std::size_t max_parents) {
   std::optional<Adoption> best;
-  for (const Candidate& candidate : tree.first(max_parents, sample.pose)) {
+  for (const Candidate& candidate : tree.first(max_parents, sample)) {
     if (best && best->cost_to_come <= static_cast<double>(candidate.rank)) break;
     const double cutoff = best ? best->cost_to_come : Adoption{}.cost_to_come;
     if (auto edge = tree.try_edge(candidate.id, sample, cutoff)) best = edge;

@@ -38,6 +38,13 @@ const std::vector<Candidate>& Ranking::first(std::size_t count, const Pose& samp
   return best_;
 }
 
+const std::vector<Candidate>& Ranking::first(std::size_t count, std::span<const float> lengths) {
+  best_.clear();
+  std::ranges::copy(lengths, ranks_.begin());
+  choose(count);
+  return best_;
+}
+
 void Ranking::look_up(std::size_t count, const Pose& sample) {
   if (count == 1) {
     const auto [node, length, solves] = *exact_->nearest(sample);
@@ -54,6 +61,12 @@ void Ranking::look_up(std::size_t count, const Pose& sample) {
 void Ranking::rank_all(std::size_t count, const Pose& sample) {
   const std::span<float> ranks(ranks_.data(), tree_.size());
   estimate_lengths(estimate_, tree_, sample, radius_, ranks);
+  choose(count);
+}
+
+/// By the lengths in `ranks_`.
+void Ranking::choose(std::size_t count) {
+  const std::span<float> ranks(ranks_.data(), tree_.size());
   if (by_ == RankBy::total_cost) {
     for (std::size_t i = 0; i < ranks.size(); ++i) ranks[i] += tree_.cost_to_come()[i];
   }

@@ -4,6 +4,7 @@
 // In which order are the nodes of a tree tried as parents of a sample?
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "search/estimates.h"
@@ -38,11 +39,15 @@ class Ranking {
   /// The first `count` nodes in order (all, if there are fewer); valid until the next call.
   const std::vector<Candidate>& first(std::size_t count, const Pose& sample);
 
+  /// The same by lengths that the caller knows, one for every node [m].
+  const std::vector<Candidate>& first(std::size_t count, std::span<const float> lengths);
+
   /// How many exact lengths were computed to find the nearest nodes.
   [[nodiscard]] std::int64_t exact_solves() const { return exact_solves_; }
 
  private:
   void rank_all(std::size_t count, const Pose& sample);
+  void choose(std::size_t count);
   void look_up(std::size_t count, const Pose& sample);
 
   const Tree& tree_;

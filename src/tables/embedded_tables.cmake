@@ -39,8 +39,15 @@ add_library(vandplan_bound_builder OBJECT EXCLUDE_FROM_ALL
 vandplan_core_target(vandplan_bound_builder)
 target_include_directories(vandplan_bound_builder PRIVATE ${PROJECT_SOURCE_DIR}/include)
 
+# What the library also computes itself, for rigs that have no table.
+add_library(vandplan_rig_table_builder OBJECT EXCLUDE_FROM_ALL
+            base/exponential.cpp base/parallel.cpp steering/hitch_turn.cpp steering/rig_search.cpp
+            steering/rig_steering.cpp steering/rig_word.cpp tables/rig_table.cpp)
+vandplan_core_target(vandplan_rig_table_builder)
+target_include_directories(vandplan_rig_table_builder PRIVATE ${PROJECT_SOURCE_DIR}/include)
+
 # The tools that compute them run on the machine that builds.
-set(table_tools make_thesis_table make_bound_table)
+set(table_tools make_thesis_table make_bound_table make_rig_table)
 if(VANDPLAN_TOOLS OR CMAKE_CROSSCOMPILING)
   include(${PROJECT_SOURCE_DIR}/cmake/tools_of_the_host.cmake)
 else()
@@ -51,6 +58,11 @@ else()
     target_sources(${tool} PRIVATE $<TARGET_OBJECTS:vandplan_tables>)
   endforeach()
   target_sources(make_bound_table PRIVATE $<TARGET_OBJECTS:vandplan_bound_builder>)
+  target_sources(make_rig_table PRIVATE $<TARGET_OBJECTS:vandplan_rig_table_builder>)
+  if(VANDPLAN_THREADS)
+    find_package(Threads REQUIRED)
+    target_link_libraries(make_rig_table PRIVATE Threads::Threads)
+  endif()
 endif()
 
 set(embedded_tables ${CMAKE_CURRENT_BINARY_DIR}/embedded)
@@ -76,6 +88,14 @@ add_custom_command(
   DEPENDS make_bound_table
   VERBATIM)
 list(APPEND embedded_headers ${embedded_tables}/bound_entries.h)
+
+# The table of a rig (embedded_rig_table.cpp).
+add_custom_command(
+  OUTPUT ${embedded_tables}/rig_entries.h
+  COMMAND make_rig_table ${embedded_tables}/rig_entries.h
+  DEPENDS make_rig_table
+  VERBATIM)
+list(APPEND embedded_headers ${embedded_tables}/rig_entries.h)
 
 # To make them alone.
 add_custom_target(vandplan_embedded_tables DEPENDS ${embedded_headers})

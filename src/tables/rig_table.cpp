@@ -6,10 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "base/trigonometry.h"
 #include "vandplan/input_error.h"
 #include "vandplan/rig_steering.h"
 
@@ -39,6 +42,12 @@ void check(const RigTableOptions& options) {
           "an odd number, 1 to 25");
 }
 
+std::uint16_t counted(const std::optional<Piece>& piece, double unit) {
+  if (!piece) return RigTable::none;
+  return static_cast<std::uint16_t>(
+      std::min(std::round(piece->length / unit), double{RigTable::none}));
+}
+
 }  // namespace
 
 RigTable::RigTable(const Vehicle& vehicle, const RigTableOptions& options, int threads)
@@ -50,15 +59,15 @@ RigTable::RigTable(const Vehicle& vehicle, const RigTableOptions& options, int t
   const int headings = options_.headings;
   const int angles = options_.hitch_angles;
   const double side = reach / cells;
-  entries_.resize(static_cast<std::size_t>(2 * cells) * static_cast<std::size_t>(cells) *
-                  static_cast<std::size_t>(headings) * static_cast<std::size_t>(angles * angles));
+  std::vector<std::uint16_t> lengths(
+      static_cast<std::size_t>(2 * cells) * static_cast<std::size_t>(cells) *
+      static_cast<std::size_t>(headings) * static_cast<std::size_t>(angles * angles));
   const auto fill = [&](int x, int y, int heading) {
     const Pose pose{side * (x + 0.5) - reach, side * (y + 0.5), heading * (2 * pi / headings)};
     for (int first = 0; first < angles; ++first) {
       for (int last = 0; last < angles; ++last) {
         const auto piece = steering.steer({{}, hitch_angle(first)}, {pose, hitch_angle(last)});
-        entries_[index_of({x, y, heading, first, last})] =
-            piece ? static_cast<float>(piece->length) : std::numeric_limits<float>::infinity();
+        lengths[index_of({x, y, heading, first, last})] = counted(piece, unit_);
       }
     }
   };
@@ -67,6 +76,18 @@ RigTable::RigTable(const Vehicle& vehicle, const RigTableOptions& options, int t
       for (int heading = 0; heading < headings; ++heading) fill(static_cast<int>(x), y, heading);
     }
   });
+  storage_ = std::make_shared<const std::vector<std::uint16_t>>(std::move(lengths));
+  entries_ = *storage_;
+}
+
+RigTable::RigTable(double max_hitch_angle, std::span<const std::uint16_t> entries) noexcept
+    : most_hitch_angle_(widest * max_hitch_angle), entries_(entries) {}
+
+RigTable RigTable::scaled(double factor) const {
+  RigTable result = *this;
+  result.options_.reach *= factor;
+  result.unit_ *= factor;
+  return result;
 }
 
 std::size_t RigTable::index_of(const Cell& cell) const noexcept {
@@ -91,26 +112,39 @@ int RigTable::hitch_index(double angle) const noexcept {
   return best;
 }
 
+RigTable::Place RigTable::place_of(const RigState& state) const noexcept {
+  const auto [sin, cos] = base::sin_cos(state.pose.heading);
+  return {state.pose, sin, cos, hitch_index(state.hitch_angle)};
+}
+
 double RigTable::distance(const RigState& from, const RigState& to) const noexcept {
-  const double reach = options_.reach;
-  const int cells = options_.cells;
-  const int headings = options_.headings;
-  auto [x, y, heading] = relative(from.pose, to.pose);
-  const double side_of_mirror = y < 0.0 ? -1.0 : 1.0;
-  y *= side_of_mirror;
-  heading *= side_of_mirror;
+  return look_up(place_of(from), place_of(to));
+}
+
+double RigTable::look_up(const Place& from, const Place& to) const noexcept {
+  const auto& [reach, cells, headings, angles] = options_;
+  const double dx = to.pose.x - from.pose.x;
+  const double dy = to.pose.y - from.pose.y;
+  const double x = dx * from.cos + dy * from.sin;
+  const double left = dy * from.cos - dx * from.sin;
+  const bool is_mirrored = left < 0.0;
+  const double y = std::abs(left);
+  const double turn = wrap_angle(to.pose.heading - from.pose.heading);
   const double far = std::max(std::abs(x), y);
   const double share = far > reach ? reach / far : 1.0;
-  const double beyond = (1.0 - share) * std::sqrt(x * x + y * y);
-  const auto cell_of = [&](double place, int count) {
-    return std::clamp(static_cast<int>(std::floor(place * cells / reach)), 0, count - 1);
-  };
-  const int turn = static_cast<int>(std::lround(heading * headings / (2 * pi)));
-  const Cell cell{cell_of(share * x + reach, 2 * cells), cell_of(share * y, cells),
-                  (turn % headings + headings) % headings,
-                  hitch_index(side_of_mirror * from.hitch_angle),
-                  hitch_index(side_of_mirror * to.hitch_angle)};
-  return beyond + static_cast<double>(entries_[index_of(cell)]);
+  const double beyond = far > reach ? (1.0 - share) * std::sqrt(x * x + y * y) : 0.0;
+  const double per_metre = cells / reach;
+  // In whole steps of the heading, from 0 to a turn; both ends are the same.
+  const double steps = (is_mirrored ? -turn : turn) * (headings / (2 * pi));
+  const int heading = static_cast<int>(steps < 0.0 ? steps + headings + 0.5 : steps + 0.5);
+  const auto mirrored = [&](int angle) { return is_mirrored ? angles - 1 - angle : angle; };
+  const Cell cell{std::min(static_cast<int>((share * x + reach) * per_metre), 2 * cells - 1),
+                  std::min(static_cast<int>(share * y * per_metre), cells - 1),
+                  heading == headings ? 0 : heading, mirrored(from.hitch_angle),
+                  mirrored(to.hitch_angle)};
+  const std::uint16_t entry = entries_[index_of(cell)];
+  if (entry == none) return std::numeric_limits<double>::infinity();
+  return beyond + unit_ * entry;
 }
 
 }  // namespace vandplan

@@ -167,4 +167,12 @@ double largest_hitch_angle(const Coupling& coupling, double angle,
   return largest;
 }
 
+TrailerAlone trailer_alone(const Vehicle& vehicle) noexcept {
+  constexpr double nearly_right = std::numbers::pi / 2 - 1e-3;
+  const double swing = std::abs(vehicle.hitch) / vehicle.min_turning_radius;
+  const double most_angle = vehicle.max_hitch_angle + base::atan_2(swing, 1.0);
+  const auto [sin, cos] = base::sin_cos(std::min(most_angle, nearly_right));
+  return {most_angle, vehicle.trailer->wheelbase * cos / sin, std::sqrt(1.0 + swing * swing)};
+}
+
 }  // namespace vandplan::vehicle

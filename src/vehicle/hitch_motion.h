@@ -6,6 +6,7 @@
 // Formulas: docs/algorithms/trailers.md.
 
 #include "vandplan/path.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::vehicle {
 
@@ -25,5 +26,16 @@ struct Coupling {
 /// The largest |hitch angle| on a segment that begins with that angle [rad].
 [[nodiscard]] double largest_hitch_angle(const Coupling& coupling, double angle,
                                          const Segment& segment) noexcept;
+
+/// A trailer as if it drove by itself, whatever its tractor does: what bounds are made of.
+struct TrailerAlone {
+  double most_angle;  ///< between the way of the hitch and the trailer [rad]; while it is below
+                      ///< pi/2, the axle drives in the gear of the tractor
+  double radius;      ///< that its axle never turns below then [m]
+  double most_way;    ///< of its axle, for each metre of the tractor
+};
+
+/// Of a vehicle with a trailer.
+[[nodiscard]] TrailerAlone trailer_alone(const Vehicle& vehicle) noexcept;
 
 }  // namespace vandplan::vehicle

@@ -78,7 +78,7 @@ TEST_P(TreesWithATrailer, ReachTheGoal) {
   Scenario scenario = dock();
   scenario.goal = {-10, 20, pi};
   scenario.hitch_angles = {0.3, -0.2};
-  PlanOptions options = with_iterations(cases(400), 2);
+  PlanOptions options = with_iterations(cases(400), 3);
   options.planner.set("keep_tree", true);
   const Planner planner = planner_named(GetParam());
   const PlanResult result = plan(make_problem(scenario), planner, options);
@@ -100,6 +100,23 @@ INSTANTIATE_TEST_SUITE_P(RigPlanning, TreesWithATrailer,
                            std::erase(name, '-');
                            return name;
                          });
+
+// Two nodes at one pose: only their hitch angles say from which of them a state is near.
+TEST(RigPlanning, TablesRankNodesByTheirHitchAngles) {
+  const Scenario scenario = dock();
+  const Problem problem = make_problem(scenario);
+  const PlanOptions options = complete(planner_named("rrt-bsc-hlut-4"), {}, scenario.vehicle);
+  const RigState bent{problem.task().start, 0.9};
+  const RigState sample = advance(scenario.vehicle, bent, {0, 6});
+  const auto nearest = [&](search::Estimate estimate) {
+    planning::GrownTree tree(problem.task(), options, estimate, search::RankBy::length);
+    (void)tree.add(bent, {0, 20.0});
+    return tree.first(1, sample).front().id;
+  };
+  EXPECT_EQ(nearest(search::Estimate::euclid), 0);
+  EXPECT_EQ(nearest(search::Estimate::hlut_1), 1);
+  EXPECT_EQ(nearest(search::Estimate::hlut_4), 1);
+}
 
 // In reverse a trailer runs away from rounding: edges that are exact each by itself end elsewhere
 // one after the other.

@@ -8,9 +8,12 @@
 #include <numbers>
 
 #include "support/cases.h"
+#include "support/draws.h"
+#include "vandplan/bound_table.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
 #include "vandplan/rig_steering.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -34,7 +37,7 @@ TEST(RigTable, AnEntryIsTheLengthBetweenTheMiddlesOfItsCell) {
   // Cell (5, 2): from 5 to 10 m ahead, 10 to 15 m to the left.
   const RigState from{{0, 0, 0}, wide};
   const RigState to{{7.5, 12.5, pi / 4}, -wide};
-  EXPECT_NEAR(table.distance(from, to), steering.steer(from, to)->length, 1e-5);
+  EXPECT_NEAR(table.distance(from, to), steering.steer(from, to)->length, 0.0501);
   EXPECT_EQ(table.distance(from, {{5.01, 14.9, pi / 4 + 0.39}, -wide + 0.3}),
             table.distance(from, to));
   EXPECT_NE(table.distance(from, {{4.99, 14.9, pi / 4}, -wide}), table.distance(from, to));
@@ -69,6 +72,55 @@ TEST(RigTable, IsTheSameOnAnyNumberOfThreads) {
   const RigTable one(rig(), small);
   const RigTable three(rig(), small, 3);
   EXPECT_TRUE(std::ranges::equal(one.entries(), three.entries()));
+}
+
+TEST(RigTable, ScalesWithTheRig) {
+  const RigTable table(rig(), small);
+  const RigTable twice = table.scaled(2.0);
+  const RigState from{{1, 2, 0.3}, 0.2}, to{{9, -4, 2}, -0.4};
+  const RigState far_from{{2, 4, 0.3}, 0.2}, far_to{{18, -8, 2}, -0.4};
+  EXPECT_EQ(twice.distance(far_from, far_to), 2 * table.distance(from, to));
+}
+
+TEST(RigTable, TheEmbeddedOneGuessesLengthsOfItsRig) {
+  const Vehicle vehicle = vehicle_named("tractor-semitrailer");
+  const RigTable table = embedded_rig_table(vehicle);
+  EXPECT_EQ(table.unit(), 0.1);
+  EXPECT_EQ(table.options(), RigTableOptions{});
+  const RigSteering steering(vehicle);
+  // The middles of cells: whatever of the rig differs changes the lengths.
+  for_each_case(4, 300, [&](Rng& rng) {
+    const auto any = [&](int count) { return static_cast<int>(uniform(0, count, rng)); };
+    const double angles[] = {-0.96, -0.24, 0.0, 0.24, 0.96};
+    const RigState from{{}, angles[any(5)]};
+    const RigState to{{2.5 * any(24) - 28.75, 2.5 * any(12) + 1.25, any(24) * pi / 12},
+                      angles[any(5)]};
+    EXPECT_NEAR(table.distance(from, to), steering.steer(from, to)->length, 0.0501);
+  });
+}
+
+TEST(RigLengthBound, IsNeverAboveALength) {
+  int by_trailer = 0;
+  for_each_case(5, 1000, [&](Rng& rng) {
+    Vehicle vehicle = rig();
+    vehicle.hitch = uniform(-2, 1, rng);
+    vehicle.max_hitch_angle = uniform(0.5, 1.5, rng);
+    vehicle.trailer->wheelbase = uniform(3, 12, rng);
+    const double most = vehicle.max_hitch_angle, reach = any_size(1, 60, rng);
+    const RigState from{uniform_pose({-reach, reach, -reach, reach}, rng),
+                        uniform(-most, most, rng)};
+    const RigState to{uniform_pose({-reach, reach, -reach, reach}, rng), uniform(-most, most, rng)};
+    const double bound = rig_length_bound(vehicle, from, to);
+    const auto piece = RigSteering(vehicle).steer(from, to);
+    ASSERT_TRUE(piece);
+    EXPECT_LE(bound, piece->length + 1e-9);
+    const double of_tractor = length_bounds(from.pose, to.pose, vehicle.min_turning_radius).low;
+    EXPECT_GE(bound, of_tractor);
+    by_trailer += bound > of_tractor ? 1 : 0;
+  });
+  EXPECT_GT(by_trailer, cases(1000) / 10);
+  // As good as exact on a line.
+  EXPECT_NEAR(rig_length_bound(rig(), {}, {{40, 0, 0}, 0}), 40, 0.1);
 }
 
 TEST(RigTable, RefusesWhatIsOutOfRange) {
