@@ -122,7 +122,9 @@ double RigTable::distance(const RigState& from, const RigState& to) const noexce
 }
 
 double RigTable::look_up(const Place& from, const Place& to) const noexcept {
-  const auto& [reach, cells, headings, angles] = options_;
+  const double reach = options_.reach;
+  const int cells = options_.cells;
+  const int headings = options_.headings;
   const double dx = to.pose.x - from.pose.x;
   const double dy = to.pose.y - from.pose.y;
   const double x = dx * from.cos + dy * from.sin;
@@ -137,7 +139,8 @@ double RigTable::look_up(const Place& from, const Place& to) const noexcept {
   // In whole steps of the heading, from 0 to a turn; both ends are the same.
   const double steps = (is_mirrored ? -turn : turn) * (headings / (2 * pi));
   const int heading = static_cast<int>(steps < 0.0 ? steps + headings + 0.5 : steps + 0.5);
-  const auto mirrored = [&](int angle) { return is_mirrored ? angles - 1 - angle : angle; };
+  const int last_angle = options_.hitch_angles - 1;
+  const auto mirrored = [&](int angle) { return is_mirrored ? last_angle - angle : angle; };
   const Cell cell{std::min(static_cast<int>((share * x + reach) * per_metre), 2 * cells - 1),
                   std::min(static_cast<int>(share * y * per_metre), cells - 1),
                   heading == headings ? 0 : heading, mirrored(from.hitch_angle),
