@@ -18,10 +18,10 @@ using search::Connector, search::gear_of, search::Gears, search::Leg, search::Ro
 // much less strokes have to lack then.
 constexpr double shares[] = {1.0, 2.0, 4.0, 8.0, 0.5};
 constexpr double worth_it = 0.25;
-constexpr std::size_t reach = 2;  // legs on either side that are steered anew at most
+constexpr std::size_t legs_beside = 2;  // legs on either side that are steered anew at most
 
 /// Legs of one gear: [first, last).
-struct Stroke {
+struct LegStroke {
   std::size_t first;
   std::size_t last;
   double length;
@@ -57,8 +57,8 @@ Route cut_at_changes(const Route& route) {
   return result;
 }
 
-std::vector<Stroke> strokes_of(const Route& route) {
-  std::vector<Stroke> result;
+std::vector<LegStroke> strokes_of(const Route& route) {
+  std::vector<LegStroke> result;
   for (std::size_t i = 0; i < route.legs.size(); ++i) {
     if (i == 0 || gear_of(route.legs[i]) != gear_of(route.legs[i - 1])) {
       result.push_back({i, i, 0.0});
@@ -71,10 +71,10 @@ std::vector<Stroke> strokes_of(const Route& route) {
 
 /// By how much all strokes together are shorter than `least` [m].
 double missing(const Route& route, double least) {
-  const std::vector<Stroke> strokes = strokes_of(route);
+  const std::vector<LegStroke> strokes = strokes_of(route);
   if (strokes.size() < 2) return 0.0;
   double sum = 0.0;
-  for (const Stroke& stroke : strokes) sum += std::max(0.0, least - stroke.length);
+  for (const LegStroke& stroke : strokes) sum += std::max(0.0, least - stroke.length);
   return sum;
 }
 
@@ -86,7 +86,7 @@ class Lengthener {
   Route lengthened();
 
  private:
-  void try_without(const Stroke& stroke);
+  void try_without(const LegStroke& stroke);
   void try_later(std::size_t cusp, double by);
   [[nodiscard]] bool is_near(double a, double b) const {
     return std::abs(a - b) * connector_.radius() < search::straight_wheels;
@@ -120,9 +120,9 @@ void Lengthener::consider(std::size_t first, std::size_t last, const std::vector
 }
 
 // From before a stroke to behind it at once.
-void Lengthener::try_without(const Stroke& stroke) {
-  for (std::size_t before = 0; before <= std::min(reach, stroke.first); ++before) {
-    for (std::size_t after = 0; after <= reach && stroke.last + after <= route_.legs.size();
+void Lengthener::try_without(const LegStroke& stroke) {
+  for (std::size_t before = 0; before <= std::min(legs_beside, stroke.first); ++before) {
+    for (std::size_t after = 0; after <= legs_beside && stroke.last + after <= route_.legs.size();
          ++after) {
       const std::size_t first = stroke.first - before;
       const std::size_t last = stroke.last + after;
@@ -148,8 +148,9 @@ void Lengthener::try_later(std::size_t cusp, double by) {
       const Piece there = piece_of({&on, 1});
       consider(cusp, cusp, {{there, via}, {reversed(there), before.end}});
     }
-    for (std::size_t ahead = 1; ahead <= std::min(reach, cusp); ++ahead) {
-      for (std::size_t behind = 1; behind <= std::min(reach, route_.legs.size() - cusp); ++behind) {
+    for (std::size_t ahead = 1; ahead <= std::min(legs_beside, cusp); ++ahead) {
+      for (std::size_t behind = 1; behind <= std::min(legs_beside, route_.legs.size() - cusp);
+           ++behind) {
         const std::size_t first = cusp - ahead;
         const std::size_t last = cusp + behind;
         const Gears gears = gears_around(beside_, route_, first, last);
@@ -169,10 +170,10 @@ void Lengthener::try_later(std::size_t cusp, double by) {
 Route Lengthener::lengthened() {
   bool changed = true;
   for (std::size_t tries = 2 * strokes_of(route_).size(); changed && tries > 0; --tries) {
-    const std::vector<Stroke> strokes = strokes_of(route_);
+    const std::vector<LegStroke> strokes = strokes_of(route_);
     changed = false;
     for (std::size_t k = 0; k < strokes.size() && strokes.size() > 1 && !changed; ++k) {
-      const Stroke& stroke = strokes[k];
+      const LegStroke& stroke = strokes[k];
       const double lack = least_ - stroke.length;
       if (lack <= 0.0) continue;
       best_.reset();
