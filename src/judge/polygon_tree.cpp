@@ -3,7 +3,9 @@
 #include "judge/polygon_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "judge/bars.h"
@@ -17,6 +19,7 @@ using Nodes = PolygonTree::Nodes;
 using Range = PolygonTree::Range;
 
 constexpr std::uint32_t most_sides = 8;   // of a chain that is not halved
+constexpr std::size_t many = 256;         // items that are sorted into squares
 constexpr std::size_t most_points = 256;  // that a narrow bar is looked for around
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
@@ -59,15 +62,18 @@ Spread spread_of(std::span<const Item> items) {
 }
 
 /// What is much longer than all of it is wide stands apart from the rest, or it would make every
-/// bar long; else polygons are parted where half of them lie on either side.
-std::size_t part(std::span<Item> items, const Spread& spread) {
+/// bar long: the number of those, which come first; 0 if there are none, or no others.
+std::size_t part_long(std::span<Item> items, const Spread& spread) {
+  if (spread.longest <= spread.middles.size()) return 0;
+  const auto end = std::partition(items.begin(), items.end(), [&](const Item& item) {
+    return item.box.size() > spread.longest / 2;
+  });
+  return end == items.end() ? 0 : static_cast<std::size_t>(end - items.begin());
+}
+
+/// Polygons are parted where half of them lie on either side.
+std::size_t part_in_halves(std::span<Item> items, const Spread& spread) {
   const auto& [low, high] = spread.middles;
-  if (spread.longest > spread.middles.size()) {
-    const auto end = std::partition(items.begin(), items.end(), [&](const Item& item) {
-      return item.box.size() > spread.longest / 2;
-    });
-    if (end != items.end()) return static_cast<std::size_t>(end - items.begin());
-  }
   const bool wide = high.x - low.x > high.y - low.y;
   const std::size_t half = items.size() / 2;
   std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
@@ -77,6 +83,75 @@ std::size_t part(std::span<Item> items, const Spread& spread) {
                      return wide ? one.x < other.x : one.y < other.y;
                    });
   return half;
+}
+
+/// The number of items in the first part.
+std::size_t part(std::span<Item> items, const Spread& spread) {
+  const std::size_t of_long = part_long(items, spread);
+  return of_long > 0 ? of_long : part_in_halves(items, spread);
+}
+
+/// A square of squares around the middles of many items, sorted so that those of a quarter, of a
+/// quarter of it, and so on, stand together.
+class Squares {
+ public:
+  static constexpr std::size_t count = 64;
+
+  Squares(std::span<Item> items, const Spread& spread, std::vector<Item>& buffer);
+
+  /// Items of the squares before this one.
+  [[nodiscard]] std::size_t before(std::size_t square) const { return before_[square]; }
+  /// Around the items of some squares, of which one has some.
+  [[nodiscard]] Box box(std::size_t first, std::size_t last) const;
+  /// Whether one square has nearly all: sorting brought next to nothing.
+  [[nodiscard]] bool has_most() const;
+
+ private:
+  std::array<std::size_t, count + 1> before_ = {};
+  std::array<Box, count> boxes_ = {};
+};
+
+/// Items are sorted by counting, `buffer` holds them meanwhile.
+Squares::Squares(std::span<Item> items, const Spread& spread, std::vector<Item>& buffer) {
+  constexpr std::uint32_t side = 8;
+  const auto& [low, high] = spread.middles;
+  const auto place = [](double v, double first, double last) {
+    const double share = last > first ? (v - first) / (last - first) : 0.0;
+    return std::min(static_cast<std::uint32_t>(share * side), side - 1);
+  };
+  const auto square_of = [&](const Item& item) -> std::size_t {
+    const Point middle = item.box.middle();
+    const std::uint32_t x = place(middle.x, low.x, high.x);
+    const std::uint32_t y = place(middle.y, low.y, high.y);
+    const auto spaced = [](std::uint32_t v) { return (v & 1U) | (v & 2U) << 1U | (v & 4U) << 2U; };
+    return spaced(x) | spaced(y) << 1U;
+  };
+  buffer.assign(items.begin(), items.end());
+  for (const Item& item : buffer) ++before_[square_of(item) + 1];
+  std::partial_sum(before_.begin(), before_.end(), before_.begin());
+  std::array<std::size_t, count + 1> next = before_;
+  for (const Item& item : buffer) {
+    const std::size_t square = square_of(item);
+    if (next[square] == before_[square]) boxes_[square] = item.box;
+    boxes_[square].add(item.box);
+    items[next[square]++] = item;
+  }
+}
+
+Box Squares::box(std::size_t first, std::size_t last) const {
+  while (before_[first + 1] == before_[first]) ++first;
+  Box box = boxes_[first];
+  for (std::size_t i = first + 1; i < last; ++i) {
+    if (before_[i + 1] > before_[i]) box.add(boxes_[i]);
+  }
+  return box;
+}
+
+bool Squares::has_most() const {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (8 * (before_[i + 1] - before_[i]) > 7 * before_[count]) return true;
+  }
+  return false;
 }
 
 std::size_t add_children(Nodes& nodes, std::size_t node) {
@@ -99,8 +174,11 @@ class Sorter {
 
  private:
   void sort(std::size_t node, std::span<Item> items);
+  void sort_parts(std::size_t node, std::span<Item> items, std::size_t half);
+  void sort_squares(std::size_t node, std::span<Item> items, const Squares& squares, Range of);
 
   std::vector<Item> items_;
+  std::vector<Item> buffer_;
   Nodes nodes_;
   std::vector<Range> groups_;
 };
@@ -114,10 +192,34 @@ void Sorter::sort(std::size_t node, std::span<Item> items) {
                        static_cast<std::uint32_t>(items.size())});
     return;
   }
-  const std::size_t half = part(items, spread);
+  if (const std::size_t of_long = part_long(items, spread)) return sort_parts(node, items, of_long);
+  if (items.size() >= many) {
+    const Squares squares(items, spread, buffer_);
+    if (!squares.has_most()) return sort_squares(node, items, squares, {0, Squares::count});
+  }
+  sort_parts(node, items, part_in_halves(items, spread));
+}
+
+void Sorter::sort_parts(std::size_t node, std::span<Item> items, std::size_t half) {
   const std::size_t child = add_children(nodes_, node);
   sort(child, items.first(half));
   sort(child + 1, items.subspan(half));
+}
+
+/// Halves the squares until one is left, or few items.
+void Sorter::sort_squares(std::size_t node, std::span<Item> items, const Squares& squares,
+                          Range of) {
+  const std::size_t first = of.first, last = of.first + of.count;
+  const std::size_t begin = squares.before(first), end = squares.before(last);
+  if (of.count == 1 || end - begin < many) return sort(node, items.subspan(begin, end - begin));
+  const Range low{of.first, of.count / 2}, high{of.first + of.count / 2, of.count / 2};
+  const std::size_t middle = squares.before(high.first);
+  if (middle == begin) return sort_squares(node, items, squares, high);
+  if (middle == end) return sort_squares(node, items, squares, low);
+  nodes_[node].bar = bar_of(squares.box(first, last));
+  const std::size_t child = add_children(nodes_, node);
+  sort_squares(child, items, squares, low);
+  sort_squares(child + 1, items, squares, high);
 }
 
 /// ... and the tree of a group.
