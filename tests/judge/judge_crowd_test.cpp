@@ -230,6 +230,65 @@ TEST(JudgeCrowdLaw, ATreeOfManyPolygonsIsAsGoodAsEachOnItsOwn) {
   EXPECT_GT(near, cases(3000) / 2);
 }
 
+/// Triangles on some spots, each around the one before it: near by, far away, on top of it.
+std::vector<Polygon> many_triangles(Rng& rng) {
+  std::vector<Polygon> triangles(static_cast<std::size_t>(any_count(256, 4000, rng)));
+  Point spot{};
+  double spread = any_size(1e-6, 1e4, rng);
+  for (Polygon& triangle : triangles) {
+    if (chance(0.002, rng)) {
+      spot = towards(spot, uniform(-pi, pi, rng), any_size(1e-3, 1e5, rng));
+      spread = chance(0.2, rng) ? 0 : any_size(1e-6, 1e4, rng);
+    }
+    const Point middle = towards(spot, uniform(-pi, pi, rng), spread * uniform01(rng));
+    const double size = any_size(1e-3, chance(0.01, rng) ? 1e3 : 5, rng);
+    const double turn = uniform(-pi, pi, rng);
+    for (const double angle : {0.0, 2.0, 4.0}) {
+      triangle.push_back(towards(middle, turn + angle, size));
+    }
+  }
+  return triangles;
+}
+
+// A tree that counts polygons into squares, against trees of so few that none is counted.
+TEST(JudgeCrowdLaw, ManyPolygonsAreAsNearAsAFewAtATime) {
+  constexpr std::size_t few = 100;
+  int touched = 0;
+  int near = 0;
+  for_each_case(4, 200, [&](Rng& rng) {
+    const judge::Outline body = rectangle_of(footprint(any_vehicle(rng)));
+    const std::vector<Polygon> polygons = many_triangles(rng);
+    const Surroundings all{.obstacles = polygons};
+    const judge::Ground ground(all);
+    for (int i = 0; i < 5; ++i) {
+      const Point& corner = polygons[rng() % polygons.size()][0];
+      const double aside = any_size(1e-3, 1e3, rng);
+      const judge::Passage passage{{corner.x + aside, corner.y - aside, uniform(-pi, pi, rng)}};
+      const judge::View view = judge::view_of(passage);
+      judge::Effort effort;
+      double least = infinity;
+      std::string first;
+      for (std::size_t k = 0; k < polygons.size(); k += few) {
+        const auto begin = polygons.begin() + static_cast<std::ptrdiff_t>(k);
+        const auto count = static_cast<std::ptrdiff_t>(std::min(few, polygons.size() - k));
+        const Surroundings some{.obstacles = {begin, begin + count}};
+        least =
+            std::min(least, judge::Ground(some).clearance(view, {body, body}, infinity, effort));
+        if (least > 0 || !first.empty()) continue;
+        const std::string name = judge::Ground(some).first_within(0, view, {body, body}).name;
+        first = "obstacles[" + std::to_string(k + std::stoul(name.substr(10))) + "]";
+      }
+      EXPECT_NEAR(ground.clearance(view, {body, body}, infinity, effort), least, 2e-8);
+      near += least > 0;
+      if (least > 0) continue;
+      ++touched;
+      EXPECT_EQ(ground.first_within(0, view, {body, body}).name, first);
+    }
+  });
+  EXPECT_GT(touched, cases(200) / 8);
+  EXPECT_GT(near, cases(200) / 2);
+}
+
 // ---- Whole paths ----
 
 struct Verdicts {
