@@ -114,15 +114,15 @@ class Squares {
 /// Items are sorted by counting, `buffer` holds them meanwhile.
 Squares::Squares(std::span<Item> items, const Spread& spread, std::vector<Item>& buffer) {
   constexpr std::uint32_t side = 8;
-  const auto& [low, high] = spread.middles;
+  const Box& around = spread.middles;
   const auto place = [](double v, double first, double last) {
     const double share = last > first ? (v - first) / (last - first) : 0.0;
     return std::min(static_cast<std::uint32_t>(share * side), side - 1);
   };
   const auto square_of = [&](const Item& item) -> std::size_t {
     const Point middle = item.box.middle();
-    const std::uint32_t x = place(middle.x, low.x, high.x);
-    const std::uint32_t y = place(middle.y, low.y, high.y);
+    const std::uint32_t x = place(middle.x, around.low.x, around.high.x);
+    const std::uint32_t y = place(middle.y, around.low.y, around.high.y);
     const auto spaced = [](std::uint32_t v) { return (v & 1U) | (v & 2U) << 1U | (v & 4U) << 2U; };
     return spaced(x) | spaced(y) << 1U;
   };
