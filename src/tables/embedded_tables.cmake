@@ -81,21 +81,15 @@ foreach(number IN LISTS thesis_tables)
   list(APPEND embedded_headers ${embedded_tables}/hlut_${number}.h)
 endforeach()
 
-# The table of bounds (bound_table.cpp).
-add_custom_command(
-  OUTPUT ${embedded_tables}/bound_entries.h
-  COMMAND make_bound_table ${embedded_tables}/bound_entries.h
-  DEPENDS make_bound_table
-  VERBATIM)
-list(APPEND embedded_headers ${embedded_tables}/bound_entries.h)
-
-# The table of a rig (embedded_rig_table.cpp).
-add_custom_command(
-  OUTPUT ${embedded_tables}/rig_entries.h
-  COMMAND make_rig_table ${embedded_tables}/rig_entries.h
-  DEPENDS make_rig_table
-  VERBATIM)
-list(APPEND embedded_headers ${embedded_tables}/rig_entries.h)
+# The table of bounds (bound_table.cpp), and that of a rig (embedded_rig_table.cpp).
+foreach(kind bound rig)
+  add_custom_command(
+    OUTPUT ${embedded_tables}/${kind}_entries.h
+    COMMAND make_${kind}_table ${embedded_tables}/${kind}_entries.h
+    DEPENDS make_${kind}_table
+    VERBATIM)
+  list(APPEND embedded_headers ${embedded_tables}/${kind}_entries.h)
+endforeach()
 
 # To make them alone.
 add_custom_target(vandplan_embedded_tables DEPENDS ${embedded_headers})
