@@ -67,6 +67,7 @@ struct GapPlan {
 constexpr std::array<GapPlan, island_count> gap_plans = {
     {{1, 48}, {6, 48}, {6, 16}, {0, 48}, {0, 1}, {6, 48}}};
 constexpr std::size_t bound_island = 4;  // works before each round then
+static_assert(plans[bound_island].work == Work::bound);
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
