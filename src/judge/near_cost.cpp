@@ -3,12 +3,15 @@
 #include "judge/near_cost.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vandplan::judge {
 namespace {
 
-constexpr double looks = 64;           // for each `clearance_distance`
+constexpr double looks = 64;           // for each `clearance_distance`, at most
+constexpr double fewest_looks = 8;     // where something counts
+constexpr double agreement = 1e-4;     // of two rules, of the cost of a metre
 constexpr double most_looks = 1e6;     // for a path
 constexpr double usual_swing = 3;      // corners that move faster than the axle need more looks
 constexpr Real most_at_once = 1000.0;  // metres that one look may show to be far from everything
@@ -16,13 +19,18 @@ constexpr Real most_at_once = 1000.0;  // metres that one look may show to be fa
 class Integral {
  public:
   /// No point of the bodies moves further than `swing` for each metre driven.
-  Integral(std::span<const Body> bodies, double distance, double swing, Real step)
-      : bodies_(bodies), distance_(distance), swing_(swing), step_(step) {}
+  Integral(std::span<const Body> bodies, const CostOptions& rule, double swing, Real step)
+      : bodies_(bodies),
+        distance_(rule.clearance_distance),
+        swing_(swing),
+        step_(step),
+        most_(step * looks / fewest_looks),
+        tolerance_(agreement / std::max(1.0, rule.clearance_weight)) {}
 
   /// Of max(0, 1 - clearance / distance), from `begin` to `end` of a stretch [m].
   [[nodiscard]] Real over(std::size_t stretch, Real begin, Real end) {
     const Real middle = (begin + end) / 2;
-    if (end - begin <= step_) return at(stretch, middle) * (end - begin);
+    if (end - begin <= 4 * most_) return near(stretch, begin, end);
     const Real half = (end - begin) / 2;
     if (half > most_at_once) return over(stretch, begin, middle) + over(stretch, middle, end);
     // What is seen from the middle tells of all the rest: nothing comes nearer than it moves.
@@ -34,11 +42,28 @@ class Integral {
   }
 
  private:
-  /// As `over`, where no place is so far from everything that it does not count.
+  /// As `over`, where what is far from everything needs no regard.
   [[nodiscard]] Real near(std::size_t stretch, Real begin, Real end) {
     const Real middle = (begin + end) / 2;
-    if (end - begin <= step_) return at(stretch, middle) * (end - begin);
-    return near(stretch, begin, middle) + near(stretch, middle, end);
+    if (end - begin > 4 * most_) return near(stretch, begin, middle) + near(stretch, middle, end);
+    return simpson(stretch, begin, end,
+                   {at(stretch, begin), at(stretch, middle), at(stretch, end)});
+  }
+
+  /// Simpson's rule from the values at both ends and in the middle, halved until that changes
+  /// little: at kinks, mostly.
+  [[nodiscard]] Real simpson(std::size_t stretch, Real begin, Real end,
+                             const std::array<double, 3>& values) {
+    const auto& [first, middle, last] = values;
+    const Real length = end - begin;
+    const double left = at(stretch, begin + length / 4);
+    const double right = at(stretch, end - length / 4);
+    const Real once = (first + 4 * middle + last) / 6;
+    const Real twice = (first + 4 * left + 2 * middle + 4 * right + last) / 12;
+    if (std::abs(twice - once) <= tolerance_ || length <= 4 * step_) return twice * length;
+    const Real half = begin + length / 2;
+    return simpson(stretch, begin, half, {first, left, middle}) +
+           simpson(stretch, half, end, {middle, right, last});
   }
 
   [[nodiscard]] double at(std::size_t stretch, Real t) {
@@ -53,7 +78,9 @@ class Integral {
   std::span<const Body> bodies_;
   double distance_;
   double swing_;
-  Real step_;
+  Real step_;  // between looks, at least
+  Real most_;  // at most
+  double tolerance_;
   Effort effort_;
 };
 
@@ -71,7 +98,7 @@ double near_cost(std::span<const Body> bodies, const CostOptions& rule) {
     for (const Body& body : bodies) swing = std::max(swing, speed_of(body, stretch));
     const Real step = std::max<Real>(distance / looks / std::max(1.0, swing / usual_swing),
                                      track.length / most_looks);
-    Integral integral(bodies, distance, swing, step);
+    Integral integral(bodies, rule, swing, step);
     const Real weight = stretch.direction > 0 ? 1.0 : rule.reverse_weight;
     sum += weight * integral.over(i, 0, stretch.length);
   }

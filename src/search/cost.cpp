@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -10,12 +11,16 @@
 namespace vandplan::search {
 namespace {
 
-// Looks for each `clearance_distance`. The rule of midpoints is off by 1/8 of the square of a step
-// where the clearance gets to the distance or has a kink, and by less elsewhere.
+// Looks for each `clearance_distance`. The rule of midpoints, which the search has, is off by 1/8
+// of the square of a step where the clearance gets to the distance or has a kink, and by less
+// elsewhere. For the answer there are more looks where two rules disagree by more than `agreement`,
+// of the cost of a metre.
 constexpr double looks_of_search = 4;
-constexpr double looks_of_answer = 50;
-constexpr double most_looks_of_search = 2e4;  // at a path of any length
-constexpr double most_looks_of_answer = 1e6;
+constexpr double fewest_looks_of_answer = 8;
+constexpr double most_looks_of_answer = 64;
+constexpr double agreement = 1e-4;
+constexpr double most_looks_of_search_at_path = 2e4;  // of any length
+constexpr double most_looks_of_answer_at_path = 1e6;
 // Points of a body that is long for its turning radius move faster than that and need more looks.
 constexpr double usual_swing = 3;
 constexpr double looks_ahead = 4;  // that one look may save at first, and twice as many if it does
@@ -83,6 +88,73 @@ double nearness(const Looked& looked, double distance, const LookSteps& steps, d
     ahead = clearance < farthest ? looks_ahead : 2 * ahead;
   }
   return sum;
+}
+
+/// The same for the answer.
+class ExactNearness {
+ public:
+  /// Parts are at most `most` metres long, and are halved while they disagree by more than
+  /// `tolerance` in the mean.
+  ExactNearness(const Looked& looked, double distance, double most, double tolerance)
+      : looked_(looked),
+        distance_(distance),
+        most_(most),
+        least_(most * fewest_looks_of_answer / most_looks_of_answer),
+        tolerance_(tolerance) {}
+
+  [[nodiscard]] double integral() const {
+    const double length = std::abs(looked_.segment.length);
+    const double swing = looked_.swing();
+    double sum = 0.0;
+    double ahead = looks_ahead * most_;
+    for (double s = 0.0; s < length;) {
+      const double farthest = distance_ + swing * ahead;
+      const double clearance = looked_.clearance(s, farthest, distance_);
+      const double nothing = (clearance - distance_) / swing;  // that far there is nothing to add
+      ahead = clearance < farthest ? looks_ahead * most_ : 2 * ahead;
+      if (nothing >= most_) {
+        s += nothing;
+        continue;
+      }
+      const double end = std::min(s + most_, length);
+      sum += part(s, end, {at(s), at((s + end) / 2), at(end)});
+      s = end;
+    }
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] double at(double s) const {
+    return std::max(0.0, 1 - looked_.clearance(s, distance_, distance_) / distance_);
+  }
+
+  /// From what is at both ends and in the middle: three parabolas that agree (Simpson's rule).
+  [[nodiscard]] double part(double begin, double end, const std::array<double, 3>& values) const {
+    const auto [first, middle, last] = values;
+    const double quarter = (end - begin) / 4;
+    const double left = at(begin + quarter);
+    const double right = at(end - quarter);
+    const double once = (first + 4 * middle + last) / 6;
+    const double twice = (first + 4 * (left + right) + 2 * middle + last) / 12;
+    if (std::abs(twice - once) <= tolerance_ || end - begin <= least_) return twice * 4 * quarter;
+    const double half = begin + 2 * quarter;
+    return part(begin, half, {first, left, middle}) + part(half, end, {middle, right, last});
+  }
+
+  const Looked& looked_;
+  double distance_;
+  double most_;
+  double least_;
+  double tolerance_;
+};
+
+double exact_nearness(const Looked& looked, const CostRule& rule, double whole) {
+  const double slower = std::max(1.0, looked.swing() / usual_swing);
+  const double most = 4 * std::max(rule.clearance_distance / fewest_looks_of_answer / slower,
+                                   whole / most_looks_of_answer_at_path);
+  return ExactNearness(looked, rule.clearance_distance, most,
+                       agreement / std::max(1.0, rule.clearance_weight))
+      .integral();
 }
 
 }  // namespace
@@ -153,10 +225,8 @@ double rig_clearance_cost(const Task& task, const CostRule& rule, const RigState
                           std::span<const Segment> segments, Looks looks, double cutoff) {
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
-  const bool is_answer = looks == Looks::answer;
-  const LookSteps steps{
-      distance / (is_answer ? looks_of_answer : looks_of_search),
-      length(segments) / (is_answer ? most_looks_of_answer : most_looks_of_search)};
+  const double whole = length(segments);
+  const LookSteps steps{distance / looks_of_search, whole / most_looks_of_search_at_path};
   double sum = 0.0;
   RigState state = from;
   for (const Segment& segment : segments) {
@@ -164,7 +234,10 @@ double rig_clearance_cost(const Task& task, const CostRule& rule, const RigState
     if (sum > cutoff) break;
     const double price =
         rule.clearance_weight * (segment.length > 0.0 ? rule.forward_weight : rule.reverse_weight);
-    sum += price * nearness({task, state, segment}, distance, steps, (cutoff - sum) / price);
+    const Looked looked{task, state, segment};
+    sum += price * (looks == Looks::answer
+                        ? exact_nearness(looked, rule, whole)
+                        : nearness(looked, distance, steps, (cutoff - sum) / price));
     if (task.vehicle.trailer) {
       state = advance(task.vehicle, state, segment);
     } else {
