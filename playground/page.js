@@ -24,6 +24,7 @@ export class Page {
   settings = {...panel.driver};
   wanted = {...panel.driver}; // settings without those of the scenario
   result = null;
+  known = null; // the last path of this scene, before it was changed
   shown = null; // of the path: {rows: s, x, y, heading, curvature, direction; trail: x, y, heading of the trailer, or null}
   dirty = false; // a plan is wanted in the next frame
   drive = null; // {rows, begin}: an animated drive
@@ -53,6 +54,7 @@ export class Page {
     this.planning.yard(scene);
     if (keep && this.scene) this.history.remember(this.scene);
     this.scene = scene;
+    this.known = null;
     this.editor.selected = null;
     this.stopDriving();
     this.settings = {...this.wanted};
@@ -139,7 +141,7 @@ export class Page {
     this.bounds = [];
     this.moved ||= this.editor.dragging;
     try {
-      const result = this.planning.now(this.scene, this.settings, this.info);
+      const result = this.planning.now(this.scene, this.settings, this.info, this.editor.dragging ? this.known : null);
       this.take(result ?? {status: 'searching', path: null, anytime: []});
     } catch (error) {
       this.failed(error.message);
@@ -154,6 +156,7 @@ export class Page {
 
   take(result) {
     this.result = result;
+    this.known = result.path ?? this.known;
     if (result.lower_bound > 0) this.bounds.push({time: result.time, bound: result.lower_bound});
     this.shown = result.path ? this.placesOf(result.path) : null;
     panel.showResult(result, result.path && !this.editor.dragging ? this.vandplan.hash(result.path) : '');

@@ -11,6 +11,8 @@ import {scenarioOf} from './scene.js';
 const frameBudget = 0.003;
 const leastBudget = 0.0015;
 const firstBudget = 0.01;
+/** The same where the path of a frame before shows the way [s]. */
+const warmBudget = 0.002;
 /** How long a plan may take once nothing changes [s]. */
 const restBudgets = [0.2, 1.5];
 /** A trailer, or what moves, takes longer than a frame: all of it is left to the second thread. */
@@ -109,9 +111,9 @@ export class Planning {
 
   /**
    * A plan within the budget of a frame; longer ones follow once nothing is asked for a while. Null where the second
-   * thread alone plans.
+   * thread alone plans. `known` is the path of a scene that is nearly the same, or null.
    */
-  now(scene, settings, info) {
+  now(scene, settings, info, known) {
     const id = ++this.#id;
     this.#next = null;
     clearTimeout(this.#timer);
@@ -120,17 +122,20 @@ export class Planning {
       this.#improve(id, scene, settings, info, 0);
       return null;
     }
-    const time = Math.max(leastBudget, frameBudget - this.#judged);
+    const warm = known && info.name === 'anytime';
+    const time = warm ? warmBudget : Math.max(leastBudget, frameBudget - this.#judged);
     const ask = (within, more = {}) => {
       const query = queryOf(scene, settings, info, within);
+      if (warm && !more.target_gap) query.warm_start = known;
       const begin = performance.now();
       const result = yard.plan({...query, options: {...query.options, ...more}});
       if (result.path) this.#judged = (performance.now() - begin) / 1000 - result.time;
       return result;
     };
     const first = () => ask(firstBudget, {target_gap: 1000}); // ends with its first path
-    let result = this.#isHard ? first() : ask(time);
-    if (result.status === 'time_limit' && !this.#isHard) result = first();
+    const isHard = this.#isHard && !warm;
+    let result = isHard ? first() : ask(time);
+    if (result.status === 'time_limit' && !isHard) result = first();
     const ended = ['start_in_collision', 'goal_in_collision', 'no_path'].includes(result.status);
     if (!ended) {
       this.#isHard = !(result.anytime[0]?.time < time);

@@ -196,7 +196,8 @@ export interface Ends {
 
 /** A scenario whose world is built once, for many plans. */
 export interface Yard {
-  plan(query?: Ends & {planner?: string; options?: PlanOptions}): Result;
+  /** `warm_start`: a path that was good for a like problem, in whose way the first one is looked for; for "anytime". */
+  plan(query?: Ends & {planner?: string; options?: PlanOptions; warm_start?: Path}): Result;
   check(query: Ends & Claims & {path: Path}): Check;
   isFree(query: {pose: EndPose; vehicle?: Vehicle; margin?: number}): boolean;
   close(): void;

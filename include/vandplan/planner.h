@@ -88,6 +88,12 @@ struct PlanResult {
 /// The planner that is used when none is named.
 [[nodiscard]] const Planner& default_planner();
 
+/// The default planner, told of a path that was good for a like problem: whose start, goal or
+/// obstacles were a little different. If a path along it is free, that is the first one, and it is
+/// bettered before others are looked for. `path` is in the scenario's frame; of one for a vehicle
+/// with a trailer, or among what moves, no notice is taken.
+[[nodiscard]] Planner warm_started(const Path& path);
+
 /// The planner of that name; none if there is none. A search that is guided by an estimate may be
 /// named with one behind a colon, or with the larger of two: "hrrt:hlut-4",
 /// "hrrt:max-hlut-4-bound".

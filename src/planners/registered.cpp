@@ -124,3 +124,17 @@ std::vector<Planner> registered_planners() {
 }
 
 }  // namespace vandplan::planning
+
+namespace vandplan {
+
+Planner warm_started(const Path& path) {
+  Planner planner = default_planner();
+  planner.function = [path](const Task& task, const PlanOptions& options) {
+    if (!task.moving.empty()) return in_time::plan(task, options);
+    const Path known{to_local(*task.world, path.start), path.segments};
+    return anytime::plan_anytime(task, options, &known);
+  };
+  return planner;
+}
+
+}  // namespace vandplan

@@ -144,6 +144,13 @@ def test_many_plans_are_what_each_alone_is(yard, random_poses):
         vp.plan_many(yard, starts, starts, threads=0)
 
 
+def test_a_plan_begins_with_a_path_that_was_good(yard):
+    known = vp.plan(yard, max_iterations=500)
+    again = vp.plan(yard, vp.warm_started(known), max_iterations=0)
+    assert again and again.cost <= known.cost * (1 + 1e-9)
+    assert vp.plan(yard, vp.warm_started(known.path), max_iterations=0).path == again.path
+
+
 def test_a_path_is_smoothed(yard):
     arcs = vp.plan(yard, max_iterations=500, style="shortest")
     smooth = vp.smooth(yard, arcs, max_iterations=200)

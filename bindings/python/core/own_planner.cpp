@@ -13,6 +13,7 @@
 
 #include "bindings/python/core/bind.h"
 #include "bindings/python/core/options.h"
+#include "bindings/python/core/result.h"
 #include "bindings/python/core/task.h"
 #include "vandplan/input_error.h"
 
@@ -144,6 +145,15 @@ default for each name, or (default, least, most), or (default, [word, ...]). Wit
       .def("__repr__", [](const Planner& self) {
         return fmt::format("<vandplan.Planner {}: {}>", self.name, self.summary);
       });
+  module.def(
+      "warm_started", [](const py::object& path) { return warm_started(path_from(path)); },
+      "path"_a,
+      R"(warm_started(path) -> Planner
+
+The default planner, told of a `Path` or `Result` that was good for a like problem: whose start, goal
+or obstacles were a little different. If a path along it is free, that is the first one, and it is
+bettered before others are looked for. No notice is taken of it for a vehicle with a trailer, or among
+what moves.)");
   module.def(
       "planners",
       [] {

@@ -49,6 +49,7 @@ from vandplan._core import (
     reeds_shepp_length,
     smooth,
     speed_profile,
+    warm_started,
 )
 from vandplan.plotting import plot
 from vandplan.stores import read_store
@@ -91,4 +92,5 @@ __all__ = [
     "reeds_shepp_length",
     "smooth",
     "speed_profile",
+    "warm_started",
 ]

@@ -73,6 +73,17 @@ val drive_of(const PlanResult& result, const Vehicle& vehicle) {
   return rows_of(sampled(*result.path, vehicle, *result.speeds, 0.05));
 }
 
+/// The planner that is named, or the default one, which may begin with a known path.
+Planner planner_of(const val& query) {
+  const Planner planner =
+      has(query, "planner") ? planner_named(query["planner"].as<std::string>()) : default_planner();
+  if (!has(query, "warm_start")) return planner;
+  if (planner.name != default_planner().name) {
+    throw InputError("warm_start", "is for the planner " + default_planner().name);
+  }
+  return warm_started(path_from(query["warm_start"]));
+}
+
 /// A scenario whose world is built once: start, goal and vehicle may then be others each time.
 class Yard {
  public:
@@ -81,12 +92,10 @@ class Yard {
         problem_(make_problem(scenario_)),
         world_(problem_.world()) {}
 
-  /// Plans with {planner, options}, and {start, goal, vehicle} where they are given.
+  /// Plans with {planner, options, warm_start}, and {start, goal, vehicle} where they are given.
   [[nodiscard]] val plan(const val& query) const {
-    allow_only(query, {"planner", "options", "start", "goal", "vehicle"}, "query");
-    const Planner planner = has(query, "planner")
-                                ? planner_named(query["planner"].as<std::string>())
-                                : default_planner();
+    allow_only(query, {"planner", "options", "start", "goal", "vehicle", "warm_start"}, "query");
+    const Planner planner = planner_of(query);
     const Problem problem = problem_of(query);
     const PlanOptions options = options_from(planner, query["options"], problem.vehicle());
     const PlanResult result = vandplan::plan(problem, planner, options);

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "base/parallel.h"
+#include "planners/anytime/chain.h"
 #include "planners/anytime/fastest.h"
 #include "planners/anytime/island.h"
 #include "planners/anytime/open_ground.h"
@@ -24,6 +25,7 @@ namespace {
 
 constexpr std::size_t island_count = 6;
 constexpr int tidy_trials = 1000;
+constexpr int repairs_of_known = 12;              // of a known path that something is in the way of
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
 constexpr std::int64_t first_look_far = 100;      // over a whole site, where a look takes longer
 constexpr std::int64_t rounds_of_far_cycle = 4;
@@ -57,8 +59,9 @@ constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 
                                                        {Work::bound, 0, 0, 4, 1},
                                                        {Work::detours, 0, 0, 0, 0}}};
 
-// Where a gap is to be proven: of the islands in the order of `plans`, after how many rounds with a
-// route they join, and their share. Rounds are short, and what mostly proves the gap comes first.
+// Where a gap is to be proven, or a route was known: of the islands in the order of `plans`, after
+// how many rounds with a route they join, and their share. Rounds are short, and what mostly proves
+// the gap, and betters the route, comes first.
 struct GapPlan {
   std::int64_t first_round;
   std::int64_t share;
@@ -84,6 +87,7 @@ class Run {
   Run(const Task& task, const PlanOptions& options);
 
   void try_open_ground(const CostRule& rule);
+  void try_along(const Path& known);
   void round();
   void look_for_walls();
   void tidy(std::uint64_t seed);
@@ -96,6 +100,7 @@ class Run {
   [[nodiscard]] PlannerAnswer result() const;
 
  private:
+  void take(Route route);
   void merge(Slice& slice);
   [[nodiscard]] std::int64_t share_of(std::size_t island) const;
   [[nodiscard]] std::int64_t far_share(Work work, std::int64_t share) const;
@@ -110,6 +115,7 @@ class Run {
   bool is_far_;  // over a whole site
   int threads_;
   std::optional<double> target_gap_;
+  bool is_warm_ = false;  // began with a route along a known path
   Budget budget_;
   std::deque<Island> islands_;
   std::optional<search::Enclosure> enclosure_;
@@ -151,10 +157,27 @@ void Run::try_open_ground(const CostRule& rule) {
   if (!piece || !connector.is_free(task_.start, *piece)) return;
   Route route{task_.start, {{*piece, task_.goal}}, 0.0};
   price(Connector(task_, rule_), route);
+  take(std::move(route));
+}
+
+// A route that was there before the first round.
+void Run::take(Route route) {
   if (best_ && route.cost >= best_->cost) return;
   best_ = std::move(route);
   if (fastest_) return offer_to_fastest();
   trace_.push_back({budget_.elapsed(), 0, best_->cost});
+}
+
+// Along a path that was good for a like task.
+void Run::try_along(const Path& known) {
+  Connector connector(task_, rule_);
+  Chain chain(task_, connector, known, 0);
+  if (!chain.take_over()) return;
+  for (int i = 0; i < repairs_of_known && !chain.is_free() && !budget_.is_interrupted(); ++i)
+    chain.repair();
+  if (!chain.is_free()) return;
+  is_warm_ = true;
+  take(chain.route());
 }
 
 void Run::offer_to_fastest() {
@@ -214,7 +237,7 @@ std::int64_t Run::share_of(std::size_t island) const {
   if (!best_) return rounds_ < plan.first_round ? 0 : plan.before;
   const std::int64_t after = rule_.is_length() ? plan.after : plan.after_with_prices;
   if (is_far_) return far_share(plan.work, after * growth(rounds_));
-  if (!target_gap_ || after == 0) return after * growth(rounds_);
+  if (after == 0 || !(target_gap_ || is_warm_)) return after * growth(rounds_);
   const GapPlan& gap_plan = gap_plans[island];
   return rounds_with_route_ < gap_plan.first_round ? 0 : gap_plan.share * growth(rounds_);
 }
@@ -350,11 +373,12 @@ PlannerAnswer Run::result() const {
 }  // namespace
 
 // The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
-PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options) {
+PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const Path* known) {
   if (task.vehicle.trailer) return rig::plan_rig(task, options);
   Run run(task, options);
   run.try_open_ground({});  // [1]
   if (!is_length(options.cost)) run.try_open_ground(rule_of(task, options.cost));
+  if (known != nullptr) run.try_along(*known);
   std::optional<PlanStatus> end;
   while (!run.is_optimal() && !run.is_good_enough() && !run.is_walled_in() && !end) {
     end = run.budget().exhausted();

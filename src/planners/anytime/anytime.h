@@ -5,13 +5,16 @@
 // How it works and what was tried: docs/algorithms/anytime.md.
 
 #include "vandplan/outcome.h"
+#include "vandplan/path.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::anytime {
 
 /// Searches and shortens until the budget is spent or the path is proven optimal.
-/// Expects start and goal to be free.
-[[nodiscard]] PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options);
+/// Expects start and goal to be free. `known`, in the frame of the task, was good for a like one:
+/// if a route along it is free, it is the first one, and bettered before others are looked for.
+[[nodiscard]] PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options,
+                                         const Path* known = nullptr);
 
 }  // namespace vandplan::anytime

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/chain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace vandplan::anytime {
+namespace {
+
+constexpr double curvature_rounding = 1e-12;
+constexpr double sideways = 0.3;         // of repairs that bring nothing, those that are kept
+constexpr std::size_t most_spanned = 6;  // legs at an end
+
+}  // namespace
+
+Chain::Chain(const Task& task, Connector& connector, const Path& old, std::uint64_t seed)
+    : task_(task), connector_(connector), old_(old), rng_(seed), vias_(vias_of(old)) {
+  vias_.front().pose = task.start;
+  vias_.back().pose = task.goal;
+}
+
+/// The places of a path where one piece may end and the next one begin, its ends among them.
+std::vector<Chain::Via> Chain::vias_of(const Path& path) {
+  std::vector<Via> vias = {{path.start, 0.0, 0}};
+  Pose pose = path.start;
+  double s = 0.0;
+  const Segment* before = nullptr;
+  for (const Segment& segment : path.segments) {
+    if (segment.length == 0.0) continue;  // two places would be one
+    const double length = std::abs(segment.length);
+    const double end = curvature_at(segment, length);
+    if (before != nullptr) {
+      const bool changes = before->length * segment.length < 0.0;
+      const double last = last_driven(*before).curvature;
+      if (changes || last * segment.curvature < 0.0) {
+        vias.push_back({pose, s, changes ? gear_of(segment) : 0});
+      }
+    }
+    const bool is_line = segment.curvature == 0.0 && end == 0.0;
+    if (is_line || segment.curvature * end < 0.0) {
+      const double there =
+          is_line ? length / 2 : length * segment.curvature / (segment.curvature - end);
+      vias.push_back({advance(pose, part_of(segment, 0.0, there)), s + there, 0});
+    }
+    pose = advance(pose, segment);
+    s += length;
+    before = &segment;
+  }
+  vias.push_back({pose, s, 0});
+  return vias;
+}
+
+bool Chain::is_free() const {
+  return std::ranges::all_of(legs_, [](const Link& link) { return link.is_free; });
+}
+
+/// What is driven before leg `first` and from leg `last` on.
+Gears Chain::gears_beside(std::size_t first, std::size_t last) const {
+  const Gears ends = gears_at_ends(task_, connector_.rule());
+  return {first == 0 ? ends.before : last_driven(legs_[first - 1].piece),
+          last == legs_.size() ? ends.after : first_driven(legs_[last].piece)};
+}
+
+/// Pieces from place to place, between what is driven around them.
+std::optional<std::vector<Chain::Link>> Chain::links(std::span<const Via> vias,
+                                                     const Gears& around) {
+  std::vector<Link> result;
+  Driven before = around.before;
+  for (std::size_t i = 0; i + 1 < vias.size(); ++i) {
+    const bool is_last = i + 2 == vias.size();
+    const Driven after = is_last ? around.after : Driven(vias[i + 1].next);
+    const Pose& from = vias[i].pose;
+    const std::optional<Piece> piece = connector_.steer(from, vias[i + 1].pose, {before, after});
+    if (!piece) return std::nullopt;
+    result.push_back({*piece, connector_.is_free(from, *piece)});
+    before = last_driven(*piece);
+  }
+  return result;
+}
+
+bool Chain::join() {
+  const Gears ends = gears_at_ends(task_, connector_.rule());
+  auto all = links(vias_, ends);
+  if (!all) {  // with straight wheels there is always a way
+    for (Via& via : vias_) via.next = 0;
+    all = links(vias_, ends);
+  }
+  if (!all) return false;
+  legs_ = *std::move(all);
+  return true;
+}
+
+// Whether the vehicle can drive a segment of the old path after what is driven before it.
+bool Chain::may_follow(const Driven& before, const Segment& segment) const {
+  const double sharpest = (1 + curvature_rounding) / connector_.radius();
+  const double end = curvature_at(segment, std::abs(segment.length));
+  if (std::max(std::abs(segment.curvature), std::abs(end)) > sharpest) return false;
+  const ContinuousSteering* const continuous = connector_.continuous();
+  const double fastest = continuous == nullptr ? 0.0 : continuous->curvature_rate();
+  if (std::abs(segment.curvature_rate) > fastest * (1 + curvature_rounding)) return false;
+  const double jump = std::abs(segment.curvature - before.curvature);  // NaN if it is not known
+  return !(jump * connector_.radius() > straight_wheels) ||
+         connector_.may_jump(before, {gear_of(segment), segment.curvature});
+}
+
+// What the old path drives between two places, if the vehicle can.
+std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven before) const {
+  Piece piece;
+  double s = 0.0;
+  for (const Segment& segment : old_.segments) {
+    const double length = std::abs(segment.length);
+    const double begin = std::max(from.s - s, 0.0);
+    const double end = std::min(to.s - s, length);
+    s += length;
+    if (begin >= end) continue;
+    const Segment part = part_of(segment, begin, end);
+    if (piece.count == SegmentRoom::size() || !may_follow(before, part)) return std::nullopt;
+    piece.segments[piece.count++] = part;
+    piece.length += end - begin;
+    before = last_driven(part);
+  }
+  return piece;
+}
+
+bool Chain::take_over() {
+  const Gears ends = gears_at_ends(task_, connector_.rule());
+  Driven before = ends.before;
+  for (std::size_t i = 0; i + 1 < vias_.size(); ++i) {
+    const bool is_last = i + 2 == vias_.size();
+    const bool is_old = !is_last && (i > 0 || task_.start == old_.start);
+    const Pose& from = vias_[i].pose;
+    const Pose& to = vias_[i + 1].pose;
+    std::optional<Piece> piece;
+    if (is_old) piece = old_piece(vias_[i], vias_[i + 1], before);
+    const Driven after = is_last ? ends.after : Driven(vias_[i + 1].next);
+    if (!piece) piece = connector_.steer(from, to, {before, after});
+    if (!piece) return false;
+    legs_.push_back({*piece, connector_.is_free(from, *piece)});
+    before = last_driven(*piece);
+  }
+  leave_out();
+  return true;
+}
+
+// Puts other legs in the place of [first, last).
+void Chain::exchange(std::size_t first, std::size_t last, const std::vector<Link>& fresh) {
+  const auto begin = legs_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = legs_.begin() + static_cast<std::ptrdiff_t>(last);
+  legs_.insert(legs_.erase(begin, end), fresh.begin(), fresh.end());
+}
+
+// What being near things adds to the cost of the legs [first, last).
+double Chain::clearance_cost(std::size_t first, std::size_t last) const {
+  double sum = 0.0;
+  for (std::size_t i = first; i < last; ++i) {
+    sum += connector_.clearance_cost(vias_[i].pose, legs_[i].piece.view());
+  }
+  return sum;
+}
+
+// One piece in the place of the legs [first, last), if it is free and they are not, or it is
+// cheaper.
+void Chain::span_legs(std::size_t first, std::size_t last) {
+  const Gears gears = gears_beside(first, last);
+  double cost = 0.0;
+  Driven before = gears.before;
+  for (std::size_t i = first; i < last; ++i) {
+    const Driven after = i + 1 == last ? gears.after : Driven{};
+    if (!legs_[i].is_free) cost = std::numeric_limits<double>::infinity();
+    cost += connector_.cost(legs_[i].piece, {before, after});
+    before = last_driven(legs_[i].piece);
+  }
+  const Pose& from = vias_[first].pose;
+  const std::optional<Piece> piece = connector_.steer(from, vias_[last].pose, gears, cost);
+  if (!piece || !connector_.is_free(from, *piece)) return;
+  const double gain = cost - connector_.cost(*piece, gears);
+  if (gain <= 0.0) return;
+  if (std::isfinite(cost) &&
+      connector_.clearance_cost(from, piece->view()) >= gain + clearance_cost(first, last)) {
+    return;
+  }
+  exchange(first, last, {{*piece, true}});
+  const auto at = vias_.begin() + static_cast<std::ptrdiff_t>(first) + 1;
+  vias_.erase(at, at + static_cast<std::ptrdiff_t>(last - first - 1));
+}
+
+// Leaves out places at both ends, where one free piece is cheaper than those that it replaces or
+// they are blocked.
+void Chain::leave_out() {
+  const auto most = [&] { return std::min(most_spanned, legs_.size()); };
+  for (std::size_t count = 2; count <= most(); ++count) span_legs(0, count);
+  for (std::size_t count = 2; count <= most(); ++count) {
+    span_legs(legs_.size() - count, legs_.size());
+  }
+}
+
+/// A place near the old path, at a random scale.
+Chain::Via Chain::beside(double s, GearSign next) {
+  const double scale = std::exp2(uniform(-9.0, 0.0, rng_));
+  const double reach = scale * connector_.radius();
+  const Pose by{uniform(-reach, reach, rng_), uniform(-reach, reach, rng_),
+                uniform(-scale, scale, rng_)};
+  return {compose(pose_at(old_, s), by), s, next};
+}
+
+/// Moves an end of a leg that is not free, or makes a place in its middle.
+void Chain::repair() {
+  std::vector<std::size_t> blocked;
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    if (!legs_[i].is_free) blocked.push_back(i);
+  }
+  const std::size_t leg = blocked[rng_() % blocked.size()];
+  const bool inserts = legs_.size() == 1 || uniform01(rng_) < 0.3;
+  const bool moves_end = leg == 0 || (leg + 1 < legs_.size() && rng_() % 2 == 0);
+  const std::size_t first = inserts || moves_end ? leg : leg - 1;
+  const std::size_t last = inserts ? leg + 1 : first + 2;  // the leg after those that change
+  const Via& from = vias_[first];
+  const Via& to = vias_[last];
+  const Via between = inserts ? beside(uniform(from.s, to.s, rng_), 0)
+                              : beside(vias_[first + 1].s, vias_[first + 1].next);
+  const std::array<Via, 3> trial = {from, between, to};
+  const auto fresh = links(trial, gears_beside(first, last));
+  if (!fresh) return;
+  const auto begin = legs_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = legs_.begin() + static_cast<std::ptrdiff_t>(last);
+  const auto is_blocked = [](const Link& link) { return !link.is_free; };
+  const auto was = std::count_if(begin, end, is_blocked);
+  const auto is = std::count_if(fresh->begin(), fresh->end(), is_blocked);
+  if (is > was || (is == was && uniform01(rng_) > sideways)) return;
+  exchange(first, last, *fresh);
+  const auto at = vias_.begin() + static_cast<std::ptrdiff_t>(first) + 1;
+  if (inserts) {
+    vias_.insert(at, between);
+  } else {
+    *at = between;
+  }
+}
+
+Route Chain::route() const {
+  Route route{vias_.front().pose, {}, 0.0};
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    route.legs.push_back({legs_[i].piece, vias_[i + 1].pose});
+  }
+  price(connector_, route);
+  return route;
+}
+
+}  // namespace vandplan::anytime

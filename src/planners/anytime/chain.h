@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which route keeps to the way of a path that is there?
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "search/route.h"
+#include "vandplan/random.h"
+#include "vandplan/search.h"
+
+namespace vandplan::anytime {
+
+using namespace search;
+
+/// Pieces from place to place along an old path, from the task's start to its goal. Some may be in
+/// the way of something.
+class Chain {
+ public:
+  /// `old` is in the frame of the task; its ends need not be those of the task.
+  Chain(const Task& task, Connector& connector, const Path& old, std::uint64_t seed);
+
+  /// Joins all places; false if two of them cannot be joined.
+  bool join();
+  /// Keeps what the old path drives between two places where the vehicle can, joins the others, and
+  /// leaves out places at both ends. False if two places cannot be joined.
+  bool take_over();
+  /// One trial to free a leg: a place near the old path, at random.
+  void repair();
+  [[nodiscard]] bool is_free() const;
+  [[nodiscard]] Route route() const;
+
+ private:
+  /// A place of the old path where the wheels are straight or the gear changes.
+  struct Via {
+    Pose pose;
+    double s;       // on the old path [m]
+    GearSign next;  // the gear driven from there, if it changes; else 0
+  };
+  struct Link {
+    Piece piece;
+    bool is_free = false;
+  };
+
+  [[nodiscard]] static std::vector<Via> vias_of(const Path& path);
+  [[nodiscard]] Gears gears_beside(std::size_t first, std::size_t last) const;
+  [[nodiscard]] std::optional<std::vector<Link>> links(std::span<const Via> vias,
+                                                       const Gears& around);
+  [[nodiscard]] Via beside(double s, GearSign next);
+  [[nodiscard]] bool may_follow(const Driven& before, const Segment& segment) const;
+  [[nodiscard]] std::optional<Piece> old_piece(const Via& from, const Via& to, Driven before) const;
+  void exchange(std::size_t first, std::size_t last, const std::vector<Link>& fresh);
+  [[nodiscard]] double clearance_cost(std::size_t first, std::size_t last) const;
+  void span_legs(std::size_t first, std::size_t last);
+  void leave_out();
+
+  const Task& task_;
+  Connector& connector_;
+  const Path& old_;
+  Rng rng_;
+  std::vector<Via> vias_;
+  std::vector<Link> legs_;  // from each place to the next
+};
+
+}  // namespace vandplan::anytime

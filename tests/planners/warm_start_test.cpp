@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// What becomes of a path that was good for a like problem?
+
+#include <gtest/gtest.h>
+
+#include "../support/cases.h"
+#include "../support/problems.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+PlanOptions iterations(std::int64_t count, Steering steering = Steering::continuous_between_stops) {
+  PlanOptions options{.steering = steering};
+  options.budget.max_iterations = count;
+  return options;
+}
+
+/// A wall between start and goal, so that the best path on open ground is not free.
+const std::vector<Polygon> wall = {box(10, -8, 12, 8)};
+constexpr Pose start{0, 0, 0};
+constexpr Pose goal{25, 0, 0};
+
+Path known_path(Steering steering = Steering::continuous_between_stops) {
+  return plan(problem_of(start, goal, wall), iterations(5000, steering)).path.value();
+}
+
+TEST(WarmStart, ThePathItselfIsTheFirstOne) {
+  const Problem problem = problem_of(start, goal, wall);
+  const Path known = known_path();
+  const PlanResult without = plan(problem, iterations(0));
+  EXPECT_EQ(without.status, PlanStatus::iteration_limit);
+  const PlanResult with = plan(problem, warm_started(known), iterations(0));
+  ASSERT_EQ(with.status, PlanStatus::solved) << with.reason;
+  const double cost = plan(problem, iterations(5000)).cost;
+  EXPECT_LE(with.cost, cost * (1 + 1e-9));
+}
+
+TEST(WarmStart, FollowsAGoalAndAStartThatMove) {
+  const Path known = known_path();
+  for (const double by : {-1.0, -0.1, 0.1, 1.0}) {
+    const Pose end{goal.x + 2 * by, goal.y + by, 0.3 * by};
+    const PlanResult to = plan(problem_of(start, end, wall), warm_started(known), iterations(0));
+    EXPECT_EQ(to.status, PlanStatus::solved) << by;
+    const Pose begin{start.x + by, start.y - by, -0.3 * by};
+    const PlanResult from = plan(problem_of(begin, goal, wall), warm_started(known), iterations(0));
+    EXPECT_EQ(from.status, PlanStatus::solved) << by;
+  }
+}
+
+TEST(WarmStart, DrivesPastWhatStandsInItsWay) {
+  const Path known = known_path(Steering::reeds_shepp);
+  int solved = 0;
+  for (double s = 2.0; s < length(known) - 2.0; s += 1.0) {
+    const Pose there = pose_at(known, s);
+    std::vector<Polygon> more = wall;
+    more.push_back(box(there.x - 0.1, there.y + 1.2, there.x + 0.1, there.y + 1.4));
+    const PlanResult result = plan(problem_of(start, goal, more), warm_started(known),
+                                   iterations(0, Steering::reeds_shepp));
+    solved += result.status == PlanStatus::solved;
+  }
+  EXPECT_GE(solved, 5);
+}
+
+TEST(WarmStart, APathThatTheVehicleCannotDriveIsSteeredAnew) {
+  const Path known = known_path(Steering::reeds_shepp);
+  const Vehicle wide_turns{.min_turning_radius = 9};
+  const Problem problem = problem_of(start, goal, wall, wide_bounds, wide_turns);
+  for (const Steering steering :
+       {Steering::reeds_shepp, Steering::continuous_between_stops, Steering::continuous}) {
+    const PlanResult result = plan(problem, warm_started(known), iterations(300, steering));
+    EXPECT_EQ(result.status, PlanStatus::solved) << name_of(steering) << ": " << result.reason;
+  }
+}
+
+TEST(WarmStart, IsNeverRejectedWhateverHasChanged) {
+  int known_ones = 0, solved = 0;
+  for_each_case(1, 150, [&](Rng& rng) {
+    const Bounds square{-25, 25, -25, 25};
+    const auto boxes = [&](int count) {
+      std::vector<Polygon> all;
+      for (int i = 0; i < count; ++i) {
+        const Pose corner = uniform_pose(square, rng);
+        all.push_back(box(corner.x, corner.y, corner.x + 4, corner.y + 4));
+      }
+      return all;
+    };
+    const auto kind = [&] { return static_cast<Steering>(rng() % 3); };
+    const std::vector<Polygon> before = boxes(5);
+    const Pose from = uniform_pose(square, rng);
+    const Pose to = uniform_pose(square, rng);
+    const PlanResult old = plan(problem_of(from, to, before), iterations(400, kind()));
+    if (!old.path) return;
+    ++known_ones;
+    const double by = std::exp2(uniform(-8.0, 2.0, rng));
+    const auto moved = [&](const Pose& pose) {
+      return compose(pose, {uniform(-by, by, rng), uniform(-by, by, rng), uniform(-by, by, rng)});
+    };
+    const bool moves_start = rng() % 2 == 0;
+    const Problem now =
+        problem_of(moves_start ? moved(from) : from, moved(to), rng() % 2 == 0 ? before : boxes(6),
+                   wide_bounds, {.min_turning_radius = uniform(5.0, 9.0, rng)});
+    const PlanOptions options = iterations(static_cast<std::int64_t>(rng() % 300), kind());
+    const PlanResult result = plan(now, warm_started(*old.path), options);
+    EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
+    solved += result.status == PlanStatus::solved;
+    PlanOptions shared = options;
+    shared.budget.threads = 5;
+    EXPECT_EQ(plan(now, warm_started(*old.path), shared).path, result.path);
+  });
+  EXPECT_GT(known_ones, 0);
+  EXPECT_GT(2 * solved, known_ones);
+}
+
+}  // namespace
+}  // namespace vandplan
