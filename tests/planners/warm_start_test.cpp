@@ -65,14 +65,49 @@ TEST(WarmStart, DrivesPastWhatStandsInItsWay) {
 }
 
 TEST(WarmStart, APathThatTheVehicleCannotDriveIsSteeredAnew) {
-  const Path known = known_path(Steering::reeds_shepp);
+  Vehicle slow_wheels;
+  slow_wheels.limits.max_curvature_rate = 0.05;
   const Vehicle wide_turns{.min_turning_radius = 9};
-  const Problem problem = problem_of(start, goal, wall, wide_bounds, wide_turns);
-  for (const Steering steering :
-       {Steering::reeds_shepp, Steering::continuous_between_stops, Steering::continuous}) {
-    const PlanResult result = plan(problem, warm_started(known), iterations(300, steering));
-    EXPECT_EQ(result.status, PlanStatus::solved) << name_of(steering) << ": " << result.reason;
+  const auto kinds = {Steering::reeds_shepp, Steering::continuous_between_stops,
+                      Steering::continuous};
+  for (const Steering before : kinds) {
+    const Path known = known_path(before);
+    for (const Steering now : kinds) {
+      for (const Vehicle& vehicle : {Vehicle{}, slow_wheels, wide_turns}) {
+        const Problem problem = problem_of(start, goal, wall, wide_bounds, vehicle);
+        const PlanResult result = plan(problem, warm_started(known), iterations(300, now));
+        EXPECT_EQ(result.status, PlanStatus::solved)
+            << name_of(before) << ", " << name_of(now) << ": " << result.reason;
+      }
+    }
   }
+}
+
+// Arcs that are wider than steering knows are cheaper where the wheels have a price.
+TEST(WarmStart, WhatTheVehicleCanDriveStaysAsItWas) {
+  const Path known{start, {{0.05, 10}, {-0.05, 10}, {0, 4}}};
+  PlanOptions options = iterations(0, Steering::reeds_shepp);
+  options.cost = shortest_style;
+  options.cost.curvature_change_cost = 100;
+  const Problem problem = problem_of(start, end_pose(known), {});
+  const PlanResult result = plan(problem, warm_started(known), options);
+  EXPECT_NEAR(result.cost, 24 + 100 * 0.15, 1e-9);
+}
+
+TEST(WarmStart, ThePathIsBetteredBeforeOthersAreLookedFor) {
+  const Problem problem = problem_of(start, goal, wall);
+  PlanOptions first_path = iterations(5000);
+  first_path.budget.target_gap = 1000;
+  const Path crooked = plan(problem, first_path).path.value();
+  const double first = plan(problem, warm_started(crooked), iterations(0)).cost;
+  EXPECT_LT(plan(problem, warm_started(crooked), iterations(50)).cost, first);
+}
+
+TEST(WarmStart, ThePathIsInTheFrameOfTheScenario) {
+  Scenario far{.bounds = wide_bounds, .start = start, .goal = goal, .obstacles = wall};
+  far = moved_by(far, 12345, -6789);
+  const Path known = plan(far, iterations(5000)).path.value();
+  EXPECT_EQ(plan(make_problem(far), warm_started(known), iterations(0)).status, PlanStatus::solved);
 }
 
 TEST(WarmStart, IsNeverRejectedWhateverHasChanged) {
