@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/trigonometry.h"
@@ -28,6 +29,9 @@ Sides sides_of(const Bounds& b) {
   return {{b.x_min, b.x_max, b.x_max, b.x_min, b.x_min},
           {b.y_min, b.y_min, b.y_max, b.y_max, b.y_min}};
 }
+
+/// Of what is beyond nothing.
+double squared(double beyond) { return beyond > 0 ? beyond * beyond : 0.0; }
 
 CellBox blocks_in(const CellBox& cells, int shift) {
   return {cells.x_min >> shift, cells.x_max >> shift, cells.y_min >> shift, cells.y_max >> shift};
@@ -74,8 +78,12 @@ class GridObstacles::Search {
     const Rectangle slim{near.middle, near.forward, (body.front + body.rear) / 2, body.half_width};
     double least = margin * margin;
     (void)any_run(near, [&](const CellBox& run) {
-      if (slim.squared_gap(square(run)) >= least) return false;  // most of them
-      least = std::min(least, squared_distance(shape_, placed_.from, sides_of(square(run))));
+      const Bounds box = square(run);
+      if (slim.squared_gap(box) >= least) return false;  // most of them
+      const double distance = shape_.corners.empty()
+                                  ? slim.squared_distance(box)
+                                  : squared_distance(shape_, placed_.from, sides_of(box));
+      least = std::min(least, distance);
       return least == 0;
     });
     return std::sqrt(least);
@@ -112,6 +120,30 @@ class GridObstacles::Search {
       const double along = std::max(gap.x, 0.0);
       const double aside = std::max(gap.y, 0.0);
       return along * along + aside * aside;
+    }
+
+    /// 0 if they overlap.
+    [[nodiscard]] double squared_distance(const Bounds& b) const {
+      const Bounds box = this->box();
+      const double apart_x = std::max(b.x_min - box.x_max, box.x_min - b.x_max);
+      const double apart_y = std::max(b.y_min - box.y_max, box.y_min - b.y_max);
+      if (meets(b) && apart_x <= 0 && apart_y <= 0) return 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (const double p : {-1.0, 1.0}) {
+        for (const double q : {-1.0, 1.0}) {
+          // A corner of the box, as the rectangle sees it, and one of the rectangle.
+          const Point to{(p < 0 ? b.x_min : b.x_max) - middle.x,
+                         (q < 0 ? b.y_min : b.y_max) - middle.y};
+          const Point corner{middle.x + p * half_length * forward.x - q * half_width * forward.y,
+                             middle.y + p * half_length * forward.y + q * half_width * forward.x};
+          const double along = std::abs(to.x * forward.x + to.y * forward.y) - half_length;
+          const double aside = std::abs(to.y * forward.x - to.x * forward.y) - half_width;
+          const double x = std::max(b.x_min - corner.x, corner.x - b.x_max);
+          const double y = std::max(b.y_min - corner.y, corner.y - b.y_max);
+          least = std::min({least, squared(along) + squared(aside), squared(x) + squared(y)});
+        }
+      }
+      return least;
     }
 
     /// Whether they overlap, if the box overlaps the one around.
@@ -264,7 +296,6 @@ double GridObstacles::clearance(const Shape& body, const Placement& placement, d
   const PlacedSegment placed = in_frame(PlacedSegment(placement, Segment{}));
   const auto& [position, heading] = placed.from;
   const DiscRow row = DiscRows(body).slim;
-  const double beside = std::max(0.0, -row.inner);  // a centre from the body, at most
   double nearest = most;
   double proven = most;  // as far as the discs tell
   for (int i = 0; i < row.count; ++i) {
@@ -272,9 +303,10 @@ double GridObstacles::clearance(const Shape& body, const Placement& placement, d
     const auto [least, highest] = field_.around(
         {(position.x + ahead * heading.x) / side_, (position.y + ahead * heading.y) / side_});
     proven = std::min(proven, least * side_ - row.outer);
-    nearest = std::min(nearest, highest * side_ + beside);
+    nearest = std::min(nearest, highest * side_ - row.inner);
   }
   if (proven >= std::min(most, enough)) return proven;
+  if (nearest <= 0) return 0;
   return Search(*this, body, nearest, placed).distance(nearest);
 }
 
