@@ -119,7 +119,10 @@ void Connector::find_ends(const Pose& pose, const Driven& beside, std::vector<En
   }
   if (between_stops && beside.gear != 0) ends.push_back({true, 0.0, -beside.gear});
   const bool is_straight = !is_known || std::abs(beside.curvature) * radius_ < straight_wheels;
-  if (is_straight) ends.push_back({false, 0.0, 0});
+  if (!is_straight) return;
+  // In the other gear the one that stands is no dearer.
+  const bool is_one_gear = !ends.empty() && !rule_.is_length();
+  ends.push_back({false, 0.0, is_one_gear ? beside.gear : 0});
 }
 
 std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& to,
@@ -137,22 +140,37 @@ std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& t
     best = piece;
     least = total;
   };
+  std::vector<steering::WantedEnds> ends;
   for (const End& start : starts_) {
     for (const End& goal : goals_) {
       const ContinuousQuery query{start.curvature, goal.curvature, least, start.stands,
                                   goal.stands};
-      if (rule_.is_length()) {
-        if (const auto piece = continuous_->steer(from, to, query)) consider(*piece, start, goal);
-        continue;
-      }
-      for (const int changes : {0, 1, 2}) {  // each one more has to be worth its price
-        const double longest = least - changes * rule_.gear_change_cost;
-        if (longest < shortest) break;
-        steering::find_continuous_words(*continuous_, from, to, query,
-                                        {changes, longest, start.gear, goal.gear}, words_);
-        for (const Piece& word : words_) consider(word, start, goal);
-      }
+      ends.push_back({query, start.gear, goal.gear});
     }
+  }
+  const std::size_t count = goals_.size();
+  if (rule_.is_length()) {
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      ends[i].query.cutoff = least;
+      const auto piece = continuous_->steer(from, to, ends[i].query);
+      if (piece) consider(*piece, starts_[i / count], goals_[i % count]);
+    }
+    return best;
+  }
+  for (const int changes : {0, 1, 2}) {  // each one more has to be worth its price
+    if (shortest + changes * rule_.gear_change_cost >= least) break;
+    const steering::WantedContinuous wanted{changes,
+                                            least,
+                                            rule_.forward_weight,
+                                            rule_.reverse_weight,
+                                            rule_.gear_change_cost,
+                                            gears.before.gear,
+                                            gears.after.gear};
+    steering::for_wanted_words(*continuous_, from, to, ends, wanted,
+                               [&](const Piece& piece, std::size_t i) {
+                                 consider(piece, starts_[i / count], goals_[i % count]);
+                                 return least;
+                               });
   }
   return best;
 }

@@ -299,24 +299,39 @@ EndsTask ends_task(const ContinuousSteering& steering, const Pose& from, const P
           query.cutoff / radius};
 }
 
-void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, const WantedWords& wanted,
-                          const std::function<void(const UnitPath&)>& take) {
-  const Combinations all = combinations_of(solver, task, task.stops);
-  for (std::size_t i = 0; i < all.count; ++i) {
-    const WordTask& part = all.tasks[i];
-    if (is_nothing(part.frame)) {
-      const bool changes = all.around[i].first.length * all.around[i].last.length < 0;
-      if (wanted.gear_changes == (changes ? 1 : 0)) take(without_word(solver, all, i));
-      continue;
+void for_cheap_paths(const WordSolver& solver, std::span<const PricedEnds> tasks,
+                     const PathPrices& prices, int gear_changes, double cutoff,
+                     const TakePath& take) {
+  std::vector<PricedTask> words;
+  struct Origin {
+    std::size_t task, which;
+  };
+  std::vector<Origin> origins;
+  std::vector<Combinations> all;
+  double dearest = cutoff;
+  for (const PricedEnds& ends : tasks) {
+    const Combinations& made =
+        all.emplace_back(combinations_of(solver, ends.task, ends.task.stops));
+    for (std::size_t i = 0; i < made.count; ++i) {
+      if (is_nothing(made.tasks[i].frame)) {
+        const bool changes = made.around[i].first.length * made.around[i].last.length < 0;
+        if (gear_changes != (changes ? 1 : 0)) continue;
+        dearest = std::min(dearest, take(all.size() - 1, without_word(solver, made, i)));
+        continue;
+      }
+      // Where bent wheels are straightened first, a word begins in any gear.
+      const bool begins = ends.task.start_curvature == 0;
+      const bool goes_over = ends.task.goal_curvature == 0;
+      words.push_back({made.tasks[i], begins ? ends.first_gear : 0, goes_over ? ends.last_gear : 0,
+                       begins ? prices.before : 0, goes_over ? prices.after : 0});
+      origins.push_back({all.size() - 1, i});
     }
-    // What a word drives back is part of what was wound.
-    WantedWords words = wanted;
-    words.longest += part.windings.length();
-    for_each_wanted_word(solver, part, words, [&](const FoundWord& found) {
-      const UnitPath path = driven(solver, all, i, found);
-      if (path.length <= wanted.longest) take(path);
-    });
   }
+  for_cheap_words(solver, words, prices.word, gear_changes, dearest,
+                  [&](std::size_t i, const FoundWord& found) {
+                    const auto [task, which] = origins[i];
+                    return take(task, driven(solver, all[task], which, found));
+                  });
 }
 
 Piece scaled(const UnitPath& path, double radius) {

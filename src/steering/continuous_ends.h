@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "steering/continuous_families.h"
@@ -44,9 +45,25 @@ struct UnitPath {
 /// All paths of the families up to the cutoff.
 [[nodiscard]] std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task);
 
-/// Calls `take` with the paths of the wanted words that are no longer than these may be.
-void for_each_wanted_path(const WordSolver& solver, const EndsTask& task, const WantedWords& wanted,
-                          const std::function<void(const UnitPath&)>& take);
+/// A task, and in which gear its word begins and ends where the wheels are straight; 0: in either.
+struct PricedEnds {
+  EndsTask task;
+  int first_gear = 0, last_gear = 0;
+};
+
+/// Takes the path of a task and says what the next ones have to undercut.
+using TakePath = std::function<double(std::size_t task, const UnitPath&)>;
+
+/// What driving costs before, on and after a path.
+struct PathPrices {
+  WordPrices word;
+  int before = 0, after = 0;  ///< gears; 0: any
+};
+
+/// Calls `take` with the paths of cheap words (see `for_cheap_words`) of up to four tasks.
+void for_cheap_paths(const WordSolver& solver, std::span<const PricedEnds> tasks,
+                     const PathPrices& prices, int gear_changes, double cutoff,
+                     const TakePath& take);
 
 /// The path for a turning radius [m].
 [[nodiscard]] Piece scaled(const UnitPath& path, double radius);

@@ -58,17 +58,28 @@ struct LeastWord {
 [[nodiscard]] std::optional<LeastWord> least_word(const WordSolver& solver,
                                                   std::span<const WordTask> tasks, double cutoff);
 
-/// Which words are of interest.
-struct WantedWords {
-  int gear_changes = 0;  ///< of the formula; 0 to 2
-  double longest = 0.0;
-  int first_gear = 0;  ///< of the formula's first step; 0: any
-  int last_gear = 0;   ///< and of its last one
+/// What driving a word costs, in turning radii.
+struct WordPrices {
+  double forward = 1.0;      ///< of one driven forward; > 0
+  double reverse = 1.0;      ///< in reverse; > 0
+  double gear_change = 0.0;  ///< >= 0
 };
 
-/// Calls `take` with the wanted words: with turns that reach full lock in closed form, others by
-/// Newton's method, if the Reeds-Shepp word of the same letters is short enough.
-void for_each_wanted_word(const WordSolver& solver, const WordTask& task, const WantedWords& wanted,
-                          const std::function<void(const FoundWord&)>& take);
+/// A task, the gear of a word at either end of it, and the gears driven before and after; 0: any.
+struct PricedTask {
+  WordTask task;
+  int first_gear = 0, last_gear = 0;
+  int before = 0, after = 0;
+};
+
+/// Takes the word of a task and says what the next ones have to undercut.
+using TakeWord = std::function<double(std::size_t task, const FoundWord&)>;
+
+/// Calls `take` with the words of formulas with so many gear changes (0 to 2) that may cost less
+/// than `cutoff` and then what `take` says, those first that cost least by the arcs of Reeds and
+/// Shepp: with turns that reach full lock in closed form, others by Newton's method.
+void for_cheap_words(const WordSolver& solver, std::span<const PricedTask> tasks,
+                     const WordPrices& prices, int gear_changes, double cutoff,
+                     const TakeWord& take);
 
 }  // namespace vandplan::steering

@@ -120,4 +120,33 @@ inline double driven_length(const Steps& steps, const Arcs& arcs) {
   return sum;
 }
 
+inline int gear_changes_of(const Steps& steps) {
+  int changes = 0;
+  for (std::size_t i = 1; i < steps.count; ++i) {
+    changes += steps.list[i].gear != steps.list[i - 1].gear ? 1 : 0;
+  }
+  return changes;
+}
+
+inline constexpr int any_gear_changes = -1;
+
+/// Calls `visit` with the kinds that have so many gear changes, each in all its symmetries.
+template <typename Visit>
+void for_each_image(const MeanFrame& task, int gear_changes, Visit visit) {
+  const WordFrame frame = word_frame(folded(task));
+  const Symmetry undo = unfolding(task);
+  for (const Kind& kind : kinds) {
+    if (gear_changes != any_gear_changes &&
+        gear_changes_of(steps_of(kind.formula)) != gear_changes) {
+      continue;
+    }
+    for (unsigned i = 0; i < 8; ++i) {
+      const Symmetry symmetry{(i & 4U) != 0, (i & 2U) != 0, (i & 1U) != 0};
+      const auto& [x, y, half_turn] = symmetry;
+      if ((x && kind.own.x) || (y && kind.own.y) || (half_turn && kind.own.half_turn)) continue;
+      visit(kind, image_of(frame, symmetry), both(undo, symmetry));
+    }
+  }
+}
+
 }  // namespace vandplan::steering::families

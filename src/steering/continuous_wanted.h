@@ -3,27 +3,42 @@
 #pragma once
 // Which words of continuous steering join two poses, for whoever minds more than the length?
 
-#include <vector>
+#include <functional>
+#include <span>
 
 #include "vandplan/continuous_steering.h"
 
 namespace vandplan::steering {
 
-/// Which words of continuous steering are of interest.
-struct WantedContinuous {
-  int gear_changes = 0;  ///< of the formula; 0 to 2
-  double longest = 0.0;  ///< shorter than this [m]
-  int first_gear = 0;    ///< in which the formula begins, 1 or -1; 0: in either
-  int last_gear = 0;     ///< and ends
+/// How a piece may begin and end.
+struct WantedEnds {
+  ContinuousQuery query;  ///< its cutoff is of no account
+  int first_gear = 0;     ///< in which the formula begins, 1 or -1; 0: in either
+  int last_gear = 0;      ///< and ends
 };
 
-/// Fills `words` with the wanted words from pose to pose, by all formulas in all symmetries, those
-/// with an inner arc of more than half a turn among them. A word that lacks a part may have fewer
-/// gear changes, or begin in the other gear; one that straightens bent wheels first may have more.
-/// Equal words come once, in no order of lengths. The poses are finite and the curvatures at most
-/// 1/radius; `query.cutoff` is of no account.
-void find_continuous_words(const ContinuousSteering& steering, const Pose& from, const Pose& to,
-                           const ContinuousQuery& query, const WantedContinuous& wanted,
-                           std::vector<Piece>& words);
+/// What is of interest of a word.
+struct WantedContinuous {
+  int gear_changes = 0;       ///< of the formula; 0 to 2
+  double cutoff = 0.0;        ///< costs less than this [m]
+  double forward = 1.0;       ///< price of a metre driven forward; > 0
+  double reverse = 1.0;       ///< in reverse; > 0
+  double gear_change = 0.0;   ///< of a change of gear [m]; >= 0
+  int before = 0, after = 0;  ///< gears driven before and after the piece; 0: any
+};
+
+/// Takes a piece that begins and ends in the ways of that index, and says what the next ones have
+/// to undercut [m].
+using TakeWanted = std::function<double(const Piece& piece, std::size_t ends)>;
+
+/// Calls `take` with words from pose to pose that may be of interest, by all formulas in all
+/// symmetries, those with an inner arc of more than half a turn among them. Those come first that
+/// cost least by the arcs of Reeds and Shepp of the same letters, and none whose arcs cost as much
+/// as is to be undercut. A word that lacks a part may have fewer gear changes, or begin in the
+/// other gear; one that straightens bent wheels first may have more. The poses are finite and the
+/// curvatures at most 1/radius; there are up to four `ends`.
+void for_wanted_words(const ContinuousSteering& steering, const Pose& from, const Pose& to,
+                      std::span<const WantedEnds> ends, const WantedContinuous& wanted,
+                      const TakeWanted& take);
 
 }  // namespace vandplan::steering

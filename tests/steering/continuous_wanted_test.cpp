@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -57,11 +58,28 @@ ContinuousCase drawn_case(Rng& rng) {
   return c;
 }
 
-std::vector<Piece> words_of(const ContinuousCase& c, int gear_changes, double longest) {
+std::vector<Piece> words_of(const ContinuousCase& c, int gear_changes, double longest,
+                            int first_gear = 0, int last_gear = 0) {
   std::vector<Piece> words;
-  steering::find_continuous_words(c.steering, c.pair.from, c.pair.to, c.query,
-                                  {gear_changes, longest}, words);
+  const std::array ends{steering::WantedEnds{c.query, first_gear, last_gear}};
+  steering::for_wanted_words(c.steering, c.pair.from, c.pair.to, ends, {gear_changes, longest},
+                             [&](const Piece& word, std::size_t) {
+                               if (word.length < longest) words.push_back(word);
+                               return longest;
+                             });
   return words;
+}
+
+/// The least cost of a word with so many gear changes, as the search for it finds it.
+double cheapest(const ContinuousCase& c, const Prices& prices, int gear_changes, double cutoff) {
+  const std::array ends{steering::WantedEnds{c.query}};
+  double least = cutoff;
+  steering::for_wanted_words(c.steering, c.pair.from, c.pair.to, ends,
+                             {gear_changes, cutoff, 1.0, prices.reverse, prices.gear_change},
+                             [&](const Piece& word, std::size_t) {
+                               return least = std::min(least, cost(word, c, prices));
+                             });
+  return least;
 }
 
 TEST(ContinuousWanted, WordsAreDrivableAndShortEnough) {
@@ -85,11 +103,7 @@ TEST(ContinuousWanted, CheapestIsThatOfAllCandidates) {
     const auto shortest = c.steering.steer(c.pair.from, c.pair.to, c.query);
     ASSERT_TRUE(shortest);
     double found = cost(*shortest, c, prices);
-    for (const int changes : {0, 1, 2}) {
-      for (const Piece& word : words_of(c, changes, found)) {
-        found = std::min(found, cost(word, c, prices));
-      }
-    }
+    for (const int changes : {0, 1, 2}) found = cheapest(c, prices, changes, found);
     double least = found;
     for (const Piece& piece : c.steering.candidates(c.pair.from, c.pair.to, c.query)) {
       least = std::min(least, cost(piece, c, prices));
@@ -120,17 +134,53 @@ TEST(ContinuousWanted, StraightOnIsOneLine) {
   const ContinuousSteering steering(radius, 0.11, Continuity::throughout);
   const DrawnPair pair{{0, 0, 0}, {5, 0, 0}};
   const std::vector<Piece> words = words_of({steering, pair, {}}, 0, 6);
-  ASSERT_EQ(words.size(), 1U);
-  ASSERT_EQ(words[0].count, 1);
-  EXPECT_NEAR(words[0].segments[0].length, 5, 1e-12);
+  ASSERT_FALSE(words.empty());
+  for (const Piece& word : words) {
+    ASSERT_EQ(word.count, 1);
+    EXPECT_NEAR(word.segments[0].length, 5, 1e-12);
+  }
 }
 
-TEST(ContinuousWanted, EqualWordsComeOnce) {
+// Straight on, 5 m. What is driven before and after is part of the cost.
+TEST(ContinuousWanted, WhatCostsTooMuchIsLeftOut) {
   const ContinuousSteering steering(radius, 0.11, Continuity::between_stops);
-  // An arc alone is a word of several formulas.
-  const Pose goal = advance({0, 0, 0}, {1 / radius, 5.0});
-  const std::vector<Piece> words = words_of({steering, {{0, 0, 0}, goal}, {}}, 0, 5.001);
-  EXPECT_LE(words.size(), 1U);
+  const auto count = [&](double x, int before, int after, double cutoff) {
+    const std::array ends{steering::WantedEnds{}};
+    int words = 0;
+    steering::for_wanted_words(steering, {0, 0, 0}, {x, 0, 0}, ends,
+                               {0, cutoff, 1.0, 2.0, 3.0, before, after},
+                               [&](const Piece&, std::size_t) {
+                                 ++words;
+                                 return 0.0;
+                               });
+    return words;
+  };
+  EXPECT_EQ(count(5, 1, 1, 5.1), 1);
+  EXPECT_EQ(count(5, 1, 1, 4.9), 0);
+  EXPECT_EQ(count(5, -1, 1, 7.9), 0);
+  EXPECT_EQ(count(5, -1, 1, 8.1), 1);
+  EXPECT_EQ(count(5, -1, -1, 10.9), 0);
+  EXPECT_EQ(count(5, -1, -1, 11.1), 1);
+  EXPECT_EQ(count(-5, 0, 0, 9.9), 0);
+  EXPECT_EQ(count(-5, 0, 0, 10.1), 1);
+}
+
+// By the arcs of Reeds and Shepp the first of all words is the least one nearly always.
+TEST(ContinuousWanted, TheLeastComeFirst) {
+  int all = 0, first = 0;
+  for_each_case(6, 2000, [&](Rng& rng) {
+    ContinuousCase c = drawn_case(rng);
+    c.query.start_curvature = c.query.goal_curvature = 0;
+    const std::vector<Piece> words =
+        words_of(c, 1, 2 * c.steering.length(c.pair.from, c.pair.to, c.query));
+    if (words.size() < 2) return;
+    const auto is_less = [](const Piece& a, const Piece& b) { return a.length < b.length; };
+    ++all;
+    first += words.front().length <= std::ranges::min_element(words, is_less)->length * (1 + 1e-9)
+                 ? 1
+                 : 0;
+  });
+  EXPECT_GE(first, all * 0.8);
 }
 
 // Who knows how the path begins and ends gets those words of all that begin and end so.
@@ -141,9 +191,7 @@ TEST(ContinuousWanted, GearsAtTheEndsLeaveOutTheOthers) {
     const double longest = 2 * c.steering.length(c.pair.from, c.pair.to, c.query);
     const int first = rng() % 2 == 0 ? 1 : -1;
     const int last = rng() % 2 == 0 ? 1 : -1;
-    std::vector<Piece> words;
-    steering::find_continuous_words(c.steering, c.pair.from, c.pair.to, c.query,
-                                    {changes, longest, first, last}, words);
+    const std::vector<Piece> words = words_of(c, changes, longest, first, last);
     const std::vector<Piece> all = words_of(c, changes, longest);
     EXPECT_LE(words.size(), all.size());
     const auto fits = [&](const Piece& piece) {

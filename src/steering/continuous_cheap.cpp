@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "steering/continuous_families.h"
+#include "steering/continuous_kinds.h"
+
+namespace vandplan::steering {
+namespace {
+
+using namespace families;
+
+/// Whether Reeds and Shepp have a word of that kind.
+bool exists_sharp(const Kind& kind, const WordFrame& f) {
+  static const Joints joints(SharpTurns(1e9), {true, true, true});
+  if (kind.formula != Formula::lrl) return circles::word_of(kind.formula, f, joints).exact;
+  const double x = f.x - 2 * f.s;
+  return x * x + f.y * f.y <= 16;
+}
+
+/// What a word of some formula and symmetry costs.
+struct Pricing {
+  double ahead, back;  ///< of what the formula drives forward, and in reverse
+  double cheapest;     ///< of what it drives
+  double changes;      ///< of gear, those at both ends among them
+
+  [[nodiscard]] double of(const Steps& steps, const Arcs& arcs) const {
+    const double parts[] = {arcs.first, arcs.inner, arcs.line, arcs.last};
+    double sum = changes;
+    for (std::size_t i = 0; i < steps.count; ++i) {
+      const Step& step = steps.list[i];
+      sum += (step.gear > 0 ? ahead : back) * std::max(0.0, parts[step.part]);
+    }
+    return sum;
+  }
+};
+
+/// Nothing if the word begins or ends in the wrong gear.
+std::optional<Pricing> priced(const PricedTask& task, const WordPrices& prices, const Steps& steps,
+                              const Symmetry& made) {
+  const int sign = made.swaps_gears() ? -1 : 1;
+  const auto gear_of = [&](std::size_t i) { return steps.list[i].gear > 0 ? sign : -sign; };
+  const std::size_t last = steps.count - 1;
+  const int begin = gear_of(made.swaps_ends() ? last : 0);
+  const int end = gear_of(made.swaps_ends() ? 0 : last);
+  if (task.first_gear * begin < 0 || task.last_gear * end < 0) return std::nullopt;
+  int changes = gear_changes_of(steps);
+  const bool goes_back = changes > 0;  // all formulas with a change of gear do, no other does
+  changes += task.before * begin < 0 ? 1 : 0;
+  changes += task.after * end < 0 ? 1 : 0;
+  const double ahead = sign > 0 ? prices.forward : prices.reverse;
+  const double back = sign > 0 ? prices.reverse : prices.forward;
+  return Pricing{ahead, back, goes_back ? std::min(ahead, back) : ahead,
+                 changes * prices.gear_change};
+}
+
+/// The parts of a word that is known.
+Arcs parts_of(const SolvedWord& word) {
+  const bool has_line = shape_of(word.formula, word.stops).has_line;
+  const auto& [first, middle, last] = word.lengths;
+  return {word.length, first, has_line ? word.quarter : middle, has_line ? middle : 0, last};
+}
+
+/// What is known of a task before its words.
+struct View {
+  double shortest;  ///< no path is shorter
+  double spare;     ///< what a word may cost more than its path
+  double line;      ///< the straight line, if that is the path; else 0
+};
+
+bool is_that_line(const SolvedWord& word, const View& view) {
+  return view.line > 0.0 && word.length <= view.line * (1 + 1e-9);
+}
+
+/// A task as a symmetry of its folded frame makes it.
+struct Image {
+  std::size_t task;
+  Symmetry made;
+  WordFrame frame;
+};
+
+/// A word in closed form, or one that Newton's method has to find.
+struct CheapWord {
+  Image image;
+  Pricing pricing;
+  double bound;  ///< its path costs no less
+  Formula formula;
+  std::optional<SolvedWord> known;  ///< in closed form; else there are guesses
+  Arcs sharp, circles;
+  bool has_circles;
+};
+
+/// The words that may be cheap enough.
+class CheapWords {
+ public:
+  CheapWords(const WordSolver& solver, std::span<const PricedTask> tasks, const WordPrices& prices,
+             int gear_changes, double cutoff)
+      : solver_(solver), tasks_(tasks), prices_(prices), cutoff_(cutoff) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) look_at(i, gear_changes);
+  }
+
+  void take_all(const TakeWord& take) {
+    while (!words_.empty()) {
+      const auto next = std::min_element(
+          words_.begin(), words_.end(),
+          [](const CheapWord& a, const CheapWord& b) { return a.bound < b.bound; });
+      if (next->bound >= cutoff_) return;
+      const auto word = next->known ? next->known : solved(*next);
+      if (word) cutoff_ = std::min(cutoff_, take(next->image.task, {*word, next->image.made}));
+      *next = words_.back();
+      words_.pop_back();
+    }
+  }
+
+ private:
+  void look_at(std::size_t i, int gear_changes) {
+    const WordTask& task = tasks_[i].task;
+    const MeanFrame near = folded(task.frame);
+    const WordFrame frame = word_frame(near);
+    const double shortest =
+        reeds_shepp_formulas::shortest(Circles(near, {frame.s, frame.c})).arcs.length;
+    // What a word drives back is part of what was wound.
+    const double spare = task.windings.length() * std::max(prices_.forward, prices_.reverse);
+    const double line = gear_changes == 0 && is_line(near) ? near.x : 0.0;
+    views_.push_back({shortest, spare, line});
+    if (line > 0.0) {
+      const Image image{i, unfolding(task.frame), frame};
+      const auto pricing = pricing_of(image, Formula::lsl);
+      const Stops stops = seen_by(image.made, task.stops);
+      if (pricing) add_known(image, *pricing, {Formula::lsl, stops, {0, line, 0}, 0, line});
+    }
+    for_each_image(task.frame, gear_changes,
+                   [&](const Kind& kind, const WordFrame& f, const Symmetry& made) {
+                     const Image image{i, made, f};
+                     const auto pricing = pricing_of(image, kind.formula);
+                     if (pricing) look_at(kind, image, *pricing);
+                   });
+  }
+
+  /// Nothing if the word cannot be cheap enough.
+  [[nodiscard]] std::optional<Pricing> pricing_of(const Image& image, Formula formula) const {
+    const auto pricing = priced(tasks_[image.task], prices_, steps_of(formula), image.made);
+    if (!pricing || is_too_dear(*pricing, views_[image.task].shortest, image)) return std::nullopt;
+    return pricing;
+  }
+
+  [[nodiscard]] bool is_too_dear(const Pricing& pricing, double length, const Image& image) const {
+    const double least = pricing.changes + pricing.cheapest * length;
+    return least - views_[image.task].spare >= cutoff_;
+  }
+
+  void look_at(const Kind& kind, const Image& image, const Pricing& pricing) {
+    const WordFrame& f = image.frame;
+    const Stops stops = seen_by(image.made, tasks_[image.task].task.stops);
+    const SharpTurns& turns = solver_.turns();
+    const CircleWord circles = circles::word_of(kind.formula, f, Joints(turns, stops));
+    if (is_too_dear(pricing, circles.line, image)) return;
+    Arcs met{};
+    if (circles.exact) {
+      met = in_one_turn(circles.arcs());
+      if (const auto known = solver_.at_full_lock(kind.formula, stops, met)) {
+        if (!is_that_line(*known, views_[image.task])) add_known(image, pricing, *known);
+        return;
+      }
+      const double least = -turns.ramp();  // shorter turns than that are none
+      if (met.first < least || met.last < least || met.line < 2 * least) return;
+    } else if (!exists_sharp(kind, f)) {
+      return;
+    }
+    Arcs sharp = in_one_turn(kind.arcs(Circles({f.x, f.y, f.a}, {f.s, f.c})));
+    const double bound = pricing.of(steps_of(kind.formula), sharp) - views_[image.task].spare;
+    if (bound >= cutoff_) return;
+    sharp.line -= 2 * turns.centre().x;
+    const bool has_circles = circles.exact && is_leg(stops);
+    words_.push_back({image, pricing, bound, kind.formula, {}, sharp, met, has_circles});
+  }
+
+  void add_known(const Image& image, const Pricing& pricing, const SolvedWord& known) {
+    const double bound =
+        pricing.of(steps_of(known.formula), parts_of(known)) - views_[image.task].spare;
+    if (bound >= cutoff_) return;
+    words_.push_back({image, pricing, bound, known.formula, known, {}, {}, false});
+  }
+
+  [[nodiscard]] std::optional<SolvedWord> solved(const CheapWord& word) const {
+    const View& view = views_[word.image.task];
+    const double left = cutoff_ + view.spare - word.pricing.changes;
+    const Patience quick{12, left / word.pricing.cheapest};
+    const Stops stops = seen_by(word.image.made, tasks_[word.image.task].task.stops);
+    auto found = solver_.solve(word.formula, stops, word.image.frame, word.sharp, quick);
+    if (!found && word.has_circles) {
+      found = solver_.solve(word.formula, stops, word.image.frame, word.circles, quick);
+    }
+    return found && is_that_line(*found, view) ? std::nullopt : found;
+  }
+
+  const WordSolver& solver_;
+  std::span<const PricedTask> tasks_;
+  WordPrices prices_;
+  double cutoff_;
+  std::vector<View> views_;  ///< of each task
+  std::vector<CheapWord> words_;
+};
+
+}  // namespace
+
+void for_cheap_words(const WordSolver& solver, std::span<const PricedTask> tasks,
+                     const WordPrices& prices, int gear_changes, double cutoff,
+                     const TakeWord& take) {
+  CheapWords(solver, tasks, prices, gear_changes, cutoff).take_all(take);
+}
+
+}  // namespace vandplan::steering
