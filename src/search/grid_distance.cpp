@@ -13,6 +13,9 @@ namespace {
 constexpr double most_cells = 40000.0;
 constexpr std::int32_t blocked = -1;
 constexpr std::int32_t unreached = std::numeric_limits<std::int32_t>::max();
+constexpr double most_weight = 3.0;       // a guide need not mind more
+constexpr std::size_t buckets = 16;       // a step and the way to the root add up to 14,
+constexpr std::size_t dear_buckets = 64;  // or 28 and 7
 constexpr double detour = 1.1;  // settled are cells on ways this much longer than the shortest
 
 }  // namespace
@@ -25,10 +28,13 @@ double GridDistance::side_of_cells(const Task& task, const Bounds& box, double s
 }
 
 GridDistance::GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
-                           const Pose& root)
+                           const Pose& root, const ClearancePrice& price)
     : map_(task.world->local().map ? task.checker.get() : nullptr),
       box_(box),
       target_{target.x, target.y},
+      price_{std::min(price.weight, most_weight), price.distance},
+      disc_(inner_radius(task.vehicle) + task.least_margin),
+      buckets_(is_priced() ? dear_buckets : buckets),
       last_(unreached) {
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;
@@ -36,17 +42,20 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
   columns_ = static_cast<std::int32_t>(width / side_) + 3;
   rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
+  if (is_priced()) {
+    gaps_.assign(costs_.size(), std::numeric_limits<float>::infinity());
+    lengths_.assign(costs_.size(), 0);
+  }
   mark_border();
-  const double disc = inner_radius(task.vehicle) + task.least_margin;
-  near_ = std::max(disc - side_ * std::sqrt(0.5), side_ / 2);
-  mark(task.world->local().obstacles, near_);
-  mark(task.world->local().kerbs, side_ / 2);  // the rear axle reaches as far
+  near_ = std::max(disc_ - side_ * std::sqrt(0.5), side_ / 2);
+  mark(task.world->local().obstacles, near_, is_priced() ? disc_ + price_.distance : 0.0);
+  mark(task.world->local().kerbs, side_ / 2, 0.0);  // the rear axle reaches as far
   root_ = cell_of({root.x, root.y});
   const RasterCell to = cell_of(target_);
   costs_[index_of(root_)] = unreached;
   costs_[index_of(to)] = unreached;
   front_ = cost_between(to, root_);
-  reach(to, 0);
+  reach(to, 0, 0, 0);
 }
 
 std::size_t GridDistance::index_of(const RasterCell& cell) const noexcept {
@@ -71,7 +80,8 @@ void GridDistance::mark_border() {
 // Cells whose centre is so near to a side that no point of them is free for the disc; at least the
 // cells that the side runs through.
 // NOLINTNEXTLINE(readability-function-size): sides, rows and columns
-void GridDistance::mark(const std::vector<Polygon>& polygons, double near) {
+void GridDistance::mark(const std::vector<Polygon>& polygons, double near, double noted) {
+  const double reach = std::max(near, noted);
   const auto index = [&](double offset, std::int32_t count) {
     // In double first: an obstacle may be further away than an integer counts cells.
     const double cell = std::clamp(std::floor(offset / side_), 0.0, count - 3.0);
@@ -80,13 +90,17 @@ void GridDistance::mark(const std::vector<Polygon>& polygons, double near) {
   for (const Polygon& polygon : polygons) {
     Point a = polygon.back();
     for (const Point& b : polygon) {
-      const std::int32_t x_end = index(std::max(a.x, b.x) + near - box_.x_min, columns_);
-      const std::int32_t y_end = index(std::max(a.y, b.y) + near - box_.y_min, rows_);
-      for (std::int32_t y = index(std::min(a.y, b.y) - near - box_.y_min, rows_); y <= y_end; ++y) {
-        for (std::int32_t x = index(std::min(a.x, b.x) - near - box_.x_min, columns_); x <= x_end;
+      const std::int32_t x_end = index(std::max(a.x, b.x) + reach - box_.x_min, columns_);
+      const std::int32_t y_end = index(std::max(a.y, b.y) + reach - box_.y_min, rows_);
+      for (std::int32_t y = index(std::min(a.y, b.y) - reach - box_.y_min, rows_); y <= y_end;
+           ++y) {
+        for (std::int32_t x = index(std::min(a.x, b.x) - reach - box_.x_min, columns_); x <= x_end;
              ++x) {
-          if (squared_distance(centre_of({x, y}), a, b) > near * near) continue;
-          costs_[index_of({x, y})] = blocked;
+          const double squared = squared_distance(centre_of({x, y}), a, b);
+          const std::size_t cell = index_of({x, y});
+          if (squared <= near * near) costs_[cell] = blocked;
+          if (noted > 0.0)
+            gaps_[cell] = std::min(gaps_[cell], static_cast<float>(std::sqrt(squared)));
         }
       }
       a = b;
@@ -104,24 +118,40 @@ Point GridDistance::centre_of(const RasterCell& cell) const noexcept {
   return {box_.x_min + (cell.x - 0.5) * side_, box_.y_min + (cell.y - 0.5) * side_};
 }
 
-void GridDistance::reach(const RasterCell& cell, std::int32_t cost) {
+// Of a metre, where in the cell it is least.
+double GridDistance::price_at(const RasterCell& cell) const {
+  double gap = gaps_[index_of(cell)];
+  if (map_ != nullptr) gap = std::min(gap, map_->map_distance(centre_of(cell)).most);
+  const double clearance = std::max(0.0, gap + side_ / 2 - disc_);
+  return 1.0 + price_.weight * std::max(0.0, 1.0 - clearance / price_.distance);
+}
+
+void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t length,
+                         std::int32_t step) {
   std::int32_t& known = costs_[index_of(cell)];
+  cost += step;
   if (known <= cost) return;  // blocked ones, too
+  if (is_priced()) {
+    cost += static_cast<std::int32_t>(step * (price_at(cell) - 1.0));
+    if (known <= cost) return;
+  }
   if (map_ != nullptr && known == unreached && is_blocked_by_map(cell)) {
     known = blocked;
     return;
   }
   known = cost;
-  buckets_[static_cast<std::size_t>((cost + cost_between(cell, root_)) & 15)].push_back(cell);
+  if (is_priced()) lengths_[index_of(cell)] = length + step;
+  const auto rank = static_cast<std::size_t>(cost + cost_between(cell, root_));
+  buckets_[rank % buckets_.size()].push_back(cell);
 }
 
-// A* with a bucket per rank: one step to a neighbour adds 0 to 14 to it.
+// A* with a bucket per rank.
 bool GridDistance::step() {
-  int empty = 0;
+  std::size_t empty = 0;
   for (int settled = 0; settled < 64 && front_ <= last_;) {
-    std::vector<RasterCell>& bucket = buckets_[static_cast<std::size_t>(front_ & 15)];
+    std::vector<RasterCell>& bucket = buckets_[static_cast<std::size_t>(front_) % buckets_.size()];
     if (bucket.empty()) {
-      if (++empty == 16) return false;
+      if (++empty == buckets_.size()) return false;
       ++front_;
       continue;
     }
@@ -130,6 +160,7 @@ bool GridDistance::step() {
     bucket.pop_back();
     const std::int32_t cost = costs_[index_of(cell)];
     if (cost + cost_between(cell, root_) != front_) continue;
+    const std::int32_t length = is_priced() ? lengths_[index_of(cell)] : cost;
     ++settled;
     if (cell == root_ && !reached_) {
       reached_ = true;
@@ -138,7 +169,8 @@ bool GridDistance::step() {
     for (const std::int32_t dy : {-1, 0, 1}) {
       for (const std::int32_t dx : {-1, 0, 1}) {
         const bool is_straight = dx == 0 || dy == 0;
-        reach({cell.x + dx, cell.y + dy}, cost + (is_straight ? straight_cost : diagonal_cost));
+        reach({cell.x + dx, cell.y + dy}, cost, length,
+              is_straight ? straight_cost : diagonal_cost);
       }
     }
   }
@@ -153,6 +185,13 @@ double GridDistance::at(double x, double y) const noexcept {
   if (cost == blocked || (cost == unreached && !reached_)) return euclid;
   const std::int32_t least = cost == unreached ? front_ - cost_between(cell, root_) : cost;
   return std::max(euclid, least * side_ / straight_cost);
+}
+
+double GridDistance::length_at(double x, double y) const noexcept {
+  if (!is_priced() || !contains(box_, {x, y})) return at(x, y);
+  const std::size_t cell = index_of(cell_of({x, y}));
+  if (costs_[cell] == blocked || costs_[cell] == unreached) return at(x, y);
+  return std::max(std::hypot(x - target_.x, y - target_.y), lengths_[cell] * side_ / straight_cost);
 }
 
 }  // namespace vandplan::search

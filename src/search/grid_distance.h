@@ -3,7 +3,6 @@
 #pragma once
 // How far is it around the obstacles, for a disc that the vehicle never gets narrower than?
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +12,12 @@
 
 namespace vandplan::search {
 
+/// A metre costs 1 + weight * max(0, 1 - clearance / distance) times as much.
+struct ClearancePrice {
+  double weight = 0.0;    ///< >= 0
+  double distance = 1.0;  ///< [m]; > 0
+};
+
 /// Distances to one target on a grid (eight neighbours), as a guide and not as a bound. They are
 /// computed by A* from the target, so only where a search from `root` is likely to come.
 class GridDistance final : public Guide {
@@ -21,9 +26,10 @@ class GridDistance final : public Guide {
   [[nodiscard]] static double side_of_cells(const Task& task, const Bounds& box, double side);
 
   /// Covers `box` with cells of `side` vehicle widths, in large boxes of more; obstacles are
-  /// marked, distances are not computed yet.
+  /// marked, distances are not computed yet. With a price they are what driving costs a disc as
+  /// wide as the vehicle, wherever in a cell that is least; kerbs cost nothing.
   GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
-               const Pose& root);
+               const Pose& root, const ClearancePrice& price = {});
 
   /// Settles the next cells, some microseconds of work. False when there is no more to do.
   bool step() override;
@@ -33,6 +39,7 @@ class GridDistance final : public Guide {
 
   /// Distance to the target [m]; where it is not known, what it must exceed.
   [[nodiscard]] double at(double x, double y) const noexcept override;
+  [[nodiscard]] double length_at(double x, double y) const noexcept override;
 
  private:
   /// The cell that holds a point of the box.
@@ -40,9 +47,13 @@ class GridDistance final : public Guide {
   void mark_border();
   [[nodiscard]] Point centre_of(const RasterCell& cell) const noexcept;
   [[nodiscard]] bool is_blocked_by_map(const RasterCell& cell) const;
-  /// Blocks the cells that are near to a side of a polygon.
-  void mark(const std::vector<Polygon>& polygons, double near);
-  void reach(const RasterCell& cell, std::int32_t cost);
+  /// Blocks the cells that are near to a side of a polygon, and notes how far others are up to
+  /// `noted` [m].
+  void mark(const std::vector<Polygon>& polygons, double near, double noted);
+  [[nodiscard]] bool is_priced() const noexcept { return price_.weight > 0.0; }
+  [[nodiscard]] double price_at(const RasterCell& cell) const;
+  /// By a step from a cell that `cost` and `length` lead to.
+  void reach(const RasterCell& cell, std::int32_t cost, std::int32_t length, std::int32_t step);
   [[nodiscard]] std::size_t index_of(const RasterCell& cell) const noexcept;
 
   const CollisionChecker* map_;  // null without a map
@@ -53,7 +64,11 @@ class GridDistance final : public Guide {
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
   std::vector<std::int32_t> costs_;  // in fifths of a cell; -1 blocked
-  std::array<std::vector<RasterCell>, 16> buckets_;
+  ClearancePrice price_;
+  double disc_;                        // its radius [m]
+  std::vector<float> gaps_;            // with a price: from the centre to the nearest side [m],
+  std::vector<std::int32_t> lengths_;  // and how long the way is, in fifths of a cell
+  std::vector<std::vector<RasterCell>> buckets_;
   std::int32_t front_ = 0;  // cost and distance to the root of what is settled next
   std::int32_t last_;       // of `front_`
   RasterCell root_{};

@@ -16,8 +16,12 @@ class Guide {
   /// Whether a way between target and root was found.
   [[nodiscard]] virtual bool is_connected() const noexcept = 0;
 
-  /// Distance to the target [m]; where it is not known, what it must exceed.
+  /// Distance to the target [m], or what driving it costs; where it is not known, what it must
+  /// exceed.
   [[nodiscard]] virtual double at(double x, double y) const noexcept = 0;
+
+  /// How long that way is [m].
+  [[nodiscard]] virtual double length_at(double x, double y) const noexcept { return at(x, y); }
 };
 
 }  // namespace vandplan::search

@@ -238,5 +238,28 @@ TEST(GridDistance, GoesAroundAWallAndIsNearTheTruth) {
   EXPECT_NEAR(guide.at(500, 0), 470.0, 1e-9);  // outside: Euclid
 }
 
+// Between two walls as far apart as the vehicle is wide, or around them in the open.
+TEST(GridDistance, WithAPriceItKeepsAwayFromWalls) {
+  const Problem problem =
+      problem_of({0, 0, 0}, {30, 0, 0}, {box(5, -3, 25, -1.35), box(5, 1.35, 25, 3)});
+  const auto guide_with = [&](double weight, const Pose& root) {
+    GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.goal(), root,
+                       {weight, 1.0});
+    while (guide.step()) {
+    }
+    return guide;
+  };
+  const GridDistance by_length = guide_with(0.0, problem.start());
+  EXPECT_NEAR(by_length.at(0, 0), 30.0, 1.0);
+  EXPECT_EQ(by_length.length_at(0, 0), by_length.at(0, 0));
+  const GridDistance by_price = guide_with(2.0, problem.start());
+  EXPECT_GT(by_price.length_at(0, 0), 32.0);
+  EXPECT_GE(by_price.at(0, 0), by_price.length_at(0, 0));
+  EXPECT_LT(by_price.at(0, 0), 40.0);
+  const GridDistance out_of_it = guide_with(2.0, {15, 0, 0});
+  EXPECT_GT(out_of_it.at(15, 0), 1.1 * out_of_it.length_at(15, 0));
+  EXPECT_LT(out_of_it.at(15, 0), 3.0 * out_of_it.length_at(15, 0));
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -176,10 +176,11 @@ std::optional<Lattice::Entry> Lattice::next() {
 // Tries the exact path to the target, unless obstacles make the way much longer. True when that
 // gives a cheaper route.
 bool Lattice::shoot(const Entry& entry) {
-  if (entry.around > hopeless_shot * entry.open_ground + cell_) return false;
+  const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
+  const double around = guide_.length_at(node.pose.x, node.pose.y);
+  if (around > hopeless_shot * entry.open_ground + cell_) return false;
   const bool is_far = entry.open_ground > options_.far_shot * connector_.radius();
   if (is_far && closed_count_ % rare_shot != 0) return false;
-  const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
   const std::optional<Connection> shot = connector_.connect(
       node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), gears_.after}});
   if (!shot) return false;

@@ -78,7 +78,10 @@ void Ladder::next_guide() {
   if (goes_far()) {
     guide_ = std::make_unique<FarGuide>(task_, scene_, far_searches[level_].guide, to_, from_);
   } else {
-    guide_ = std::make_unique<GridDistance>(task_, scene_, guide_side_, to_, from_);
+    // A first route is found sooner by length.
+    const double weight = is_known() ? rule_.clearance_weight : 0.0;
+    guide_ = std::make_unique<GridDistance>(task_, scene_, guide_side_, to_, from_,
+                                            ClearancePrice{weight, rule_.clearance_distance});
   }
   guide_side_ /= 2;
   guided_ = false;
