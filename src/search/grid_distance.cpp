@@ -13,7 +13,8 @@ namespace {
 constexpr double most_cells = 40000.0;
 constexpr std::int32_t blocked = -1;
 constexpr std::int32_t unreached = std::numeric_limits<std::int32_t>::max();
-constexpr double most_weight = 3.0;       // a guide need not mind more
+constexpr double most_weight = 3.0;       // a guide need not mind more,
+constexpr double most_distance = 8.0;     // nor look farther [cells]
 constexpr std::size_t buckets = 16;       // a step and the way to the root add up to 14,
 constexpr std::size_t dear_buckets = 64;  // or 28 and 7
 constexpr double detour = 1.1;  // settled are cells on ways this much longer than the shortest
@@ -43,6 +44,7 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
   rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
   if (is_priced()) {
+    price_.distance = std::min(price_.distance, most_distance * side_);
     gaps_.assign(costs_.size(), std::numeric_limits<float>::infinity());
     lengths_.assign(costs_.size(), 0);
   }
@@ -99,8 +101,8 @@ void GridDistance::mark(const std::vector<Polygon>& polygons, double near, doubl
           const double squared = squared_distance(centre_of({x, y}), a, b);
           const std::size_t cell = index_of({x, y});
           if (squared <= near * near) costs_[cell] = blocked;
-          if (noted > 0.0)
-            gaps_[cell] = std::min(gaps_[cell], static_cast<float>(std::sqrt(squared)));
+          if (noted == 0.0) continue;
+          gaps_[cell] = std::min(gaps_[cell], static_cast<float>(std::sqrt(squared)));
         }
       }
       a = b;
