@@ -31,7 +31,7 @@ Sides sides_of(const Bounds& b) {
 }
 
 /// Of what is beyond nothing.
-double squared(double beyond) { return beyond > 0 ? beyond * beyond : 0.0; }
+double squared_beyond(double beyond) { return beyond > 0 ? beyond * beyond : 0.0; }
 
 CellBox blocks_in(const CellBox& cells, int shift) {
   return {cells.x_min >> shift, cells.x_max >> shift, cells.y_min >> shift, cells.y_max >> shift};
@@ -140,7 +140,8 @@ class GridObstacles::Search {
           const double aside = std::abs(to.y * forward.x - to.x * forward.y) - half_width;
           const double x = std::max(b.x_min - corner.x, corner.x - b.x_max);
           const double y = std::max(b.y_min - corner.y, corner.y - b.y_max);
-          least = std::min({least, squared(along) + squared(aside), squared(x) + squared(y)});
+          least = std::min({least, squared_beyond(along) + squared_beyond(aside),
+                            squared_beyond(x) + squared_beyond(y)});
         }
       }
       return least;

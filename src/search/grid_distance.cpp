@@ -13,10 +13,10 @@ namespace {
 constexpr double most_cells = 40000.0;
 constexpr std::int32_t blocked = -1;
 constexpr std::int32_t unreached = std::numeric_limits<std::int32_t>::max();
-constexpr double most_weight = 3.0;       // a guide need not mind more,
-constexpr double most_distance = 8.0;     // nor look farther [cells]
-constexpr std::size_t buckets = 16;       // a step and the way to the root add up to 14,
-constexpr std::size_t dear_buckets = 64;  // or 28 and 7
+constexpr double most_weight = 3.0;              // a guide need not mind more,
+constexpr double most_distance = 8.0;            // nor look farther [cells]
+constexpr std::size_t grid_buckets = 16;         // a step and the way to the root add up to 14,
+constexpr std::size_t priced_grid_buckets = 64;  // or 28 and 7
 constexpr double detour = 1.1;  // settled are cells on ways this much longer than the shortest
 
 }  // namespace
@@ -35,7 +35,7 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
       target_{target.x, target.y},
       price_{std::min(price.weight, most_weight), price.distance},
       disc_(inner_radius(task.vehicle) + task.least_margin),
-      buckets_(is_priced() ? dear_buckets : buckets),
+      buckets_(is_priced() ? priced_grid_buckets : grid_buckets),
       last_(unreached) {
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;

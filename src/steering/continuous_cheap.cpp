@@ -38,7 +38,7 @@ struct Pricing {
 };
 
 /// Nothing if the word begins or ends in the wrong gear.
-std::optional<Pricing> priced(const PricedTask& task, const WordPrices& prices, const Steps& steps,
+std::optional<Pricing> priced(const PricedTask& task, const GearPrices& prices, const Steps& steps,
                               const Symmetry& made) {
   const int sign = made.swaps_gears() ? -1 : 1;
   const auto gear_of = [&](std::size_t i) { return steps.list[i].gear > 0 ? sign : -sign; };
@@ -64,18 +64,18 @@ Arcs parts_of(const SolvedWord& word) {
 }
 
 /// What is known of a task before its words.
-struct View {
+struct TaskBounds {
   double shortest;  ///< no path is shorter
   double spare;     ///< what a word may cost more than its path
   double line;      ///< the straight line, if that is the path; else 0
 };
 
-bool is_that_line(const SolvedWord& word, const View& view) {
-  return view.line > 0.0 && word.length <= view.line * (1 + 1e-9);
+bool is_that_line(const SolvedWord& word, const TaskBounds& bounds) {
+  return bounds.line > 0.0 && word.length <= bounds.line * (1 + 1e-9);
 }
 
 /// A task as a symmetry of its folded frame makes it.
-struct Image {
+struct TaskImage {
   std::size_t task;
   Symmetry made;
   WordFrame frame;
@@ -83,7 +83,7 @@ struct Image {
 
 /// A word in closed form, or one that Newton's method has to find.
 struct CheapWord {
-  Image image;
+  TaskImage image;
   Pricing pricing;
   double bound;  ///< its path costs no less
   Formula formula;
@@ -95,7 +95,7 @@ struct CheapWord {
 /// The words that may be cheap enough.
 class CheapWords {
  public:
-  CheapWords(const WordSolver& solver, std::span<const PricedTask> tasks, const WordPrices& prices,
+  CheapWords(const WordSolver& solver, std::span<const PricedTask> tasks, const GearPrices& prices,
              int gear_changes, double cutoff)
       : solver_(solver), tasks_(tasks), prices_(prices), cutoff_(cutoff) {
     for (std::size_t i = 0; i < tasks.size(); ++i) look_at(i, gear_changes);
@@ -124,34 +124,35 @@ class CheapWords {
     // What a word drives back is part of what was wound.
     const double spare = task.windings.length() * std::max(prices_.forward, prices_.reverse);
     const double line = gear_changes == 0 && is_line(near) ? near.x : 0.0;
-    views_.push_back({shortest, spare, line});
+    bounds_.push_back({shortest, spare, line});
     if (line > 0.0) {
-      const Image image{i, unfolding(task.frame), frame};
+      const TaskImage image{i, unfolding(task.frame), frame};
       const auto pricing = pricing_of(image, Formula::lsl);
       const Stops stops = seen_by(image.made, task.stops);
       if (pricing) add_known(image, *pricing, {Formula::lsl, stops, {0, line, 0}, 0, line});
     }
     for_each_image(task.frame, gear_changes,
                    [&](const Kind& kind, const WordFrame& f, const Symmetry& made) {
-                     const Image image{i, made, f};
+                     const TaskImage image{i, made, f};
                      const auto pricing = pricing_of(image, kind.formula);
                      if (pricing) look_at(kind, image, *pricing);
                    });
   }
 
   /// Nothing if the word cannot be cheap enough.
-  [[nodiscard]] std::optional<Pricing> pricing_of(const Image& image, Formula formula) const {
+  [[nodiscard]] std::optional<Pricing> pricing_of(const TaskImage& image, Formula formula) const {
     const auto pricing = priced(tasks_[image.task], prices_, steps_of(formula), image.made);
-    if (!pricing || is_too_dear(*pricing, views_[image.task].shortest, image)) return std::nullopt;
+    if (!pricing || is_too_dear(*pricing, bounds_[image.task].shortest, image)) return std::nullopt;
     return pricing;
   }
 
-  [[nodiscard]] bool is_too_dear(const Pricing& pricing, double length, const Image& image) const {
+  [[nodiscard]] bool is_too_dear(const Pricing& pricing, double length,
+                                 const TaskImage& image) const {
     const double least = pricing.changes + pricing.cheapest * length;
-    return least - views_[image.task].spare >= cutoff_;
+    return least - bounds_[image.task].spare >= cutoff_;
   }
 
-  void look_at(const Kind& kind, const Image& image, const Pricing& pricing) {
+  void look_at(const Kind& kind, const TaskImage& image, const Pricing& pricing) {
     const WordFrame& f = image.frame;
     const Stops stops = seen_by(image.made, tasks_[image.task].task.stops);
     const SharpTurns& turns = solver_.turns();
@@ -161,7 +162,7 @@ class CheapWords {
     if (circles.exact) {
       met = in_one_turn(circles.arcs());
       if (const auto known = solver_.at_full_lock(kind.formula, stops, met)) {
-        if (!is_that_line(*known, views_[image.task])) add_known(image, pricing, *known);
+        if (!is_that_line(*known, bounds_[image.task])) add_known(image, pricing, *known);
         return;
       }
       const double least = -turns.ramp();  // shorter turns than that are none
@@ -170,44 +171,44 @@ class CheapWords {
       return;
     }
     Arcs sharp = in_one_turn(kind.arcs(Circles({f.x, f.y, f.a}, {f.s, f.c})));
-    const double bound = pricing.of(steps_of(kind.formula), sharp) - views_[image.task].spare;
+    const double bound = pricing.of(steps_of(kind.formula), sharp) - bounds_[image.task].spare;
     if (bound >= cutoff_) return;
     sharp.line -= 2 * turns.centre().x;
     const bool has_circles = circles.exact && is_leg(stops);
     words_.push_back({image, pricing, bound, kind.formula, {}, sharp, met, has_circles});
   }
 
-  void add_known(const Image& image, const Pricing& pricing, const SolvedWord& known) {
+  void add_known(const TaskImage& image, const Pricing& pricing, const SolvedWord& known) {
     const double bound =
-        pricing.of(steps_of(known.formula), parts_of(known)) - views_[image.task].spare;
+        pricing.of(steps_of(known.formula), parts_of(known)) - bounds_[image.task].spare;
     if (bound >= cutoff_) return;
     words_.push_back({image, pricing, bound, known.formula, known, {}, {}, false});
   }
 
   [[nodiscard]] std::optional<SolvedWord> solved(const CheapWord& word) const {
-    const View& view = views_[word.image.task];
-    const double left = cutoff_ + view.spare - word.pricing.changes;
+    const TaskBounds& bounds = bounds_[word.image.task];
+    const double left = cutoff_ + bounds.spare - word.pricing.changes;
     const Patience quick{12, left / word.pricing.cheapest};
     const Stops stops = seen_by(word.image.made, tasks_[word.image.task].task.stops);
     auto found = solver_.solve(word.formula, stops, word.image.frame, word.sharp, quick);
     if (!found && word.has_circles) {
       found = solver_.solve(word.formula, stops, word.image.frame, word.circles, quick);
     }
-    return found && is_that_line(*found, view) ? std::nullopt : found;
+    return found && is_that_line(*found, bounds) ? std::nullopt : found;
   }
 
   const WordSolver& solver_;
   std::span<const PricedTask> tasks_;
-  WordPrices prices_;
+  GearPrices prices_;
   double cutoff_;
-  std::vector<View> views_;  ///< of each task
+  std::vector<TaskBounds> bounds_;  ///< of each task
   std::vector<CheapWord> words_;
 };
 
 }  // namespace
 
 void for_cheap_words(const WordSolver& solver, std::span<const PricedTask> tasks,
-                     const WordPrices& prices, int gear_changes, double cutoff,
+                     const GearPrices& prices, int gear_changes, double cutoff,
                      const TakeWord& take) {
   CheapWords(solver, tasks, prices, gear_changes, cutoff).take_all(take);
 }

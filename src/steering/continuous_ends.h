@@ -56,7 +56,7 @@ using TakePath = std::function<double(std::size_t task, const UnitPath&)>;
 
 /// What driving costs before, on and after a path.
 struct PathPrices {
-  WordPrices word;
+  GearPrices word;
   int before = 0, after = 0;  ///< gears; 0: any
 };
 

@@ -59,7 +59,7 @@ struct LeastWord {
                                                   std::span<const WordTask> tasks, double cutoff);
 
 /// What driving a word costs, in turning radii.
-struct WordPrices {
+struct GearPrices {
   double forward = 1.0;      ///< of one driven forward; > 0
   double reverse = 1.0;      ///< in reverse; > 0
   double gear_change = 0.0;  ///< >= 0
@@ -79,7 +79,7 @@ using TakeWord = std::function<double(std::size_t task, const FoundWord&)>;
 /// than `cutoff` and then what `take` says, those first that cost least by the arcs of Reeds and
 /// Shepp: with turns that reach full lock in closed form, others by Newton's method.
 void for_cheap_words(const WordSolver& solver, std::span<const PricedTask> tasks,
-                     const WordPrices& prices, int gear_changes, double cutoff,
+                     const GearPrices& prices, int gear_changes, double cutoff,
                      const TakeWord& take);
 
 }  // namespace vandplan::steering
