@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "speed/smooth_motion.h"
 #include "speed/stretch.h"
 
 namespace vandplan::speed {
@@ -242,9 +243,14 @@ std::vector<Zone> zones_below(std::span<const Cap> caps) {
 
 double drive_stretch_smoothly(std::span<const Cap> caps, const DrivingLimits& limits,
                               std::vector<SpeedKnot>& knots) {
-  Smoother smoother(zones_below(caps), limits, knots);
+  SmoothDrive drive;
+  Smoother smoother(zones_below(caps), limits, drive.knots);
   smoother.drive({caps.front().begin, 0.0}, {caps.back().end, 0.0});
-  return smoother.duration();
+  drive.duration = smoother.duration();
+  // Below one level cap a hump is the fastest drive.
+  if (caps.size() > 1) drive = made_faster(std::move(drive), caps, limits);
+  knots.insert(knots.end(), drive.knots.begin(), drive.knots.end());
+  return drive.duration;
 }
 
 }  // namespace vandplan::speed
