@@ -144,15 +144,20 @@ auto& length_of(Word& word, std::size_t step) {
 }  // namespace
 
 void UnitSegments::add(const Segment& segment) noexcept {
+  constexpr double rounding = 2e-12;
   if (segment.length == 0) return;
+  const auto follows = [](const Segment& last, const Segment& next) {
+    const double end = curvature_at(last, std::abs(last.length));
+    return last.length * next.length > 0 && std::abs(end - next.curvature) < 1e-9;
+  };
+  if (count > 1 && std::abs(list[count - 1].length) < rounding &&
+      follows(list[count - 2], segment)) {
+    --count;
+  }
   if (count > 0) {
     Segment& last = list[count - 1];
-    const double end = curvature_at(last, std::abs(last.length));
     // From one side to the other the curvature passes 0, and from full lock nothing goes on.
-    const bool goes_on = last.curvature_rate == segment.curvature_rate &&
-                         last.length * segment.length > 0 &&
-                         std::abs(end - segment.curvature) < 1e-9;
-    if (goes_on) {
+    if (last.curvature_rate == segment.curvature_rate && follows(last, segment)) {
       last.length += segment.length;
       return;
     }
@@ -229,7 +234,44 @@ std::optional<SolvedWord> WordSolver::solve(Formula formula, const Stops& stops,
       shape.senses[0] * arcs.first + shape.senses[1] * arcs.inner + shape.senses[2] * arcs.last;
   const double turn = 2 * frame.a + two_pi * std::round((guess - 2 * frame.a) / two_pi);
   if (!close(word, frame, turn, patience) || !is_drivable(word)) return std::nullopt;
+  leave_out_crumbs(word, frame, turn);
   return word;
+}
+
+void WordSolver::leave_out_crumbs(SolvedWord& word, const WordFrame& frame,
+                                  double turn) const noexcept {
+  constexpr double crumb = 1e-6;  // turns so short turn by next to nothing
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (word.lengths[i] == 0 || std::abs(word.lengths[i]) > crumb) continue;
+    SolvedWord rest = word;
+    rest.lengths[i] = 0;
+    if (close_without(i, rest, frame, turn) && is_drivable(rest)) word = rest;
+  }
+}
+
+bool WordSolver::close_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
+                               double turn) const noexcept {
+  constexpr int most_steps = 4;
+  constexpr double exact = 1e-12;  // a crumb beside a little curvature is no more than that
+  const Shape& shape = shape_of(word.formula, word.stops);
+  const double size = 1 + std::abs(frame.x) + std::abs(frame.y);
+  const std::size_t i = (part + 1) % 3;
+  const std::size_t j = (part + 2) % 3;
+  for (int step = 0; step < most_steps; ++step) {
+    const Led there = led(turns_, shape, -frame.s, frame.c, word.lengths, word.quarter);
+    const Vector miss{frame.x - there.end[0], frame.y - there.end[1], turn - there.end[2]};
+    const double error = std::max({std::abs(miss[0]), std::abs(miss[1]), std::abs(miss[2])});
+    if (error <= exact * size) return true;
+    // Three equations for two lengths: least squares.
+    const Vector& a = there.slope[i];
+    const Vector& b = there.slope[j];
+    const Vector normal = cross(a, b);
+    const double square = dot(normal, normal);
+    word.lengths[i] += dot(cross(miss, b), normal) / square;
+    word.lengths[j] += dot(cross(a, miss), normal) / square;
+    if (!(std::abs(word.lengths[i]) + std::abs(word.lengths[j]) < 1e100)) return false;
+  }
+  return false;
 }
 
 bool WordSolver::is_hopeless(const SolvedWord& word, double moved, double longest) const noexcept {

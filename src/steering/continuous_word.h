@@ -54,7 +54,8 @@ struct UnitSegments {
   std::array<Segment, 16> list{};
   std::size_t count = 0;
 
-  /// Appends a segment; of no length it is left out.
+  /// Appends a segment; of no length it is left out, and so is the last one if that is no longer
+  /// than rounding and the wheels need it for nothing.
   void add(const Segment& segment) noexcept;
 };
 
@@ -102,6 +103,14 @@ class WordSolver {
   /// Changes the lengths until the word ends at the goal with the heading changed by `turn`.
   [[nodiscard]] bool close(SolvedWord& word, const WordFrame& frame, double turn,
                            const Patience& patience) const noexcept;
+
+  /// Leaves out parts so short that they are what Newton's method leaves of nothing, where the
+  /// others lead to the goal as well.
+  void leave_out_crumbs(SolvedWord& word, const WordFrame& frame, double turn) const noexcept;
+
+  /// Changes the other two lengths until the word ends at the goal, if they can.
+  [[nodiscard]] bool close_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
+                                   double turn) const noexcept;
 
   /// Whether the lengths, which were last moved by so much, seem to become none of use.
   [[nodiscard]] bool is_hopeless(const SolvedWord& word, double moved,

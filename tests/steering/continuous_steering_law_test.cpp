@@ -50,6 +50,33 @@ TEST(ContinuousLaw, EveryPathIsDrivable) {
   });
 }
 
+// Where a place of a path lies with straight wheels, the words to it and from it have parts that
+// vanish: what rounding leaves of these is a micrometre, which no wheel can follow.
+TEST(ContinuousLaw, PartsThatVanishAreLeftOut) {
+  int words = 0, with_crumbs = 0;
+  const auto look_at = [&](const Piece& piece) {
+    ++words;
+    with_crumbs += std::ranges::any_of(piece.view(), [](const Segment& s) {
+      return 1e-9 < std::abs(s.length) && std::abs(s.length) < 1e-6;
+    });
+  };
+  for_each_case(14, 20'000, [&](Rng& rng) {
+    const auto continuity = chance(0.5, rng) ? Continuity::throughout : Continuity::between_stops;
+    const ContinuousSteering steering(radius, any_size(0.01, 0.5, rng), continuity);
+    const Pose from{0, 0, 0};
+    const Pose to = uniform_pose({-20, 20, -20, 20}, rng);
+    Pose place = from;
+    for (const Segment& segment : steering.steer(from, to).view()) {
+      place = advance(place, segment);
+      if (std::abs(curvature_at(segment, std::abs(segment.length))) > 1e-9) continue;
+      look_at(steering.steer(from, place));
+      look_at(steering.steer(place, to));
+    }
+  });
+  EXPECT_GT(words, cases(20'000));
+  EXPECT_LE(with_crumbs, words / 1000);
+}
+
 TEST(ContinuousLaw, IsNoShorterThanReedsShepp) {
   for_each_continuous_case(2, million / 2, [](const ContinuousCase& c, Rng&) {
     const double least = reeds_shepp_length(c.pair.from, c.pair.to, radius);
