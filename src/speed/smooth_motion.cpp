@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "speed/smooth_optimum.h"
 
@@ -332,6 +334,7 @@ SmoothDrive made_faster(SmoothDrive drive, std::span<const Cap> caps, const Driv
   constexpr double enough = 1.001;
   Places places = places_of(drive, caps, limits);
   const std::size_t ways = places.s.size() - 1;
+  if (ways < 4) return drive;
   SmoothOptimum optimum(places.s, places.most, limits);
   const Judge judge(caps, limits);
   for (int round = 0; round < rounds && optimum.improve(places.u); ++round) {
