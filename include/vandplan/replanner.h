@@ -55,7 +55,7 @@ struct WorldPatch {
 
 /// How to plan again and again.
 struct ReplanOptions {
-  /// Of the paths. The budget is that of the first plan; without one it has 2000 iterations.
+  /// Of the paths. The budget is that of the first plan; without one it has 20 000 iterations.
   PlanOptions plan = {};
   std::int64_t tick_iterations = 100;  ///< of each later look for a better way; >= 0
   std::int64_t tick_states = 2'000;    ///< of each search for speeds among what moves; >= 1

@@ -52,4 +52,18 @@ search::CostRule prices_like_time(const Task& task) {
           .curvature_change_cost = top * turn};
 }
 
+search::CostRule with_time(const search::CostRule& prices, const Task& task, double time_price) {
+  const search::CostRule time = prices_like_time(task);
+  const double share = time_price / top_speed(task.vehicle.limits);
+  // Searches are led by lengths: a metre forward stays a metre.
+  const double metre = prices.forward_weight + share * time.forward_weight;
+  search::CostRule rule = prices;
+  rule.forward_weight = 1.0;
+  rule.reverse_weight = (prices.reverse_weight + share * time.reverse_weight) / metre;
+  rule.gear_change_cost = (prices.gear_change_cost + share * time.gear_change_cost) / metre;
+  rule.curvature_change_cost =
+      (prices.curvature_change_cost + share * time.curvature_change_cost) / metre;
+  return rule;
+}
+
 }  // namespace vandplan::planning

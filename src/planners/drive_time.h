@@ -23,4 +23,9 @@ namespace vandplan::planning {
 /// known only when the whole path is.
 [[nodiscard]] search::CostRule prices_like_time(const Task& task);
 
+/// Prices under which a path costs about its share of what its drive costs by `prices`, with
+/// `time_price` for each second [m]. What being near things adds stays as it is.
+[[nodiscard]] search::CostRule with_time(const search::CostRule& prices, const Task& task,
+                                         double time_price);
+
 }  // namespace vandplan::planning

@@ -24,8 +24,8 @@ namespace {
 using search::Budget;
 using search::CostRule;
 
-constexpr double time_price = 2.0;  // of a second [m]
-constexpr double share = 0.2;       // of the budget for each round but the last
+constexpr double share = 0.1;        // of the budget for each round but the last,
+constexpr double least_round = 400;  // and iterations, below which there may be no path yet
 
 /// A path with its times, and what both cost.
 struct Way {
@@ -114,7 +114,10 @@ class Run {
     // 1. The best path where nothing moves, as fast as what moves lets it.
     Task alone = task_;
     alone.moving.clear();
-    PlannerAnswer first = try_paths(alone, share);
+    PlannerAnswer first = try_paths(alone, task_.moving.empty() ? 1.0 : share);
+    if (!first.segments && first.status != PlanStatus::no_path && !budget_.exhausted()) {
+      first = try_paths(alone, 1.0);
+    }
     if (!first.segments) return first;
     // 2. Around what the fastest drive along it meets.
     for (const Ghost kind : {Ghost::where_met, Ghost::at_rest, Ghost::whole_way}) {
@@ -162,7 +165,8 @@ class Run {
       budget.time_limit = std::min(*budget.time_limit * part, left);
     }
     if (budget.max_iterations) {
-      const double wanted = std::ceil(static_cast<double>(*budget.max_iterations) * part);
+      const double wanted =
+          std::max(std::ceil(static_cast<double>(*budget.max_iterations) * part), least_round);
       budget.max_iterations = budget_.left(static_cast<std::int64_t>(wanted), 0);
     }
     return budget;
@@ -171,7 +175,7 @@ class Run {
   PlannerAnswer try_paths(const Task& task, double part) {
     PlanOptions options = options_;
     options.budget = part_of_budget(part);
-    PlannerAnswer answer = anytime::plan_anytime(task, options);
+    PlannerAnswer answer = anytime::plan_drive(task, options, time_price);
     budget_.spend(answer.iterations);
     if (answer.segments && consider(*answer.segments)) best_task_ = task;
     return answer;

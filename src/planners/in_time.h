@@ -10,7 +10,10 @@
 
 namespace vandplan::in_time {
 
-/// Plans paths with the default planner, gives them times, and looks for ways around what is met.
+/// What a second of a drive costs beside the prices of its path [m].
+inline constexpr double time_price = 2.0;
+
+/// Plans drives whose paths and seconds cost least together, and looks for ways around what is met.
 /// Expects start and goal to be free of what stands.
 [[nodiscard]] PlannerAnswer plan(const Task& task, const PlanOptions& options);
 

@@ -27,8 +27,9 @@ namespace {
 
 using namespace replanning;
 
-constexpr std::int64_t first_iterations = 2000;
+constexpr std::int64_t first_iterations = 20'000;
 constexpr std::int64_t urgent_share = 3;  // times the iterations of a tick, if there is need
+constexpr double calm_share = 0.3;        // of them, if there is none
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array looks = {Look::new_times, Look::from_stop, Look::without_stop, Look::around};
 constexpr double off_place = 0.5;                      // of the drive: so far is too far [m]
@@ -334,11 +335,15 @@ class Replanner::Impl {
               .rest_reaches_goal = true,
               .most = ways.cost_of(rest.drive) * (1 - options_.better)};
     const Look not_now = ticks_ % 2 == 0 ? Look::from_stop : Look::without_stop;
+    // There is time to look at whole drives: fewer of them, as each trial costs more.
+    Effort calm = effort(static_cast<std::int64_t>(
+        std::ceil(calm_share * static_cast<double>(options_.tick_iterations))));
+    calm.whole_drive = true;
     std::vector<Way> found;  // the cheapest last
     for (const Look look : looks) {
       if (look == Look::new_times && !has_news_) continue;
       if (look == Look::around || look == not_now) continue;
-      auto way = ways.to_goal(look, rest, wish, effort(options_.tick_iterations));
+      auto way = ways.to_goal(look, rest, wish, calm);
       if (!way || way->cost >= wish.most) continue;
       wish.most = way->cost;
       found.push_back(*std::move(way));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "moving/yielding.h"
+#include "planners/in_time.h"
 #include "speed/moving_start.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
@@ -15,7 +16,6 @@
 namespace vandplan::replanning {
 namespace {
 
-constexpr double time_price = 2.0;  // of a second [m], as the planner has it among what moves
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double stands = 1e-6;         // is no faster [m/s]
 constexpr double shortest_stop = 1e-3;  // of a way to a standstill [m]
@@ -54,7 +54,7 @@ double Ways::cost_of(const TimedPath& drive) const {
   if (options_.cost.measure == CostMeasure::time) return time;
   const search::CostRule rule = search::cost_rule(options_.cost);
   search::Driven driven = rule.initial_gear;
-  return search::drive_cost(rule, drive.path.segments, driven) + time_price * time;
+  return search::drive_cost(rule, drive.path.segments, driven) + in_time::time_price * time;
 }
 
 /// Times for a path that begins `t` seconds from now.
@@ -79,7 +79,7 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
 /// What the planner drives from standing at a pose, `t` seconds from now; nothing if it finds none.
 /// Nobody has judged it: whoever takes a drive lets the judge see the whole of it.
 std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, double t,
-                                            const PlanOptions& options) {
+                                            const PlanOptions& options, bool whole_drive) {
   const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
   if (reeds_shepp_length(pose, scene_.goal, scene_.vehicle.min_turning_radius) == 0.0) return {};
   try {
@@ -91,7 +91,8 @@ std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, 
     const PlanOptions all = complete(planner, options);
     const Task task = task_of(problem, all.clearance, *all.steering);
     if (!task.checker->is_free(task.start) || !task.checker->is_free(task.goal)) return {};
-    PlannerAnswer answer = planner.function(task, all);
+    const bool is_drive = whole_drive || !task.moving.empty();
+    PlannerAnswer answer = is_drive ? in_time::plan(task, all) : planner.function(task, all);
     work_.iterations += answer.iterations;
     if (answer.segments) return *std::move(answer.segments);
   } catch (const InputError&) {
@@ -104,7 +105,7 @@ std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const
   PlanOptions options = options_;
   options.budget.seed = effort.seed;
   if (!options.budget.time_limit) options.budget.max_iterations = effort.iterations;
-  const Path path{pose, segments_to_goal(pose, curvature, 0.0, options)};
+  const Path path{pose, segments_to_goal(pose, curvature, 0.0, options, true)};
   if (path.segments.empty() && !(pose == scene_.goal)) return std::nullopt;
   const Motion begin{.pose = pose, .curvature = curvature};
   auto drive = timed(path, begin, 0.0, options_.clearance.margin, effort, endless);
@@ -141,7 +142,8 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t, con
     }
   }
   if (look == Look::around) begins_at = t + 2 * length(path.segments) / std::max(speed, stands);
-  const std::vector<Segment> found = segments_to_goal(root, curvature, begins_at, options);
+  const std::vector<Segment> found =
+      segments_to_goal(root, curvature, begins_at, options, effort.whole_drive);
   if (found.empty()) return std::nullopt;
   path.segments.insert(path.segments.end(), found.begin(), found.end());
   return path;
@@ -166,7 +168,7 @@ std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wi
   const double left = wish.most - cost_of(joined(prefix, {*tail, *fastest}));
   if (left <= 0.0) return std::nullopt;
   const bool is_time = options_.cost.measure == CostMeasure::time;
-  const double longest = fastest->duration + (is_time ? left : left / time_price);
+  const double longest = fastest->duration + (is_time ? left : left / in_time::time_price);
   const auto drive = timed(*tail, begin, t, options_.clearance.margin, effort, longest);
   if (!drive) return std::nullopt;
   const bool is_same = look == Look::new_times;

@@ -30,6 +30,7 @@ struct Effort {
   std::int64_t iterations = 0;
   std::int64_t states = 0;
   std::uint64_t seed = 1;
+  bool whole_drive = false;  ///< planners look for cheap drives, not paths: a trial costs more
 };
 
 /// How much was done.
@@ -92,7 +93,7 @@ class Ways {
   [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const Motion& begin, double t,
                                                double margin, const Effort& effort, double longest);
   [[nodiscard]] std::vector<Segment> segments_to_goal(const Pose& pose, double curvature, double t,
-                                                      const PlanOptions& options);
+                                                      const PlanOptions& options, bool whole_drive);
   [[nodiscard]] std::optional<Path> path_of(Look look, const CutDrive& from, double t,
                                             const Effort& effort);
   [[nodiscard]] double braking_distance(double v) const;

@@ -179,6 +179,37 @@ TEST(PlanInTime, PlansTheFastestDriveIfTimeIsTheCost) {
   EXPECT_LE(result.cost, result.speeds->duration + 1e-6);
 }
 
+/// Far from everything.
+std::vector<MovingObstacle> far_away() {
+  return {{.outline = car, .trajectory = {{0, {500, 0, 0}}}}};
+}
+
+TEST(PlanInTime, CountsTheSecondsOfTheWholeDrive) {
+  const Problem alone = problem_of({0, 0, 0}, {40, 0, 0},
+                                   {box(12, -20, 13, 3), box(26, -3, 27, 20)}, {-10, 50, -20, 20});
+  const PlanResult by_prices = plan(alone, few_iterations());
+  const PlanResult by_seconds = plan(with_moving(alone, far_away()), few_iterations());
+  ASSERT_EQ(by_prices.status, PlanStatus::solved) << by_prices.reason;
+  ASSERT_EQ(by_seconds.status, PlanStatus::solved) << by_seconds.reason;
+  const double fastest = speed_profile(*by_prices.path, {}).duration;
+  EXPECT_LT(by_seconds.cost + 2 * by_seconds.speeds->duration,
+            0.97 * (by_prices.cost + 2 * fastest));
+}
+
+TEST(PlanInTime, SpendsTheWholeBudgetBeforeItGivesUp) {
+  // A slot 1.2 m longer than the vehicle: a tenth of the budget finds no way into it.
+  const Vehicle vehicle{
+      .wheelbase = 3, .front_overhang = 1, .rear_overhang = 1, .width = 2, .min_turning_radius = 6};
+  const Problem alone =
+      problem_of({-10, 3, 0}, {0, 0, 0}, {box(-19, -1.5, -1.6, 1.2), box(4.6, -1.5, 19, 1.2)},
+                 {-20, 20, -2, 6}, vehicle);
+  PlanOptions options;
+  options.budget.max_iterations = 1000;
+  ASSERT_EQ(plan(alone, options).status, PlanStatus::iteration_limit);
+  options.budget.max_iterations = 10'000;
+  EXPECT_EQ(plan(with_moving(alone, far_away()), options).status, PlanStatus::solved);
+}
+
 TEST(PlanInTime, KnowsThatWhoStaysInTheGoalLeavesNoPath) {
   const MovingObstacle parks{.outline = car,
                              .trajectory = {{0, {42, -12, pi / 2}}, {4, {42, 0, pi / 2}}}};

@@ -12,6 +12,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
+#include "vandplan/search.h"
 
 namespace vandplan {
 namespace {
@@ -142,6 +143,31 @@ TEST(Replanner, GoesRoundWhatComesUpAndKeepsTheNextSecond) {
   }
 }
 
+/// What a drive costs by its prices and its seconds, but for being near things.
+double cost_of(const TimedPath& drive) {
+  const search::CostRule prices = search::cost_rule({});
+  search::Driven driven = prices.initial_gear;
+  return search::drive_cost(prices, drive.path.segments, driven) + 2 * drive.speeds.duration;
+}
+
+TEST(Replanner, FirstPlanCountsTheSecondsOfTheWholeDrive) {
+  Scenario scenario = lane();
+  scenario.obstacles.push_back(box(18, -20, 19, 3));
+  scenario.obstacles.push_back(box(34, -3, 35, 20));
+  PlanOptions options;
+  options.budget.max_iterations = 4000;
+  const Problem problem = make_problem(scenario);
+  const PlanResult by_prices = plan(problem, options);
+  ASSERT_EQ(by_prices.status, PlanStatus::solved) << by_prices.reason;
+  const Path& path = *by_prices.path;
+  ReplanOptions replan{.plan = options};
+  replan.reserve = 0.01;
+  Replanner replanner(scenario, replan);
+  const ReplanAnswer& first = replanner.tick(0);
+  ASSERT_TRUE(first.reaches_goal);
+  EXPECT_LT(cost_of(*first.drive), 0.97 * cost_of({path, speed_profile(path, problem.vehicle())}));
+}
+
 TEST(Replanner, TakesABetterWayAfterTheNextSecond) {
   Scenario scenario = lane();
   scenario.obstacles.push_back(box(30, -20, 33, 24));  // a long way round
@@ -158,10 +184,10 @@ TEST(Replanner, TakesABetterWayAfterTheNextSecond) {
   const ReplanAnswer& after = replanner.answer();
   ASSERT_EQ(after.outcome, TickOutcome::new_way);
   EXPECT_EQ(fault_of(after, scenario, t), "");
-  const auto lasts = [&](const ReplanAnswer& answer) {
-    return rest(answer, scenario.vehicle, t).drive.speeds.duration;
+  const auto costs = [&](const ReplanAnswer& answer) {
+    return cost_of(rest(answer, scenario.vehicle, t).drive);
   };
-  EXPECT_LT(lasts(after), 0.9 * lasts(before));
+  EXPECT_LT(costs(after), 0.9 * costs(before));
   for (double later = t; later <= t + 1; later += tick_period) {
     EXPECT_NEAR(pose_at(after, scenario.vehicle, later).y,
                 pose_at(before, scenario.vehicle, later).y, 1e-6);

@@ -77,14 +77,18 @@ std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + roun
 
 constexpr std::int64_t quickening = 192;  // trials of a round
 constexpr double no_time = 1e-12;         // relative
+constexpr double no_gain = 1e-6;          // of a whole drive, relative: ends may be off by as much
 
-CostRule rule_of(const Task& task, const CostOptions& cost) {
-  return cost.measure == CostMeasure::time ? planning::prices_like_time(task) : cost_rule(cost);
+/// Prices by which routes are found; about those of the whole drive where a second has a price [m].
+CostRule rule_of(const Task& task, const CostOptions& cost, double time_price) {
+  if (cost.measure == CostMeasure::time) return planning::prices_like_time(task);
+  if (time_price == 0.0) return cost_rule(cost);
+  return planning::with_time(cost_rule(cost), task, time_price);
 }
 
 class Run {
  public:
-  Run(const Task& task, const PlanOptions& options);
+  Run(const Task& task, const PlanOptions& options, double time_price);
 
   void try_open_ground(const CostRule& rule);
   void try_along(const Path& known);
@@ -109,10 +113,15 @@ class Run {
   void prove();
   void quicken();
   void offer_to_fastest();
+  [[nodiscard]] double cost_of_drive(std::span<const Segment> segments,
+                                     double clearance_cost) const;
 
   const Task& task_;
   CostRule rule_;
-  bool is_far_;  // over a whole site
+  CostRule prices_;    // of the path, where not only the time counts
+  bool is_time_;       // does
+  double time_price_;  // of a second, beside the prices [m]
+  bool is_far_;        // over a whole site
   int threads_;
   std::optional<double> target_gap_;
   bool is_warm_ = false;  // began with a route along a known path
@@ -122,29 +131,37 @@ class Run {
   int looks_ = 0;  // for walls
   OpenGround open_ground_;
   std::optional<Route> best_;
-  std::optional<Fastest> fastest_;  // where the cost is the time
+  std::optional<Fastest> fastest_;  // where time is a part of the cost
   std::vector<Segment> segments_;   // of the best route, in the end
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0;
   std::int64_t rounds_with_route_ = 0;
 };
 
-Run::Run(const Task& task, const PlanOptions& options)
+Run::Run(const Task& task, const PlanOptions& options, double time_price)
     : task_(task),
-      rule_(rule_of(task, options.cost)),
+      rule_(rule_of(task, options.cost, time_price)),
+      prices_(cost_rule(options.cost)),
+      is_time_(options.cost.measure == CostMeasure::time),
+      time_price_(time_price),
       is_far_(search::FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
       threads_(options.budget.threads),
       target_gap_(options.budget.target_gap),
       budget_(options.budget),
       open_ground_(open_ground(task, rule_)) {
   const Bounds region = sampling_region(task, planning::region_of(options));
-  const bool is_time = options.cost.measure == CostMeasure::time;
+  const bool is_whole = is_time_ || time_price > 0.0;
   for (std::size_t i = 0; i < island_count; ++i) {
     islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i),
-                          is_time);
+                          is_whole);
   }
-  if (is_time) {
-    fastest_.emplace(task, rule_, stream_seed(options.budget.seed, island_count));
+  if (is_whole) {
+    fastest_.emplace(task, rule_, stream_seed(options.budget.seed, island_count),
+                     [this](const Route& route) {
+                       double clearance_cost = 0.0;
+                       for (const Leg& leg : route.legs) clearance_cost += leg.clearance_cost;
+                       return cost_of_drive(path_of(route).segments, clearance_cost);
+                     });
   }
 }
 
@@ -173,8 +190,9 @@ void Run::try_along(const Path& known) {
   Connector connector(task_, rule_);
   Chain chain(task_, connector, known, 0);
   if (!chain.take_over()) return;
-  for (int i = 0; i < repairs_of_known && !chain.is_free() && !budget_.is_interrupted(); ++i)
+  for (int i = 0; i < repairs_of_known && !chain.is_free() && !budget_.is_interrupted(); ++i) {
     chain.repair();
+  }
   if (!chain.is_free()) return;
   is_warm_ = true;
   take(chain.route());
@@ -182,23 +200,33 @@ void Run::try_along(const Path& known) {
 
 void Run::offer_to_fastest() {
   if (!fastest_->offer(*best_)) return;
-  trace_.push_back({budget_.elapsed(), budget_.iterations(), fastest_->time()});
+  trace_.push_back({budget_.elapsed(), budget_.iterations(), fastest_->cost()});
 }
 
-// [6c] Makes the fastest route faster yet.
+// Of a path that is driven as fast as it can be.
+double Run::cost_of_drive(std::span<const Segment> segments, double clearance_cost) const {
+  const double time = planning::drive_time(task_, segments);
+  if (is_time_) return time;
+  Driven driven = prices_.initial_gear;
+  return drive_cost(prices_, segments, driven) + clearance_cost + time_price_ * time;
+}
+
+// [6c] Makes the cheapest route cheaper yet, by the whole drive.
 void Run::quicken() {
   const std::int64_t trials = budget_.left(quickening * growth(rounds_), 0);
   std::int64_t done = 0;
   for (; done < trials && (done % 4 != 0 || !budget_.is_interrupted()); ++done) {
     if (fastest_->step()) {
-      trace_.push_back({budget_.elapsed(), budget_.iterations() + done, fastest_->time()});
+      trace_.push_back({budget_.elapsed(), budget_.iterations() + done, fastest_->cost()});
     }
   }
   budget_.spend(done);
 }
 
 bool Run::is_optimal() const {
-  if (fastest_) return best_ && fastest_->time() <= lower_bound() * (1 + no_time);
+  if (fastest_) {
+    return best_ && fastest_->cost() <= lower_bound() * (1 + (is_time_ ? no_time : no_gain));
+  }
   return best_ &&
          best_->cost <= least_cost(open_ground_, rule_, 0.0) * (1 + 1e-12) + open_ground_.leeway;
 }
@@ -209,7 +237,9 @@ double Run::lower_bound() const {
   double around = 0.0;
   for (const Island& island : islands_) around = std::max(around, island.shortest() - off);
   if (fastest_) {
-    return planning::least_drive_time(task_.vehicle, std::max(open_ground_.shortest, around));
+    const double length = std::max(open_ground_.shortest, around);
+    const double time = planning::least_drive_time(task_.vehicle, length);
+    return is_time_ ? time : length + time_price_ * time;
   }
   return least_cost(open_ground_, rule_, around);
 }
@@ -218,7 +248,7 @@ double Run::lower_bound() const {
 double Run::enough() const { return target_gap_ ? (1 + *target_gap_) * lower_bound() : 0.0; }
 
 bool Run::is_good_enough() const {
-  return best_ && target_gap_ && (fastest_ ? fastest_->time() : best_->cost) <= enough();
+  return best_ && target_gap_ && (fastest_ ? fastest_->cost() : best_->cost) <= enough();
 }
 
 // Raises the bound, no further than it takes for the gap that was asked for.
@@ -334,8 +364,8 @@ void Run::make_drivable(double min_stroke) {
                 .segments
           : tidied(connector, task_.start, segments_, min_stroke);
   if (fastest_) {
-    const double time = planning::drive_time(task_, neat);
-    if (min_stroke == 0.0 && time > fastest_->time() * (1 + no_time)) return;
+    const double cost = cost_of_drive(neat, connector.clearance_cost(task_.start, neat));
+    if (min_stroke == 0.0 && cost > fastest_->cost() * (1 + no_time)) return;
     segments_ = std::move(neat);
     return;
   }
@@ -370,14 +400,14 @@ PlannerAnswer Run::result() const {
   return result;
 }
 
-}  // namespace
-
 // The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
-PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const Path* known) {
+PlannerAnswer planned(const Task& task, const PlanOptions& options, double time_price,
+                      const Path* known) {
   if (task.vehicle.trailer) return rig::plan_rig(task, options);
-  Run run(task, options);
+  Run run(task, options, time_price);
   run.try_open_ground({});  // [1]
-  if (!is_length(options.cost)) run.try_open_ground(rule_of(task, options.cost));
+  const CostRule rule = rule_of(task, options.cost, time_price);
+  if (!rule.is_length()) run.try_open_ground(rule);
   if (known != nullptr) run.try_along(*known);
   std::optional<PlanStatus> end;
   while (!run.is_optimal() && !run.is_good_enough() && !run.is_walled_in() && !end) {
@@ -392,6 +422,16 @@ PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const P
   if (!end)
     answer.reason = "proven: nothing as wide as the vehicle gets from the start to the goal";
   return answer;
+}
+
+}  // namespace
+
+PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const Path* known) {
+  return planned(task, options, 0.0, known);
+}
+
+PlannerAnswer plan_drive(const Task& task, const PlanOptions& options, double time_price) {
+  return planned(task, options, time_price, nullptr);
 }
 
 }  // namespace vandplan::anytime

@@ -17,4 +17,9 @@ namespace vandplan::anytime {
 [[nodiscard]] PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options,
                                          const Path* known = nullptr);
 
+/// The same for the path whose prices and fastest drive cost least together: each second costs
+/// `time_price` [m]. Bound and trace are of that sum. Where the cost is the time, it is that alone.
+[[nodiscard]] PlannerAnswer plan_drive(const Task& task, const PlanOptions& options,
+                                       double time_price);
+
 }  // namespace vandplan::anytime

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "planners/drive_time.h"
-
 namespace vandplan::anytime {
 
 namespace {
@@ -15,14 +13,14 @@ namespace {
 // way can be turned at a higher speed.
 constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
-constexpr double worth_a_challenge = 1.3;  // of the time of the fastest
+constexpr double worth_a_challenge = 1.3;  // of the cost of the cheapest
 constexpr std::size_t most_challengers = 32;
-constexpr double hopeless_challenge = 20;  // over the least time, times the trials it took
+constexpr double hopeless_challenge = 20;  // over the least cost, times the trials it took
 
 }  // namespace
 
-Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed)
-    : task_(task), seed_(seed), time_(std::numeric_limits<double>::infinity()) {
+Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure)
+    : measure_(std::move(measure)), seed_(seed), cost_(std::numeric_limits<double>::infinity()) {
   for (const double sharpness : sharpnesses) {
     Task& softer = tasks_.emplace_back(task);
     softer.vehicle.limits.max_curvature_rate = sharpness * max_curvature_rate(task.vehicle);
@@ -30,7 +28,7 @@ Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed)
   }
 }
 
-// Goes on with the fastest route, steering in the next way.
+// Goes on with the cheapest route, steering in the next way.
 void Fastest::begin() {
   begin_with(*route_);
   is_challenger_ = false;
@@ -38,27 +36,24 @@ void Fastest::begin() {
 
 void Fastest::begin_with(const Route& route) {
   Connector& connector = connectors_[beginnings_ % connectors_.size()];
-  shortener_.emplace(
-      connector, route, stream_seed(seed_, ++beginnings_), Scope::all,
-      [&](const Route& r) { return planning::drive_time(task_, path_of(r).segments); });
+  shortener_.emplace(connector, route, stream_seed(seed_, ++beginnings_), Scope::all, measure_);
 }
 
 bool Fastest::offer(Route route) {
-  const double time = planning::drive_time(task_, path_of(route).segments);
-  route.cost = time;
-  if (time >= time_) {
-    if (time < worth_a_challenge * time_ && challengers_.size() < most_challengers) {
+  route.cost = measure_(route);
+  if (route.cost >= cost_) {
+    if (route.cost < worth_a_challenge * cost_ && challengers_.size() < most_challengers) {
       challengers_.push_back(std::move(route));
     }
     return false;
   }
-  time_ = time;
+  cost_ = route.cost;
   route_ = std::move(route);
   begin();
   return true;
 }
 
-// Tries what lost by the prices, and may win by time.
+// Tries what lost by the prices, and may win by the measure.
 void Fastest::challenge() {
   const Route route = std::move(challengers_.back());
   challengers_.pop_back();
@@ -70,7 +65,7 @@ void Fastest::challenge() {
 bool Fastest::step() {
   if (!shortener_) return false;
   ++trials_;
-  const double excess = shortener_->route().cost / time_ - 1;
+  const double excess = shortener_->route().cost / cost_ - 1;
   if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless_challenge)) {
     if (!is_challenger_ && !challengers_.empty()) {
       challenge();
@@ -78,10 +73,10 @@ bool Fastest::step() {
       begin();
     }
   }
-  if (!shortener_->step() || shortener_->route().cost >= time_) return false;
+  if (!shortener_->step() || shortener_->route().cost >= cost_) return false;
   is_challenger_ = false;
   route_ = shortener_->route();
-  time_ = route_->cost;
+  cost_ = route_->cost;
   return true;
 }
 
