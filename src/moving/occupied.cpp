@@ -24,11 +24,12 @@ struct Occupied::Box {
 };
 
 Occupied::Occupied(const Encounters& encounters, std::vector<double> stations,
-                   std::vector<TimeSpan> when)
+                   std::vector<TimeSpan> when, std::int64_t most_boxes)
     : encounters_(encounters),
       stations_(std::move(stations)),
       when_(std::move(when)),
-      rows_(stations_.size() - 1) {
+      rows_(stations_.size() - 1),
+      most_boxes_(most_boxes) {
   for (std::size_t i = 0; i < encounters_.size(); ++i) {
     const double rest = encounters_.rests(i);
     Box box{i, 0, rows_.size(), stations_.front(), stations_.back(), {0.0, rest}};
@@ -43,8 +44,12 @@ Occupied::Occupied(const Encounters& encounters, std::vector<double> stations,
 
 void Occupied::add(const Box& box) {
   if (is_out_of_time(box) || is_known(box)) return;
-  ++boxes_;
   const auto& [obstacle, first, last, begin, end, span, is_for_ever] = box;
+  if (boxes_ >= most_boxes_) {
+    mark(first, last, {span.begin, is_for_ever ? forever : span.end});
+    return;
+  }
+  ++boxes_;
   // 1. How much either of them moves from the middle of the box to its sides.
   const double place = begin + (end - begin) / 2;
   const double time = span.begin + (span.end - span.begin) / 2;

@@ -28,8 +28,9 @@ class Occupied {
  public:
   /// `stations` increase from 0 to the length of the way; row i lies between stations i and i + 1.
   /// The vehicle can be in it at the times `when[i]`, which neither begin nor end earlier than
-  /// those of the row before.
-  Occupied(const Encounters& encounters, std::vector<double> stations, std::vector<TimeSpan> when);
+  /// those of the row before. What `most_boxes` do not prove free counts as occupied.
+  Occupied(const Encounters& encounters, std::vector<double> stations, std::vector<TimeSpan> when,
+           std::int64_t most_boxes);
 
   /// Whether row `i` is free all the time.
   [[nodiscard]] bool is_free(std::size_t i, double begin, double end) const noexcept;
@@ -55,6 +56,7 @@ class Occupied {
   std::vector<double> stations_;
   std::vector<TimeSpan> when_;
   std::vector<std::vector<TimeSpan>> rows_;
+  std::int64_t most_boxes_;
   std::int64_t boxes_ = 0;
 };
 

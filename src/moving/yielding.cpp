@@ -121,9 +121,10 @@ bool is_interrupted(const Traffic& traffic) {
 class Search {
  public:
   Search(const Encounters& encounters, const SpeedProfile& fastest, const DrivingLimits& limits,
-         double longest)
+         double longest, std::int64_t most_boxes)
       : stations_(stations_of(fastest)),
-        occupied_(encounters, places_of(stations_), times_of(stations_, fastest.duration, longest)),
+        occupied_(encounters, places_of(stations_), times_of(stations_, fastest.duration, longest),
+                  most_boxes),
         rise_(2 * limits.max_acceleration),
         fall_(2 * limits.max_braking.value_or(limits.max_acceleration)),
         latest_(occupied_.last_change() + fastest.duration + time_step),
@@ -336,7 +337,7 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
   if (vehicle.limits.max_jerk && traffic.start_speed == 0.0)
     return {begun_later(fastest, vehicle, traffic)};
   const Encounters encounters(path, vehicle, traffic.moving, traffic.margin);
-  Search search(encounters, fastest.speeds, vehicle.limits, traffic.longest);
+  Search search(encounters, fastest.speeds, vehicle.limits, traffic.longest, traffic.most_states);
   const std::optional<std::int32_t> last = search.run(traffic);
   Yielding yielding{{}, search.looked()};
   if (last) yielding.speeds = Writer(search.stations(), path).written(search.chain(*last));

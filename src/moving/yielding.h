@@ -25,7 +25,8 @@ struct Traffic {
   double start_speed = 0.0;
   /// Only drives that are not longer are of interest [s].
   double longest = std::numeric_limits<double>::infinity();
-  std::int64_t most_states = 200'000;         ///< that the search looks at before it gives up
+  /// That the search looks at before it gives up, and boxes that are proven free for it.
+  std::int64_t most_states = 200'000;
   std::function<bool()> is_interrupted = {};  ///< asked now and then; true: it gives up
 };
 

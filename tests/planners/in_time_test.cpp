@@ -92,6 +92,19 @@ TEST(Yielding, FindsNothingWhereSomebodyStaysInTheWay) {
   EXPECT_LT(found.states, 200'000);  // it ends by itself
 }
 
+TEST(Yielding, DoesNoMoreWorkThanItMay) {
+  std::vector<MovingObstacle> many;
+  for (int i = 0; i < 20; ++i) {
+    many.push_back(crossing());
+    for (TimedPose& row : many.back().trajectory) row.t += i;
+  }
+  constexpr std::int64_t most = 300;
+  const moving::Yielding found =
+      moving::yielding_speeds(ahead, {}, {.moving = many, .most_states = most});
+  EXPECT_LE(found.states, 2 * most);
+  EXPECT_GT(yielding(ahead, many).states, 2 * most);
+}
+
 TEST(Yielding, AVehicleWithALimitOfJerkBeginsLater) {
   Vehicle vehicle;
   vehicle.limits.max_jerk = 1.0;
