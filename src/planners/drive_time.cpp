@@ -55,11 +55,13 @@ search::CostRule prices_like_time(const Task& task) {
 search::CostRule with_time(const search::CostRule& prices, const Task& task, double time_price) {
   const search::CostRule time = prices_like_time(task);
   const double share = time_price / top_speed(task.vehicle.limits);
-  // Searches are led by lengths: a metre forward stays a metre.
-  const double metre = prices.forward_weight + share * time.forward_weight;
+  const double forward = prices.forward_weight + share * time.forward_weight;
+  const double reverse = prices.reverse_weight + share * time.reverse_weight;
+  // Searches are led by lengths: a metre in the cheaper gear stays a metre.
+  const double metre = std::min(forward, reverse);
   search::CostRule rule = prices;
-  rule.forward_weight = 1.0;
-  rule.reverse_weight = (prices.reverse_weight + share * time.reverse_weight) / metre;
+  rule.forward_weight = forward / metre;
+  rule.reverse_weight = reverse / metre;
   rule.gear_change_cost = (prices.gear_change_cost + share * time.gear_change_cost) / metre;
   rule.curvature_change_cost =
       (prices.curvature_change_cost + share * time.curvature_change_cost) / metre;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <span>
 
 #include "base/parallel.h"
 #include "planners/anytime/chain.h"
