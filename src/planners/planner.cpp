@@ -388,16 +388,11 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
                                     "that know trailers: " +
                                     base::joined(others));
   }
-  if (options.steering && *options.steering != Steering::reeds_shepp) {
-    throw InputError(std::string(steering_key),
-                     "is " + std::string(name_of(*options.steering)) +
-                         ", expected reeds-shepp for a vehicle with a trailer");
-  }
   if (options.cost.measure == CostMeasure::time) {
     throw InputError(std::string(cost_key),
                      "is time, expected prices for a vehicle with a trailer");
   }
-  all.steering = Steering::reeds_shepp;
+  if (!options.steering) all.steering = Steering::reeds_shepp;
   return all;
 }
 

@@ -17,24 +17,53 @@ constexpr double difference = 1e-7;     // for derivatives [rad]
 /// A vector turned by a quarter to the left: how a point moves when all turns about the origin.
 Point turned(double x, double y) { return {-y, x}; }
 
+std::array<double, 4> sum(const std::array<double, 4>& a, double factor,
+                          const std::array<double, 4>& b) {
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2], a[3] + factor * b[3]};
+}
+
+/// So that the wheels get there.
+void lengthen(const Wheels& wheels, const search::Driven& before, Segment& command) {
+  const bool rolls_on = command.length == 0.0 && before.gear != 0;
+  const search::GearSign gear = rolls_on ? before.gear : search::gear_of(command);
+  if (wheels.may_jump(before, gear)) return;
+  const double least = wheels.way(before.curvature, command.curvature);
+  if (std::abs(command.length) < least) command.length = gear * least;
+}
+
 double largest(const std::array<double, 4>& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2]), std::abs(v[3])});
 }
 
 }  // namespace
 
-Closer::Closer(const Vehicle& vehicle)
+Closer::Closer(const Vehicle& vehicle, Steering steering)
     : vehicle_(vehicle),
+      wheels_(vehicle, steering),
       most_curvature_(1 / vehicle.min_turning_radius),
       curvature_unit_(0.3 * most_curvature_),
       length_unit_(0.3 * std::sqrt(vehicle.min_turning_radius * vehicle.trailer->wheelbase)) {}
 
-void Closer::drive(const RigState& from, std::span<const Segment> segments) {
+void Closer::drive(const RigState& from, std::span<Segment> commands, const WheelEnds& ends) {
   states_.assign(1, from);
-  for (const Segment& segment : segments) {
-    const RigState& last = states_.back();
-    states_.push_back(
-        {advance(last.pose, segment), hitch_angle_after(vehicle_, last.hitch_angle, segment)});
+  obeyed_.clear();
+  between_.clear();
+  search::Driven driven = ends.before;
+  for (Segment& command : commands) {
+    if (ends.after && &command == &commands.back()) {
+      command.curvature = *ends.after;
+      lengthen(wheels_, driven, command);
+    }
+    const Obeyed obeyed = wheels_.obey(command, driven);
+    RigState state = states_.back();
+    between_.push_back(state);
+    for (const Segment& segment : obeyed.view()) {
+      between_.back() = state;
+      state = {advance(state.pose, segment),
+               hitch_angle_after(vehicle_, state.hitch_angle, segment)};
+    }
+    obeyed_.push_back(obeyed);
+    states_.push_back(state);
   }
 }
 
@@ -45,37 +74,72 @@ Closer::Vector Closer::gap(const RigState& to) const {
 }
 
 /// [1] The end turns with a segment about each of its points; the hitch angle goes its own way.
-void Closer::differentiate(std::span<const Segment> segments) {
-  columns_.assign(segments.size(), {});
+/// `passed_on` is what becomes of a change of it after the segment, and then before it.
+Closer::Change Closer::change(const RigState& from, const Segment& segment, const RigState& to,
+                              double& passed_on) const {
+  const auto& [curvature, length, rate] = segment;
+  const auto& [first, angle] = from;
+  const auto& [last, angle_after] = to;
   const Pose& end = states_.back().pose;
-  double passed_on = 1.0;  // of a change of the hitch angle after the segment
-  for (std::size_t i = segments.size(); i-- > 0;) {
-    const double curvature = segments[i].curvature;
-    const double length = segments[i].length;
-    const Pose& first = states_[i].pose;
-    const double angle = states_[i].hitch_angle;
-    const auto& [last, angle_after] = states_[i + 1];
-    const Pose middle = advance(first, {curvature, length / 2});
-    const auto [sin, cos] = base::sin_cos(last.heading);
-    const Point swing = turned(end.x - last.x, end.y - last.y);
-    const Point bend = turned(end.x - (first.x + 4 * middle.x + last.x) / 6,
-                              end.y - (first.y + 4 * middle.y + last.y) / 6);
-    const double tick = difference * most_curvature_;
-    const double bent = hitch_angle_after(vehicle_, angle, {curvature + tick, length});
-    const double folded = hitch_angle_after(vehicle_, angle + difference, segments[i]);
-    const double by_curvature = (bent - angle_after) / tick;
-    const double by_angle = (folded - angle_after) / difference;
-    const double by_length = hitch_rate(vehicle_, angle_after, curvature);
-    columns_[i] = {
-        {length * bend.x, length * bend.y, length, passed_on * by_curvature},
-        {cos + curvature * swing.x, sin + curvature * swing.y, curvature, passed_on * by_length},
-        false,
-        false};
-    passed_on *= by_angle;
+  const Pose middle = advance(first, part_of(segment, 0.0, std::abs(length) / 2));
+  const auto [sin, cos] = base::sin_cos(last.heading);
+  const Point swing = turned(end.x - last.x, end.y - last.y);
+  const Point bend = turned(end.x - (first.x + 4 * middle.x + last.x) / 6,
+                            end.y - (first.y + 4 * middle.y + last.y) / 6);
+  const double tick = difference * most_curvature_;
+  const double bent = hitch_angle_after(vehicle_, angle, {curvature + tick, length, rate});
+  const double folded = hitch_angle_after(vehicle_, angle + difference, segment);
+  const double by_curvature = (bent - angle_after) / tick;
+  const double by_angle = (folded - angle_after) / difference;
+  const double there = curvature_at(segment, std::abs(length));
+  const double by_length = hitch_rate(vehicle_, angle_after, there);
+  const Change result = {
+      {length * bend.x, length * bend.y, length, passed_on * by_curvature},
+      {cos + there * swing.x, sin + there * swing.y, there, passed_on * by_length}};
+  passed_on *= by_angle;
+  return result;
+}
+
+/// [2] A command bends the arc on which the wheels stay, and the clothoid on which they leave it.
+/// If they do not get there, its length decides how far they get.
+void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& ends) {
+  columns_.assign(commands.size(), {});
+  double passed_on = 1.0;   // of a change of the hitch angle after the command
+  Vector by_wheels = {};    // how the end changes with the curvature after the command
+  for (std::size_t i = commands.size(); i-- > 0;) {
+    const Obeyed& obeyed = obeyed_[i];
+    Column& column = columns_[i];
+    const bool is_gone = obeyed.count == 0;
+    const Segment last = is_gone ? commands[i] : obeyed.segments[obeyed.count - 1U];
+    const Change at_end = change(between_[i], last, states_[i + 1], passed_on);
+    column.length = at_end.stretch;
+    if (is_gone) continue;
+    const bool is_turning = last.curvature_rate != 0.0;
+    const double turning = search::gear_of(last) * last.curvature_rate;  // with the length
+    if (!is_turning) column.curvature = sum(at_end.bend, 1.0, by_wheels);
+    if (is_turning && obeyed.reaches_command) column.curvature = by_wheels;
+    if (is_turning && !obeyed.reaches_command) {
+      column.length = sum(column.length, turning, by_wheels);
+    }
+    if (obeyed.turns_at_once) {
+      by_wheels = {};
+    } else if (!is_turning && obeyed.count == 1) {  // the wheels stay as they are
+      by_wheels = {};
+    } else if (!is_turning) {
+      by_wheels = change(states_[i], obeyed.segments[0], between_[i], passed_on).bend;
+    } else if (obeyed.reaches_command) {
+      by_wheels = at_end.bend;
+    } else {
+      by_wheels = sum(at_end.bend, 1.0, by_wheels);
+    }
+    if (ends.after && i + 1 == commands.size()) {
+      column.curvature_is_fixed = true;
+      if (is_turning) by_wheels = sum(by_wheels, -1 / turning, at_end.stretch);
+    }
   }
 }
 
-/// [2] Least squares of the changes: multipliers of the four conditions, by Cholesky's method.
+/// [3] Least squares of the changes: multipliers of the four conditions, by Cholesky's method.
 bool Closer::solve(const Vector& gap, Vector& multipliers) const {
   std::array<Vector, 4> m{};
   const auto add = [&](const Vector& column, double unit) {
@@ -110,8 +174,8 @@ bool Closer::solve(const Vector& gap, Vector& multipliers) const {
   return true;
 }
 
-/// [3] Changes all segments at once; what would leave its limits is held there.
-bool Closer::step(std::span<Segment> segments, const Vector& gap) {
+/// [4] Changes all commands at once; what would leave its limits is held there.
+bool Closer::step(std::span<Segment> commands, const Vector& gap) {
   const auto dot = [](const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   };
@@ -119,9 +183,9 @@ bool Closer::step(std::span<Segment> segments, const Vector& gap) {
   for (int pass = 0; pass < 3; ++pass) {
     if (!solve(gap, multipliers)) return false;
     bool is_final = true;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (std::size_t i = 0; i < commands.size(); ++i) {
       Column& column = columns_[i];
-      const auto& [curvature, length, rate] = segments[i];
+      const auto& [curvature, length, rate] = commands[i];
       const double bent = dot(column.curvature, multipliers);
       const bool is_sharp = std::abs(curvature) >= most_curvature_ && bent * curvature > 0.0;
       const bool is_gone = length == 0.0;
@@ -141,9 +205,9 @@ bool Closer::step(std::span<Segment> segments, const Vector& gap) {
       most = std::max(most, std::abs(dot(column.length, multipliers)) * length_unit_ / 2);
     }
   }
-  for (std::size_t i = 0; i < segments.size(); ++i) {
+  for (std::size_t i = 0; i < commands.size(); ++i) {
     const Column& column = columns_[i];
-    auto& [curvature, length, rate] = segments[i];
+    auto& [curvature, length, rate] = commands[i];
     if (!column.curvature_is_fixed) {
       curvature += curvature_unit_ * curvature_unit_ * dot(column.curvature, multipliers) / most;
       curvature = std::clamp(curvature, -most_curvature_, most_curvature_);
@@ -157,18 +221,26 @@ bool Closer::step(std::span<Segment> segments, const Vector& gap) {
   return true;
 }
 
-bool Closer::close(const RigState& from, std::span<Segment> segments, const RigState& to) {
+bool Closer::is_held() const {
+  for (std::size_t i = 0; i < obeyed_.size(); ++i) {
+    if (std::abs(states_[i + 1].hitch_angle) > vehicle_.max_hitch_angle) return false;
+    const Segment& first = obeyed_[i].segments[0];
+    if (obeyed_[i].count == 0 || first.curvature_rate == 0.0) continue;
+    const double most = largest_hitch_angle(vehicle_, states_[i].hitch_angle, first);
+    if (most > vehicle_.max_hitch_angle) return false;
+  }
+  return std::abs(states_.front().hitch_angle) <= vehicle_.max_hitch_angle;
+}
+
+bool Closer::close(const RigState& from, std::span<Segment> commands, const RigState& to,
+                   const WheelEnds& ends) {
   for (int i = 0; i < most_iterations; ++i) {
-    drive(from, segments);
+    drive(from, commands, ends);
     const Vector open = gap(to);
-    if (largest(open) <= close_enough) {
-      return std::ranges::all_of(states_, [&](const RigState& state) {
-        return std::abs(state.hitch_angle) <= vehicle_.max_hitch_angle;
-      });
-    }
+    if (largest(open) <= close_enough) return is_held();
     if (!(largest(open) < 1e3)) return false;
-    differentiate(segments);
-    if (!step(segments, open)) return false;
+    differentiate(commands, ends);
+    if (!step(commands, open)) return false;
   }
   return false;
 }

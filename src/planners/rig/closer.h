@@ -9,45 +9,57 @@
 #include <span>
 #include <vector>
 
+#include "planners/rig/wheels.h"
 #include "vandplan/rig.h"
 
 namespace vandplan::rig {
 
-/// Changes curvatures and lengths of segments, as little as possible, until they lead from one
+/// Changes curvatures and lengths of commands, as little as possible, until they lead from one
 /// state to another. One for each thread: it holds its buffers.
 class Closer {
  public:
   /// The vehicle has a trailer and outlives the closer.
-  explicit Closer(const Vehicle& vehicle);
+  explicit Closer(const Vehicle& vehicle, Steering steering = Steering::reeds_shepp);
 
-  /// Whether the segments, arcs and lines, now lead from `from` to `to` within 1e-10 m and rad,
-  /// with every curvature and hitch angle in its limit and every gear as it was; else they are of
-  /// no use. A segment may be left without length.
-  [[nodiscard]] bool close(const RigState& from, std::span<Segment> segments, const RigState& to);
+  /// Whether the commands now lead from `from` to `to` within 1e-10 m and rad, with every curvature
+  /// and hitch angle in its limit, every gear as it was and the wheels as they should be at the
+  /// ends; else they are of no use. A command may be left without length.
+  [[nodiscard]] bool close(const RigState& from, std::span<Segment> commands, const RigState& to,
+                           const WheelEnds& ends = {});
 
-  /// The states before each segment and after the last one, hitch angles not wrapped; of the last
+  /// The states before each command and after the last one, hitch angles not wrapped; of the last
   /// call that succeeded.
   [[nodiscard]] std::span<const RigState> states() const { return states_; }
 
  private:
   using Vector = std::array<double, 4>;
 
-  /// How the end changes with the curvature and with the length of one segment.
+  /// How the end changes with the curvature and with the length of one command.
   struct Column {
-    Vector curvature, length;
-    bool curvature_is_fixed, length_is_fixed;
+    Vector curvature = {}, length = {};
+    bool curvature_is_fixed = false, length_is_fixed = false;
+  };
+  /// How the end changes when a segment is bent or goes on at its end.
+  struct Change {
+    Vector bend, stretch;
   };
 
-  void drive(const RigState& from, std::span<const Segment> segments);
+  void drive(const RigState& from, std::span<Segment> commands, const WheelEnds& ends);
   [[nodiscard]] Vector gap(const RigState& to) const;
-  void differentiate(std::span<const Segment> segments);
+  [[nodiscard]] Change change(const RigState& first, const Segment& segment, const RigState& last,
+                              double& passed_on) const;
+  void differentiate(std::span<const Segment> commands, const WheelEnds& ends);
   [[nodiscard]] bool solve(const Vector& gap, Vector& multipliers) const;
-  [[nodiscard]] bool step(std::span<Segment> segments, const Vector& gap);
+  [[nodiscard]] bool step(std::span<Segment> commands, const Vector& gap);
+  [[nodiscard]] bool is_held() const;
 
   const Vehicle& vehicle_;
+  Wheels wheels_;
   double most_curvature_;
   double curvature_unit_, length_unit_;  // changes of these sizes count alike
   std::vector<RigState> states_;
+  std::vector<Obeyed> obeyed_;     // at each command
+  std::vector<RigState> between_;  // its segments
   std::vector<Column> columns_;
 };
 

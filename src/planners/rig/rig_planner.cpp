@@ -78,8 +78,8 @@ class Run {
   Task towed_;
   Enclosure tractor_{task_}, trailer_{towed_};
   double bound_;  // no drive costs less [m]
-  std::optional<std::vector<Segment>> found_;
-  std::optional<std::vector<Segment>> best_;
+  std::optional<std::vector<Segment>> found_;  // commands
+  std::optional<std::vector<Segment>> best_;   // what is driven
   double best_cost_ = 0.0;
   std::vector<CostSample> trace_;
   std::int64_t nodes_ = 0, checks_ = 0, closings_ = 0, bridges_ = 0, trials_ = 0;

@@ -13,10 +13,13 @@
 namespace vandplan::rig {
 namespace {
 
+using search::Driven;
+
 constexpr double usual_angle = 0.7;        // between tractor and trailer in a turn [rad]
 constexpr double near_steps = 3;           // from the other end of the drive, about
 constexpr int expansions_per_bridge = 11;  // odd: both searches get their turn
 constexpr int most_halvings = 2;           // of a step that would fold the rig up
+constexpr int locks = 2;                   // to either side that are told apart, at most 3
 
 Bounds around(const Task& task) {
   const Bounds& b = task.world->local().bounds;
@@ -36,6 +39,12 @@ std::optional<RigSteering> steering_of(const Vehicle& vehicle) {
   return RigSteering(vehicle);
 }
 
+/// The same way in the other gear.
+Segment backwards(const Segment& segment) {
+  if (segment.curvature_rate == 0.0) return {segment.curvature, -segment.length};
+  return {search::last_driven(segment).curvature, -segment.length, -segment.curvature_rate};
+}
+
 /// Prices of metres and gear changes alone: the arcs of a search say little of others.
 CostRule priced(CostRule rule) {
   rule.curvature_change_cost = 0.0;
@@ -51,15 +60,6 @@ double turning_radius(const Vehicle& vehicle) {
                   (vehicle.trailer->wheelbase - vehicle.hitch * cos) / sin);
 }
 
-std::vector<Segment> tidied(std::span<const Segment> segments) {
-  std::vector<Segment> result;
-  for (const Segment& segment : segments) {
-    if (std::abs(segment.length) < 1e-9) continue;
-    result.push_back(segment);
-  }
-  return merged(result);
-}
-
 Guides::Guides(const Task& task)
     : to_goal(task, around(task), 0.5, task.goal, task.start),
       to_start(task, around(task), 0.5, task.start, task.goal) {
@@ -72,7 +72,9 @@ Guides::Guides(const Task& task)
 RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guides,
                      const Fineness& fineness)
     : task_(task),
-      closer_(task.vehicle),
+      wheels_(task.vehicle, task.steering),
+      ends_(wheel_ends(task)),
+      closer_(task.vehicle, task.steering),
       steering_(steering_of(task.vehicle)),
       fineness_(fineness),
       trailer_radius_(task.vehicle.trailer->wheelbase /
@@ -81,21 +83,24 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
       heading_cell_(0.5 * fineness.step / turning_radius(task.vehicle)),
       angle_cell_(0.5 * fineness.step / task.vehicle.trailer->wheelbase),
       sides_{side_from({task.start, task.hitch_angles.start}, {task.goal, task.hitch_angles.goal},
-                       priced(rule), guides.to_goal),
+                       ends_.before, priced(rule), guides.to_goal),
              side_from({task.goal, task.hitch_angles.goal}, {task.start, task.hitch_angles.start},
+                       ends_.after ? Driven{0, *ends_.after} : Driven{},
                        search::reversed(priced(rule), 0), guides.to_start)} {}
 
 RigSearch::Side RigSearch::side_from(const RigState& root, const RigState& target,
-                                     const CostRule& rule, const search::GridDistance& grid) const {
+                                     const Driven& before, const CostRule& rule,
+                                     const search::GridDistance& grid) const {
   Side side{.rule = rule,
             .root = root,
             .target = target,
+            .before = before,
             .target_trailer = trailer_pose(task_.vehicle, target),
             .grid = &grid,
-            .nodes = {{root, {}, 0.0, 0.0, -1, true, 0}},
+            .nodes = {{root, {}, before, 0.0, 0.0, -1, true, 0}},
             .open = {{0.0, 0}}};
   side.nodes.front().to_go = to_go(side, root).guess;
-  side.reached[key_of(root, 0)] = 0;
+  side.reached[key_of(root, lock_of(before), 0)] = 0;
   return side;
 }
 
@@ -114,16 +119,23 @@ int RigSearch::level_at(const RigState& state) const {
   return level;
 }
 
-std::uint64_t RigSearch::key_of(const RigState& state, int level) const {
+int RigSearch::lock_of(const Driven& driven) const {
+  if (wheels_.are_free() || std::isnan(driven.curvature)) return 0;
+  const double most = 1 / task_.vehicle.min_turning_radius;
+  return static_cast<int>(std::lround(driven.curvature / most * locks));
+}
+
+std::uint64_t RigSearch::key_of(const RigState& state, int lock, int level) const {
   const auto index = [](double value) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)));
   };
   const double heading = wrap_angle(state.pose.heading) + 4.0;
   const double finer = std::ldexp(1.0, level);
-  std::uint64_t key = index(state.pose.x / cell_ * finer) & 0x1fffffU;
-  key = (key << 21) | (index(state.pose.y / cell_ * finer) & 0x1fffffU);
+  std::uint64_t key = index(state.pose.x / cell_ * finer) & 0xfffffU;
+  key = (key << 19) | (index(state.pose.y / cell_ * finer) & 0x7ffffU);
   key = (key << 10) | (index(heading / heading_cell_ * finer) & 0x3ffU);
   key = (key << 10) | (index(state.hitch_angle / angle_cell_ * finer + 0.5) & 0x3ffU);
+  key = (key << 3) | static_cast<std::uint64_t>(lock + locks);
   return (key << 2) | static_cast<std::uint64_t>(level);
 }
 
@@ -157,11 +169,12 @@ bool RigSearch::expand(std::size_t which) {
     const std::int32_t id = side.open.back().node;
     side.open.pop_back();
     const Node node = side.nodes[static_cast<std::size_t>(id)];
-    const std::uint64_t key = key_of(node.state, node.level);
+    const std::uint64_t key = key_of(node.state, lock_of(node.driven), node.level);
     if (node.parent >= 0) {
       if (side.reached.contains(key)) continue;
-      const RigState& from = side.nodes[static_cast<std::size_t>(node.parent)].state;
-      if (!is_free(from, std::span(&node.segment, 1))) continue;
+      const Node& parent = side.nodes[static_cast<std::size_t>(node.parent)];
+      Driven driven = parent.driven;
+      if (!is_free(parent.state, wheels_.obey(node.command, driven).view())) continue;
       side.nodes[static_cast<std::size_t>(id)].is_reached = true;
       side.reached[key] = id;
     }
@@ -178,7 +191,7 @@ bool RigSearch::expand(std::size_t which) {
 
 void RigSearch::add_children(Side& side, std::int32_t parent) {
   const double sharpest = 1 / task_.vehicle.min_turning_radius;
-  const auto& [state, segment, cost, left, before, is_reached, level] =
+  const auto& [state, command, driven, cost, left, before, is_reached, level] =
       side.nodes[static_cast<std::size_t>(parent)];
   const double angle = state.hitch_angle;
   const double step = std::ldexp(fineness_.step, -level);
@@ -193,19 +206,27 @@ void RigSearch::add_children(Side& side, std::int32_t parent) {
   for (const double length : {step, -step}) add(side, parent, {holding, length});
 }
 
-void RigSearch::add(Side& side, std::int32_t parent, Segment segment) {
+void RigSearch::add(Side& side, std::int32_t parent, Segment command) {
   const Node from = side.nodes[static_cast<std::size_t>(parent)];
-  RigState state = advance(task_.vehicle, from.state, segment);
+  const auto obeyed_to = [&](RigState& state, Driven& driven) {
+    state = from.state;
+    driven = from.driven;
+    const Obeyed obeyed = wheels_.obey(command, driven);
+    for (const Segment& segment : obeyed.view()) state = advance(task_.vehicle, state, segment);
+    return obeyed;
+  };
+  RigState state;
+  Driven driven;
+  Obeyed obeyed = obeyed_to(state, driven);
   for (int i = 0; std::abs(state.hitch_angle) > task_.vehicle.max_hitch_angle; ++i) {
     if (i == most_halvings) return;
-    segment.length /= 2;
-    state = advance(task_.vehicle, from.state, segment);
+    command.length /= 2;
+    obeyed = obeyed_to(state, driven);
   }
-  const std::uint64_t key = key_of(state, from.level);
+  const std::uint64_t key = key_of(state, lock_of(driven), from.level);
   if (side.reached.contains(key)) return;
-  search::Driven driven =
-      from.parent < 0 ? search::Driven{side.rule.initial_gear} : search::last_driven(from.segment);
-  const double cost = from.cost + search::drive_cost(side.rule, std::span(&segment, 1), driven);
+  Driven before = from.parent < 0 ? Driven{side.rule.initial_gear} : from.driven;
+  const double cost = from.cost + search::drive_cost(side.rule, obeyed.view(), before);
   double& least = side.least.try_emplace(key, 1e300).first->second;
   if (cost >= least) return;
   least = cost;
@@ -214,7 +235,7 @@ void RigSearch::add(Side& side, std::int32_t parent, Segment segment) {
   side.open.push_back(
       {cost + fineness_.weight * left, static_cast<std::int32_t>(side.nodes.size())});
   std::push_heap(side.open.begin(), side.open.end());
-  side.nodes.push_back({state, segment, cost, left, parent, false, from.level});
+  side.nodes.push_back({state, command, driven, cost, left, parent, false, from.level});
 }
 
 /// [5] The root of the other search is near, or a state of it in the same cell or beside it: is
@@ -222,8 +243,9 @@ void RigSearch::add(Side& side, std::int32_t parent, Segment segment) {
 void RigSearch::meet(std::size_t which, std::int32_t id) {
   if (found_) return;
   const Side& other = sides_[1 - which];
-  const auto& [state, segment, cost, left, parent, is_reached, level] =
+  const auto& [state, command, driven, cost, left, parent, is_reached, level] =
       sides_[which].nodes[static_cast<std::size_t>(id)];
+  const int lock = lock_of(driven);
   if (id > 0 && left < near_steps * fineness_.step) {
     which == 0 ? join(id, 0) : join(0, id);
     if (found_) return;
@@ -233,7 +255,7 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
       RigState beside = state;
       beside.pose.heading += heading * std::ldexp(heading_cell_, -level);
       beside.hitch_angle += angle * std::ldexp(angle_cell_, -level);
-      const auto there = other.reached.find(key_of(beside, level));
+      const auto there = other.reached.find(key_of(beside, lock, level));
       if (there == other.reached.end()) continue;
       which == 0 ? join(id, there->second) : join(there->second, id);
       if (found_) return;
@@ -241,12 +263,14 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
   }
 }
 
+/// What is driven from the root of a side to a state.
 std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t id) const {
-  std::vector<Segment> segments;
+  std::vector<Segment> commands;
   for (; id > 0; id = side.nodes[static_cast<std::size_t>(id)].parent) {
-    segments.push_back(side.nodes[static_cast<std::size_t>(id)].segment);
+    commands.push_back(side.nodes[static_cast<std::size_t>(id)].command);
   }
-  return segments;  // the last one first
+  std::ranges::reverse(commands);
+  return wheels_.driven(commands, side.before);
 }
 
 /// [6] Now and then: does exact steering lead to the state that the other search came to last, or
@@ -267,19 +291,18 @@ void RigSearch::join(std::int32_t forward, std::int32_t backward,
                      std::span<const Segment> between) {
   ++closings_;
   std::vector<Segment> segments = branch(sides_[0], forward);
-  std::ranges::reverse(segments);
   segments.insert(segments.end(), between.begin(), between.end());
-  for (Segment segment : branch(sides_[1], backward)) {
-    segment.length = -segment.length;
-    segments.push_back(segment);
-  }
+  std::vector<Segment> back = branch(sides_[1], backward);
+  std::ranges::reverse(back);
+  for (const Segment& segment : back) segments.push_back(backwards(segment));
   if (segments.empty()) return;
+  std::vector<Segment> commands = wheels_.commands(segments, ends_);
   const RigState from = sides_[0].root;
-  if (!closer_.close(from, segments, sides_[1].root)) return;
-  segments = tidied(segments);
-  if (!closer_.close(from, segments, sides_[1].root)) return;
-  if (!is_free(from, segments)) return;
-  found_ = std::move(segments);
+  if (!closer_.close(from, commands, sides_[1].root, ends_)) return;
+  commands = wheels_.tidied(commands, ends_.before);
+  if (!closer_.close(from, commands, sides_[1].root, ends_)) return;
+  if (!is_free(from, wheels_.driven(commands, ends_.before))) return;
+  found_ = std::move(commands);
 }
 
 bool RigSearch::is_free(const RigState& from, std::span<const Segment> segments) {

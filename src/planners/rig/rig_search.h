@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "planners/rig/closer.h"
+#include "planners/rig/wheels.h"
 #include "search/grid_distance.h"
 #include "vandplan/random.h"
 #include "vandplan/rig.h"
@@ -50,7 +51,7 @@ class RigSearch {
   /// Expands one state. False when there is nothing left to expand.
   bool step();
 
-  /// The exact drive that was found, until it is asked for.
+  /// The commands of the exact drive that was found, until they are asked for.
   [[nodiscard]] std::optional<std::vector<Segment>> take_found();
 
   [[nodiscard]] std::int64_t nodes() const;
@@ -61,7 +62,8 @@ class RigSearch {
  private:
   struct Node {
     RigState state;
-    Segment segment;  // from the parent
+    Segment command;        // at the parent
+    search::Driven driven;  // to get here
     double cost;
     double to_go;
     std::int32_t parent;  // -1 for the root
@@ -79,6 +81,7 @@ class RigSearch {
   struct Side {
     CostRule rule;  // of driving from its root
     RigState root, target;
+    search::Driven before;  // the wheels at the root
     Pose target_trailer;
     const search::GridDistance* grid;
     std::vector<Node> nodes;
@@ -89,9 +92,12 @@ class RigSearch {
     std::int32_t latest = 0;   // reached node that was expanded last
   };
 
-  [[nodiscard]] Side side_from(const RigState& root, const RigState& target, const CostRule& rule,
+  [[nodiscard]] Side side_from(const RigState& root, const RigState& target,
+                               const search::Driven& before, const CostRule& rule,
                                const search::GridDistance& grid) const;
-  [[nodiscard]] std::uint64_t key_of(const RigState& state, int level) const;
+  /// The curvature as part of a cell.
+  [[nodiscard]] int lock_of(const search::Driven& driven) const;
+  [[nodiscard]] std::uint64_t key_of(const RigState& state, int lock, int level) const;
   [[nodiscard]] int level_at(const RigState& state) const;
   /// What is left to drive, about, and at least [m].
   struct ToGo {
@@ -100,7 +106,7 @@ class RigSearch {
   [[nodiscard]] ToGo to_go(const Side& side, const RigState& state) const;
   bool expand(std::size_t which);
   void add_children(Side& side, std::int32_t parent);
-  void add(Side& side, std::int32_t parent, Segment segment);
+  void add(Side& side, std::int32_t parent, Segment command);
   void meet(std::size_t which, std::int32_t id);
   [[nodiscard]] std::vector<Segment> branch(const Side& side, std::int32_t id) const;
   void bridge(std::size_t which, std::int32_t id);
@@ -108,6 +114,8 @@ class RigSearch {
   [[nodiscard]] bool is_free(const RigState& from, std::span<const Segment> segments);
 
   const Task& task_;
+  Wheels wheels_;
+  WheelEnds ends_;
   Closer closer_;
   std::optional<RigSteering> steering_;  // none for vehicles that it does not know
   Fineness fineness_;
@@ -125,8 +133,5 @@ class RigSearch {
 
 /// Of the sharpest circle that the rig can go on driving, of its tractor [m].
 [[nodiscard]] double turning_radius(const Vehicle& vehicle);
-
-/// Neighbouring segments of nearly no length left out, and alike ones joined.
-[[nodiscard]] std::vector<Segment> tidied(std::span<const Segment> segments);
 
 }  // namespace vandplan::rig

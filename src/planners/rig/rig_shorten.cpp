@@ -18,8 +18,14 @@ constexpr std::size_t most_segments_of_window = 10;
 }  // namespace
 
 RigShortener::RigShortener(const Task& task, const search::CostRule& rule,
-                           std::vector<Segment> segments, std::uint64_t seed)
-    : task_(task), rule_(rule), closer_(task.vehicle), segments_(std::move(segments)), rng_(seed) {
+                           std::vector<Segment> commands, std::uint64_t seed)
+    : task_(task),
+      rule_(rule),
+      wheels_(task.vehicle, task.steering),
+      ends_(wheel_ends(task)),
+      closer_(task.vehicle, task.steering),
+      commands_(std::move(commands)),
+      rng_(seed) {
   drive();
   progress_cost_ = cost_;
 }
@@ -28,20 +34,26 @@ bool RigShortener::is_stalled() const { return idle_ > patience; }
 
 void RigShortener::drive() {
   states_.assign(1, {task_.start, task_.hitch_angles.start});
-  for (const Segment& segment : segments_) {
-    const RigState& last = states_.back();
-    states_.push_back(
-        {advance(last.pose, segment), hitch_angle_after(task_.vehicle, last.hitch_angle, segment)});
+  driven_.assign(1, ends_.before);
+  near_.clear();
+  cost_ = 0.0;
+  search::Driven priced = rule_.initial_gear;
+  for (const Segment& command : commands_) {
+    RigState state = states_.back();
+    search::Driven driven = driven_.back();
+    const Obeyed obeyed = wheels_.obey(command, driven);
+    cost_ += search::drive_cost(rule_, obeyed.view(), priced);
+    near_.push_back(near_cost(state, obeyed.view(), 1e300));
+    for (const Segment& segment : obeyed.view()) {
+      state = {advance(state.pose, segment),
+               hitch_angle_after(task_.vehicle, state.hitch_angle, segment)};
+    }
+    states_.push_back(state);
+    driven_.push_back(driven);
   }
+  for (const double near : near_) cost_ += near;
   // So that small errors do not add up.
   states_.back() = {task_.goal, task_.hitch_angles.goal};
-  search::Driven driven = rule_.initial_gear;
-  cost_ = search::drive_cost(rule_, segments_, driven);
-  near_.clear();
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    near_.push_back(near_cost(states_[i], std::span(&segments_[i], 1), 1e300));
-    cost_ += near_.back();
-  }
 }
 
 /// What being near things adds, at most `cutoff` or something above it.
@@ -51,7 +63,7 @@ double RigShortener::near_cost(const RigState& from, std::span<const Segment> se
 }
 
 RigShortener::Window RigShortener::any_window() {
-  const std::size_t count = segments_.size();
+  const std::size_t count = commands_.size();
   const std::size_t most = std::min(count, most_segments_of_window);
   const std::size_t least = std::min<std::size_t>(count, 3);
   const std::size_t size = least + static_cast<std::size_t>(rng_() % (most - least + 1));
@@ -97,38 +109,56 @@ void RigShortener::split(const Window& window) {
   trial_.insert(trial_.begin() + static_cast<std::ptrdiff_t>(at) + 1, second);
 }
 
+/// The wheels at both ends of a window. Where the vehicle rolls on they stay as they are, for the
+/// sake of what comes next.
+WheelEnds RigShortener::ends_of(const Window& window) const {
+  WheelEnds ends{driven_[window.first], {}};
+  const search::Driven& last = driven_[window.last];
+  if (window.last == commands_.size()) {
+    ends.after = ends_.after;
+  } else if (!wheels_.may_jump(last, search::gear_of(commands_[window.last]))) {
+    ends.after = last.curvature;
+  }
+  return ends;
+}
+
 /// Puts the trial in place of the window if it is free and cheaper. What is near elsewhere stays.
 bool RigShortener::replace(const Window& window) {
-  std::vector<Segment> whole(segments_.begin(),
-                             segments_.begin() + static_cast<std::ptrdiff_t>(window.first));
+  std::vector<Segment> whole(commands_.begin(),
+                             commands_.begin() + static_cast<std::ptrdiff_t>(window.first));
   whole.insert(whole.end(), trial_.begin(), trial_.end());
-  whole.insert(whole.end(), segments_.begin() + static_cast<std::ptrdiff_t>(window.last),
-               segments_.end());
-  search::Driven driven = rule_.initial_gear;
-  double left = cost_ - search::drive_cost(rule_, whole, driven);
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
+  whole.insert(whole.end(), commands_.begin() + static_cast<std::ptrdiff_t>(window.last),
+               commands_.end());
+  search::Driven priced = rule_.initial_gear;
+  double left = cost_ - search::drive_cost(rule_, wheels_.driven(whole, ends_.before), priced);
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
     if (i < window.first || i >= window.last) left -= near_[i];
   }
   if (!(left > 0.0)) return false;
   checks_ += static_cast<std::int64_t>(trial_.size());
-  if (!task_.checker->rig_is_free(states_[window.first], trial_)) return false;
-  if (!(near_cost(states_[window.first], trial_, left) < left)) return false;
-  whole = tidied(whole);
+  const std::vector<Segment> segments = wheels_.driven(trial_, driven_[window.first]);
+  if (!task_.checker->rig_is_free(states_[window.first], segments)) return false;
+  if (!(near_cost(states_[window.first], segments, left) < left)) return false;
+  whole = wheels_.tidied(whole, ends_.before);
   const RigState from{task_.start, task_.hitch_angles.start};
   const RigState to{task_.goal, task_.hitch_angles.goal};
-  if (!closer_.close(from, whole, to)) return false;
-  if (!task_.checker->rig_is_free(from, whole)) return false;
-  segments_ = std::move(whole);
+  if (!closer_.close(from, whole, to, ends_)) return false;
+  if (!task_.checker->rig_is_free(from, wheels_.driven(whole, ends_.before))) return false;
+  const double cost = cost_;
+  std::swap(commands_, whole);
   drive();
-  return true;
+  if (wheels_.are_free() || cost_ < cost) return true;
+  commands_ = std::move(whole);  // the wheels turn in another way without what was left out
+  drive();
+  return false;
 }
 
 bool RigShortener::step() {
   ++idle_;
-  if (segments_.empty()) return false;
+  if (commands_.empty()) return false;
   const Window window = any_window();
-  trial_.assign(segments_.begin() + static_cast<std::ptrdiff_t>(window.first),
-                segments_.begin() + static_cast<std::ptrdiff_t>(window.last));
+  trial_.assign(commands_.begin() + static_cast<std::ptrdiff_t>(window.first),
+                commands_.begin() + static_cast<std::ptrdiff_t>(window.last));
   const double kind = uniform01(rng_);
   if (kind < 0.15) split(window);
   if (kind > 0.8) {
@@ -139,7 +169,7 @@ bool RigShortener::step() {
     shake(window);
   }
   if (trial_.size() < 2) return false;
-  const bool is_closed = closer_.close(states_[window.first], trial_, states_[window.last]);
+  const bool is_closed = closer_.close(states_[window.first], trial_, states_[window.last], ends_of(window));
   const bool is_better = is_closed && replace(window);
   size_ = std::clamp(size_ * (is_better ? 1.3 : 0.99), 0.02, 1.0);
   if (cost_ < progress_cost_ * (1 - progress)) {

@@ -16,9 +16,9 @@ namespace vandplan::rig {
 /// Improves one drive by random trials; a trial is kept only if it is free and cheaper.
 class RigShortener {
  public:
-  /// The task has a vehicle with a trailer; it and the rule outlive the shortener. The segments are
+  /// The task has a vehicle with a trailer; it and the rule outlive the shortener. The commands are
   /// a free drive from the start of the task to its goal.
-  RigShortener(const Task& task, const search::CostRule& rule, std::vector<Segment> segments,
+  RigShortener(const Task& task, const search::CostRule& rule, std::vector<Segment> commands,
                std::uint64_t seed);
 
   /// One trial. True when the drive got cheaper.
@@ -26,13 +26,15 @@ class RigShortener {
 
   [[nodiscard]] double cost() const { return cost_; }
   /// The drive, which ends exactly at the goal.
-  [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
+  [[nodiscard]] std::vector<Segment> segments() const {
+    return wheels_.driven(commands_, ends_.before);
+  }
   /// Whether many trials in a row brought next to nothing.
   [[nodiscard]] bool is_stalled() const;
   [[nodiscard]] std::int64_t checks() const { return checks_; }
 
  private:
-  /// Segments that a trial replaces.
+  /// Commands that a trial replaces.
   struct Window {
     std::size_t first, last;  // the one after them
   };
@@ -43,16 +45,20 @@ class RigShortener {
   void split(const Window& window);
   [[nodiscard]] double near_cost(const RigState& from, std::span<const Segment> segments,
                                  double cutoff) const;
+  [[nodiscard]] WheelEnds ends_of(const Window& window) const;
   bool replace(const Window& window);
   void drive();
 
   const Task& task_;
   const search::CostRule& rule_;
+  Wheels wheels_;
+  WheelEnds ends_;
   Closer closer_;
-  std::vector<Segment> segments_;
-  std::vector<RigState> states_;  // before each segment, and the goal
-  std::vector<Segment> trial_;    // instead of a window
-  std::vector<double> near_;      // what being near things adds on each segment
+  std::vector<Segment> commands_;
+  std::vector<RigState> states_;        // before each command, and the goal
+  std::vector<search::Driven> driven_;  // before each command, and at the goal
+  std::vector<Segment> trial_;          // instead of a window
+  std::vector<double> near_;            // what being near things adds at each command
   double cost_ = 0.0;
   Rng rng_;
   double size_ = 0.1;  // of what a trial changes

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/rig/wheels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vandplan/continuous_steering.h"
+
+namespace vandplan::rig {
+namespace {
+
+using search::Driven, search::GearSign, search::gear_of;
+
+constexpr double crumb = 1e-9;  // way that is none [m]
+
+}  // namespace
+
+Wheels::Wheels(const Vehicle& vehicle, Steering steering)
+    : steering_(steering), rate_(max_curvature_rate(vehicle)) {}
+
+bool Wheels::may_jump(const Driven& before, GearSign next) const {
+  if (steering_ == Steering::continuous_between_stops) return before.gear != next;
+  return are_free();
+}
+
+double Wheels::way(double from, double to) const { return std::abs(to - from) / rate_; }
+
+Obeyed Wheels::obey(const Segment& command, Driven& before) const {
+  if (command.length == 0.0) return {};
+  const GearSign gear = gear_of(command);
+  Obeyed result;
+  result.reaches_command = true;
+  result.turns_at_once = may_jump(before, gear);
+  const double turning = result.turns_at_once ? 0.0 : way(before.curvature, command.curvature);
+  if (turning <= crumb) {
+    result.segments[result.count++] = command;
+    before = {gear, command.curvature};
+    return result;
+  }
+  const double size = std::abs(command.length);
+  const double rate = std::copysign(rate_, command.curvature - before.curvature);
+  result.segments[result.count++] = {before.curvature, gear * std::min(turning, size), rate};
+  result.reaches_command = turning <= size + crumb;
+  if (turning < size - crumb) {
+    result.segments[result.count++] = {command.curvature, gear * (size - turning)};
+  }
+  before = result.reaches_command ? Driven{gear, command.curvature}
+                                  : search::last_driven(result.segments[0]);
+  return result;
+}
+
+std::vector<Segment> Wheels::driven(std::span<const Segment> commands, Driven before) const {
+  std::vector<Segment> result;
+  result.reserve(commands.size());
+  for (const Segment& command : commands) {
+    const Obeyed obeyed = obey(command, before);
+    result.insert(result.end(), obeyed.view().begin(), obeyed.view().end());
+  }
+  return result;
+}
+
+std::vector<Segment> Wheels::commands(std::span<const Segment> segments,
+                                      const WheelEnds& ends) const {
+  std::vector<Segment> result;
+  result.reserve(segments.size());
+  Driven before = ends.before;
+  for (const Segment& segment : segments) {
+    const Driven after = search::last_driven(segment);
+    Segment command{after.curvature, segment.length};
+    if (!may_jump(before, after.gear)) {
+      const double half = way(before.curvature, segment.curvature) / 2;
+      const bool rolls = !result.empty() && before.gear == after.gear;
+      if (rolls && half > crumb) {
+        double& last = result.back().length;
+        const double taken = std::min(half, std::abs(last) / 2);
+        last -= after.gear * taken;
+        command.length += after.gear * taken;
+      }
+      if (rolls && segment.curvature_rate == 0.0 &&
+          result.back().curvature == segment.curvature) {
+        result.back().length += segment.length;
+        before = after;
+        continue;
+      }
+    }
+    result.push_back(command);
+    before = after;
+  }
+  if (ends.after && !result.empty() && *ends.after != result.back().curvature) {
+    const GearSign gear = gear_of(result.back());
+    result.push_back({*ends.after, gear * way(result.back().curvature, *ends.after)});
+  }
+  return result;
+}
+
+std::vector<Segment> Wheels::tidied(std::span<const Segment> commands, Driven before) const {
+  std::vector<Segment> result;
+  for (Segment command : commands) {
+    if (std::abs(command.length) < crumb) continue;
+    if (!are_free()) {
+      (void)obey(command, before);
+      command.curvature = before.curvature;
+    }
+    result.push_back(command);
+  }
+  return merged(result);
+}
+
+WheelEnds wheel_ends(const Task& task) {
+  if (task.steering != Steering::continuous) return {};
+  return {{0, task.curvatures.start}, task.curvatures.goal};
+}
+
+}  // namespace vandplan::rig
