@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/exponential.h"
 #include "base/trigonometry.h"
@@ -38,13 +39,34 @@ Generator generator(const Coupling& coupling, double curvature, double driven) {
   return {-driven / (2 * coupling.wheelbase), -turn * coupling.hitch / coupling.wheelbase, turn};
 }
 
+/// sinh(sqrt z) / sqrt z and cosh(sqrt z), or those of sin and cos for z < 0, where |z| is small.
+struct Series {
+  double ratio = 1.0;
+  double even = 1.0;
+};
+
+template <int highest>
+Series series(double z) {
+  Series result;
+  for (int n = highest; n > 0; n -= 2) {
+    result.ratio = 1.0 + z * result.ratio / (n * (n + 1));
+    result.even = 1.0 + z * result.even / (n * (n - 1));
+  }
+  return result;
+}
+
+/// z of (4).
+double determinant(const Generator& g) {
+  return g.stretch * g.stretch + (g.shear - g.turn) * (g.shear + g.turn);
+}
+
 /// By how much the angle changes that is half of `angle` [rad]: (3), for the three cases of (4).
 double half_change(const Generator& g, double angle) {
   const auto [sin, cos] = base::sin_cos(angle);
   const double across = g.stretch * sin + g.shear * cos + g.turn;
   const double along = g.shear * sin - g.stretch * cos;
   if (across == 0.0) return 0.0;
-  const double z = g.stretch * g.stretch + (g.shear - g.turn) * (g.shear + g.turn);
+  const double z = determinant(g);
   constexpr double small = 0.25;
   if (z > small) {  // two equilibria
     const double root = std::sqrt(z);
@@ -60,13 +82,31 @@ double half_change(const Generator& g, double angle) {
     return std::copysign(halves * std::numbers::pi, across) +
            base::atan_2(ratio * across, part.cos + ratio * along);
   }
-  double ratio = 1.0;  // sinh(sqrt z) / sqrt z
-  double even = 1.0;   // cosh(sqrt z)
-  for (int n = 14; n > 0; n -= 2) {
-    ratio = 1.0 + z * ratio / (n * (n + 1));
-    even = 1.0 + z * even / (n * (n - 1));
-  }
+  const auto [ratio, even] = series<14>(z);
   return base::atan_2(ratio * across, even + ratio * along);
+}
+
+/// Sine and cosine of half the hitch angle, times any length.
+struct HalfAngle {
+  double sin, cos;
+};
+
+HalfAngle half_of(double angle) {
+  const auto [sin, cos] = base::sin_cos(angle / 2);
+  return {sin, cos};
+}
+
+/// What a short way makes of it: linear, so that no angle is needed on the way.
+HalfAngle moved(const Generator& g, const HalfAngle& v) {
+  const auto [ratio, even] = series<8>(determinant(g));
+  return {even * v.sin + ratio * (g.stretch * v.sin + (g.shear + g.turn) * v.cos),
+          even * v.cos + ratio * ((g.shear - g.turn) * v.sin - g.stretch * v.cos)};
+}
+
+/// From one angle to another that is less than half a turn away [rad].
+double change_between(const HalfAngle& from, const HalfAngle& to) {
+  return 2 * base::atan_2(to.sin * from.cos - to.cos * from.sin,
+                          to.cos * from.cos + to.sin * from.sin);
 }
 
 /// A clothoid in steps that are short enough for (5).
@@ -90,21 +130,24 @@ class Steps {
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] double step() const { return step_; }
 
-  /// What driving `size` metres from the beginning of step `i` does to the angle [rad].
-  [[nodiscard]] double change(int i, double size, double angle) const {
+  /// What driving `size` metres from the beginning of step `i` does to the angle.
+  [[nodiscard]] Generator part(int i, double size) const {
     const double middle = i * step_ + size / 2;
     const Generator mean = generator(coupling_, curvature_at(segment_, middle), gear_ * size);
     const double turn = gear_ * size * size * segment_.curvature_rate / 2;
     const Generator bend{0.0, -turn * coupling_.hitch / coupling_.wheelbase, turn};
     const Generator first = commutator(mean, bend);
     const Generator second = -1.0 / 60 * commutator(mean, first);
-    const Generator whole = mean + 1.0 / 240 * commutator(-20.0 * mean + first, bend + second);
-    return 2 * half_change(whole, angle);
+    return mean + 1.0 / 240 * commutator(-20.0 * mean + first, bend + second);
   }
 
-  /// Change of the angle per metre driven, `driven` metres from the start [rad/m].
-  [[nodiscard]] double rate(double driven, double angle) const {
-    return gear_ * hitch_rate(coupling_, angle, curvature_at(segment_, driven));
+  /// Whether the angle grows `driven` metres from the start.
+  [[nodiscard]] bool is_growing(double driven, const HalfAngle& v) const {
+    const double k = curvature_at(segment_, driven);
+    const double lever = coupling_.hitch * k;
+    const double rate = (coupling_.wheelbase * k + lever) * v.sin * v.sin - 2 * v.sin * v.cos +
+                        (coupling_.wheelbase * k - lever) * v.cos * v.cos;
+    return gear_ * rate > 0.0;
   }
 
  private:
@@ -115,20 +158,23 @@ class Steps {
   double step_ = 0.0;
 };
 
-/// The angle where its rate changes sign within step `i`. There it hardly changes, so that halving
-/// twenty times is exact enough.
-double turning_point(const Steps& steps, int i, double angle) {
+/// Where the rate of the angle changes sign within step `i`. There it hardly changes, so that
+/// halving twenty times is exact enough.
+HalfAngle turning_point(const Steps& steps, int i, const HalfAngle& first) {
   const double begin = i * steps.step();
-  const bool rising = steps.rate(begin, angle) > 0.0;
+  const bool grows = steps.is_growing(begin, first);
   double low = 0.0;
   double high = steps.step();
   for (int halving = 0; halving < 20; ++halving) {
     const double middle = (low + high) / 2;
-    const double there = angle + steps.change(i, middle, angle);
-    ((steps.rate(begin + middle, there) > 0.0) == rising ? low : high) = middle;
+    const HalfAngle there = moved(steps.part(i, middle), first);
+    (steps.is_growing(begin + middle, there) == grows ? low : high) = middle;
   }
-  return angle + steps.change(i, low, angle);
+  return moved(steps.part(i, low), first);
 }
+
+// Steps from one look at the angle to the next: it changes by half a radian and less.
+constexpr int steps_of_look = 8;
 
 }  // namespace
 
@@ -143,7 +189,14 @@ double hitch_change(const Coupling& coupling, double angle, const Segment& segme
   }
   const Steps steps(coupling, segment);
   double there = angle;
-  for (int i = 0; i < steps.count(); ++i) there += steps.change(i, steps.step(), there);
+  for (int i = 0; i < steps.count(); i += steps_of_look) {
+    const HalfAngle first = half_of(there);
+    HalfAngle v = first;
+    for (int k = i; k < std::min(i + steps_of_look, steps.count()); ++k) {
+      v = moved(steps.part(k, steps.step()), v);
+    }
+    there += change_between(first, v);
+  }
   return there - angle;
 }
 
@@ -155,14 +208,21 @@ double largest_hitch_angle(const Coupling& coupling, double angle,
   const Steps steps(coupling, segment);
   double largest = std::abs(angle);
   double there = angle;
-  for (int i = 0; i < steps.count(); ++i) {
-    const double next = there + steps.change(i, steps.step(), there);
-    const double before = steps.rate(i * steps.step(), there);
-    if (before * steps.rate((i + 1) * steps.step(), next) < 0.0) {
-      largest = std::max(largest, std::abs(turning_point(steps, i, there)));
+  for (int i = 0; i < steps.count(); i += steps_of_look) {
+    const HalfAngle first = half_of(there);
+    HalfAngle v = first;
+    bool grows = steps.is_growing(i * steps.step(), v);
+    for (int k = i; k < std::min(i + steps_of_look, steps.count()); ++k) {
+      const HalfAngle next = moved(steps.part(k, steps.step()), v);
+      const bool grew = std::exchange(grows, steps.is_growing((k + 1) * steps.step(), next));
+      if (grows != grew) {
+        const double extreme = there + change_between(first, turning_point(steps, k, v));
+        largest = std::max(largest, std::abs(extreme));
+      }
+      v = next;
     }
-    largest = std::max(largest, std::abs(next));
-    there = next;
+    there += change_between(first, v);
+    largest = std::max(largest, std::abs(there));
   }
   return largest;
 }
