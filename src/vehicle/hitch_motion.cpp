@@ -39,22 +39,6 @@ Generator generator(const Coupling& coupling, double curvature, double driven) {
   return {-driven / (2 * coupling.wheelbase), -turn * coupling.hitch / coupling.wheelbase, turn};
 }
 
-/// sinh(sqrt z) / sqrt z and cosh(sqrt z), or those of sin and cos for z < 0, where |z| is small.
-struct Series {
-  double ratio = 1.0;
-  double even = 1.0;
-};
-
-template <int highest>
-Series series(double z) {
-  Series result;
-  for (int n = highest; n > 0; n -= 2) {
-    result.ratio = 1.0 + z * result.ratio / (n * (n + 1));
-    result.even = 1.0 + z * result.even / (n * (n - 1));
-  }
-  return result;
-}
-
 /// z of (4).
 double determinant(const Generator& g) {
   return g.stretch * g.stretch + (g.shear - g.turn) * (g.shear + g.turn);
@@ -82,7 +66,12 @@ double half_change(const Generator& g, double angle) {
     return std::copysign(halves * std::numbers::pi, across) +
            base::atan_2(ratio * across, part.cos + ratio * along);
   }
-  const auto [ratio, even] = series<14>(z);
+  double ratio = 1.0;  // sinh(sqrt z) / sqrt z
+  double even = 1.0;   // cosh(sqrt z)
+  for (int n = 14; n > 0; n -= 2) {
+    ratio = 1.0 + z * ratio / (n * (n + 1));
+    even = 1.0 + z * even / (n * (n - 1));
+  }
   return base::atan_2(ratio * across, even + ratio * along);
 }
 
@@ -98,7 +87,9 @@ HalfAngle half_of(double angle) {
 
 /// What a short way makes of it: linear, so that no angle is needed on the way.
 HalfAngle moved(const Generator& g, const HalfAngle& v) {
-  const auto [ratio, even] = series<8>(determinant(g));
+  const double z = determinant(g);  // small, so that a few terms of (4) are all that count
+  const double even = 1 + z * (1.0 / 2 + z * (1.0 / 24 + z * (1.0 / 720 + z * (1.0 / 40320))));
+  const double ratio = 1 + z * (1.0 / 6 + z * (1.0 / 120 + z * (1.0 / 5040 + z * (1.0 / 362880))));
   return {even * v.sin + ratio * (g.stretch * v.sin + (g.shear + g.turn) * v.cos),
           even * v.cos + ratio * ((g.shear - g.turn) * v.sin - g.stretch * v.cos)};
 }
