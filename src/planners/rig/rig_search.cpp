@@ -19,7 +19,6 @@ constexpr double usual_angle = 0.7;        // between tractor and trailer in a t
 constexpr double near_steps = 3;           // from the other end of the drive, about
 constexpr int expansions_per_bridge = 11;  // odd: both searches get their turn
 constexpr int most_halvings = 2;           // of a step that would fold the rig up
-constexpr int locks = 2;                   // to either side that are told apart, at most 3
 
 Bounds around(const Task& task) {
   const Bounds& b = task.world->local().bounds;
@@ -100,7 +99,7 @@ RigSearch::Side RigSearch::side_from(const RigState& root, const RigState& targe
             .nodes = {{root, {}, before, 0.0, 0.0, -1, true, 0}},
             .open = {{0.0, 0}}};
   side.nodes.front().to_go = to_go(side, root).guess;
-  side.reached[key_of(root, lock_of(before), 0)] = 0;
+  side.reached[key_of(root, 0)] = 0;
   return side;
 }
 
@@ -119,23 +118,16 @@ int RigSearch::level_at(const RigState& state) const {
   return level;
 }
 
-int RigSearch::lock_of(const Driven& driven) const {
-  if (wheels_.are_free() || std::isnan(driven.curvature)) return 0;
-  const double most = 1 / task_.vehicle.min_turning_radius;
-  return static_cast<int>(std::lround(driven.curvature / most * locks));
-}
-
-std::uint64_t RigSearch::key_of(const RigState& state, int lock, int level) const {
+std::uint64_t RigSearch::key_of(const RigState& state, int level) const {
   const auto index = [](double value) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)));
   };
   const double heading = wrap_angle(state.pose.heading) + 4.0;
   const double finer = std::ldexp(1.0, level);
-  std::uint64_t key = index(state.pose.x / cell_ * finer) & 0xfffffU;
-  key = (key << 19) | (index(state.pose.y / cell_ * finer) & 0x7ffffU);
+  std::uint64_t key = index(state.pose.x / cell_ * finer) & 0x1fffffU;
+  key = (key << 21) | (index(state.pose.y / cell_ * finer) & 0x1fffffU);
   key = (key << 10) | (index(heading / heading_cell_ * finer) & 0x3ffU);
   key = (key << 10) | (index(state.hitch_angle / angle_cell_ * finer + 0.5) & 0x3ffU);
-  key = (key << 3) | static_cast<std::uint64_t>(lock + locks);
   return (key << 2) | static_cast<std::uint64_t>(level);
 }
 
@@ -169,7 +161,7 @@ bool RigSearch::expand(std::size_t which) {
     const std::int32_t id = side.open.back().node;
     side.open.pop_back();
     const Node node = side.nodes[static_cast<std::size_t>(id)];
-    const std::uint64_t key = key_of(node.state, lock_of(node.driven), node.level);
+    const std::uint64_t key = key_of(node.state, node.level);
     if (node.parent >= 0) {
       if (side.reached.contains(key)) continue;
       const Node& parent = side.nodes[static_cast<std::size_t>(node.parent)];
@@ -223,7 +215,7 @@ void RigSearch::add(Side& side, std::int32_t parent, Segment command) {
     command.length /= 2;
     obeyed = obeyed_to(state, driven);
   }
-  const std::uint64_t key = key_of(state, lock_of(driven), from.level);
+  const std::uint64_t key = key_of(state, from.level);
   if (side.reached.contains(key)) return;
   Driven before = from.parent < 0 ? Driven{side.rule.initial_gear} : from.driven;
   const double cost = from.cost + search::drive_cost(side.rule, obeyed.view(), before);
@@ -245,7 +237,6 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
   const Side& other = sides_[1 - which];
   const auto& [state, command, driven, cost, left, parent, is_reached, level] =
       sides_[which].nodes[static_cast<std::size_t>(id)];
-  const int lock = lock_of(driven);
   if (id > 0 && left < near_steps * fineness_.step) {
     which == 0 ? join(id, 0) : join(0, id);
     if (found_) return;
@@ -255,7 +246,7 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
       RigState beside = state;
       beside.pose.heading += heading * std::ldexp(heading_cell_, -level);
       beside.hitch_angle += angle * std::ldexp(angle_cell_, -level);
-      const auto there = other.reached.find(key_of(beside, lock, level));
+      const auto there = other.reached.find(key_of(beside, level));
       if (there == other.reached.end()) continue;
       which == 0 ? join(id, there->second) : join(there->second, id);
       if (found_) return;

@@ -95,9 +95,7 @@ class RigSearch {
   [[nodiscard]] Side side_from(const RigState& root, const RigState& target,
                                const search::Driven& before, const CostRule& rule,
                                const search::GridDistance& grid) const;
-  /// The curvature as part of a cell.
-  [[nodiscard]] int lock_of(const search::Driven& driven) const;
-  [[nodiscard]] std::uint64_t key_of(const RigState& state, int lock, int level) const;
+  [[nodiscard]] std::uint64_t key_of(const RigState& state, int level) const;
   [[nodiscard]] int level_at(const RigState& state) const;
   /// What is left to drive, about, and at least [m].
   struct ToGo {

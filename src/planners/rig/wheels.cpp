@@ -77,6 +77,10 @@ std::vector<Segment> Wheels::commands(std::span<const Segment> segments,
         last -= after.gear * taken;
         command.length += after.gear * taken;
       }
+      if (!rolls && !result.empty() && half > crumb) {
+        result.push_back({(before.curvature + segment.curvature) / 2, before.gear * half});
+        command.length += after.gear * half;
+      }
       if (rolls && segment.curvature_rate == 0.0 &&
           result.back().curvature == segment.curvature) {
         result.back().length += segment.length;
