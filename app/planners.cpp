@@ -36,6 +36,7 @@ Json json_of_planner(const Planner& planner) {
                         {"honours_threads", properties.honours_threads},
                         {"honours_target_gap", properties.honours_target_gap},
                         {"honours_steering", properties.honours_steering},
+                        {"honours_steering_of_rigs", properties.honours_steering_of_rigs},
                         {"honours_primitives", properties.honours_primitives},
                         {"honours_moving", properties.honours_moving},
                         {"anytime", properties.anytime},

@@ -27,22 +27,23 @@ namespace vandplan {
 /// What a planner honours and promises. Reports, help and comparisons read these; a name means
 /// nothing to them.
 struct PlannerProperties {
-  std::string family = {};               ///< planners that are built alike: "rrt"
-  std::string strategy = {};             ///< which node becomes a parent: "bsc", "opt"; or empty
-  std::string estimate = {};             ///< what ranks nodes: "euclid", "hlut-2", ...; or empty
-  std::string search = {};               ///< its name without the estimate; empty if it takes none
-  bool tries_goal = false;               ///< tries the goal from every new node
-  bool honours_prices = false;           ///< CostOptions; else its cost is the length
-  bool honours_time = false;             ///< CostMeasure::time
-  bool honours_threads = false;          ///< BudgetOptions::threads
-  bool honours_target_gap = false;       ///< BudgetOptions::target_gap: it proves lower bounds
-  bool honours_steering = false;         ///< PlanOptions::steering; else it is `reeds_shepp`
-  bool honours_primitives = false;       ///< PlanOptions::primitives
-  bool honours_moving = false;           ///< Task::moving: it answers speeds, too
-  bool honours_trailers = false;         ///< plans for a vehicle that pulls a trailer, too
-  bool anytime = false;                  ///< goes on improving its path for as long as it may
-  bool deterministic = true;             ///< same seed and iterations, same path
-  std::vector<std::string> groups = {};  ///< sets that it belongs to: "thesis"
+  std::string family = {};                ///< planners that are built alike: "rrt"
+  std::string strategy = {};              ///< which node becomes a parent: "bsc", "opt"; or empty
+  std::string estimate = {};              ///< what ranks nodes: "euclid", "hlut-2", ...; or empty
+  std::string search = {};                ///< its name without the estimate; empty if it takes none
+  bool tries_goal = false;                ///< tries the goal from every new node
+  bool honours_prices = false;            ///< CostOptions; else its cost is the length
+  bool honours_time = false;              ///< CostMeasure::time
+  bool honours_threads = false;           ///< BudgetOptions::threads
+  bool honours_target_gap = false;        ///< BudgetOptions::target_gap: it proves lower bounds
+  bool honours_steering = false;          ///< PlanOptions::steering; else it is `reeds_shepp`
+  bool honours_primitives = false;        ///< PlanOptions::primitives
+  bool honours_moving = false;            ///< Task::moving: it answers speeds, too
+  bool honours_trailers = false;          ///< plans for a vehicle that pulls a trailer, too
+  bool honours_steering_of_rigs = false;  ///< PlanOptions::steering with a trailer, too
+  bool anytime = false;                   ///< goes on improving its path for as long as it may
+  bool deterministic = true;              ///< same seed and iterations, same path
+  std::vector<std::string> groups = {};   ///< sets that it belongs to: "thesis"
 };
 
 /// What plans: called with a task and options that are complete and in range. It may hold state; it
@@ -107,9 +108,10 @@ struct PlanResult {
 /// of range, or that the planner does not honour (and which planners of the library do).
 [[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options);
 
-/// What is in force for a vehicle: a path for one that pulls a trailer is made of arcs and lines.
-/// Throws InputError naming "planner" when it plans for vehicles alone (and which planners of the
-/// library do not), "steering" when another one is asked for, and as `complete` without a vehicle.
+/// What is in force for a vehicle: a path for one that pulls a trailer is made of arcs and lines
+/// unless another steering is asked for. Throws InputError naming "planner" when it plans for
+/// vehicles alone, "steering" when it does so with that steering (and which planners of the library
+/// do not), and as `complete` without a vehicle.
 [[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options,
                                    const Vehicle& vehicle);
 

@@ -388,11 +388,21 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
                                     "that know trailers: " +
                                     base::joined(others));
   }
+  const Steering steering = options.steering.value_or(Steering::reeds_shepp);
+  if (steering != Steering::reeds_shepp && !planner.properties.honours_steering_of_rigs) {
+    const std::vector<std::string> others = planners_that(
+        [](const Planner& other) { return other.properties.honours_steering_of_rigs; });
+    throw InputError(std::string(steering_key),
+                     "is " + std::string(name_of(steering)) +
+                         ", expected reeds-shepp for a vehicle with a trailer, or a planner that "
+                         "steers it so: " +
+                         base::joined(others));
+  }
   if (options.cost.measure == CostMeasure::time) {
     throw InputError(std::string(cost_key),
                      "is time, expected prices for a vehicle with a trailer");
   }
-  if (!options.steering) all.steering = Steering::reeds_shepp;
+  all.steering = steering;
   return all;
 }
 

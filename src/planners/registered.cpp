@@ -35,6 +35,7 @@ Planner anytime_planner() {
                          .honours_steering = true,
                          .honours_moving = true,
                          .honours_trailers = true,
+                         .honours_steering_of_rigs = true,
                          .anytime = true},
           .options = {region_option(), anytime::min_stroke_option()},
           .function = [](const Task& task, const PlanOptions& options) {

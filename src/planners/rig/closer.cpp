@@ -104,8 +104,8 @@ Closer::Change Closer::change(const RigState& from, const Segment& segment, cons
 /// If they do not get there, its length decides how far they get.
 void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& ends) {
   columns_.assign(commands.size(), {});
-  double passed_on = 1.0;   // of a change of the hitch angle after the command
-  Vector by_wheels = {};    // how the end changes with the curvature after the command
+  double passed_on = 1.0;  // of a change of the hitch angle after the command
+  Vector by_wheels = {};   // how the end changes with the curvature after the command
   for (std::size_t i = commands.size(); i-- > 0;) {
     const Obeyed& obeyed = obeyed_[i];
     Column& column = columns_[i];
@@ -135,6 +135,7 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
     if (ends.after && i + 1 == commands.size()) {
       column.curvature_is_fixed = true;
       if (is_turning) by_wheels = sum(by_wheels, -1 / turning, at_end.stretch);
+      column.is_shortest = is_turning;
     }
   }
 }
@@ -189,10 +190,12 @@ bool Closer::step(std::span<Segment> commands, const Vector& gap) {
       const double bent = dot(column.curvature, multipliers);
       const bool is_sharp = std::abs(curvature) >= most_curvature_ && bent * curvature > 0.0;
       const bool is_gone = length == 0.0;
+      const bool is_short =
+          is_gone || (column.is_shortest && dot(column.length, multipliers) * length < 0.0);
       is_final &= column.curvature_is_fixed || !(is_sharp || is_gone);
-      is_final &= column.length_is_fixed || !is_gone;
+      is_final &= column.length_is_fixed || !is_short;
       column.curvature_is_fixed |= is_sharp || is_gone;
-      column.length_is_fixed |= is_gone;
+      column.length_is_fixed |= is_short;
     }
     if (is_final) break;
   }

@@ -38,6 +38,7 @@ class Closer {
   struct Column {
     Vector curvature = {}, length = {};
     bool curvature_is_fixed = false, length_is_fixed = false;
+    bool is_shortest = false;  // all of the length is needed to turn the wheels
   };
   /// How the end changes when a segment is bent or goes on at its end.
   struct Change {

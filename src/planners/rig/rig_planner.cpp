@@ -77,7 +77,7 @@ class Run {
   int left_ = first_share;
   Task towed_;
   Enclosure tractor_{task_}, trailer_{towed_};
-  double bound_;  // no drive costs less [m]
+  double bound_;                               // no drive costs less [m]
   std::optional<std::vector<Segment>> found_;  // commands
   std::optional<std::vector<Segment>> best_;   // what is driven
   double best_cost_ = 0.0;

@@ -169,7 +169,8 @@ bool RigShortener::step() {
     shake(window);
   }
   if (trial_.size() < 2) return false;
-  const bool is_closed = closer_.close(states_[window.first], trial_, states_[window.last], ends_of(window));
+  const bool is_closed =
+      closer_.close(states_[window.first], trial_, states_[window.last], ends_of(window));
   const bool is_better = is_closed && replace(window);
   size_ = std::clamp(size_ * (is_better ? 1.3 : 0.99), 0.02, 1.0);
   if (cost_ < progress_cost_ * (1 - progress)) {

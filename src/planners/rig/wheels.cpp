@@ -14,6 +14,18 @@ using search::Driven, search::GearSign, search::gear_of;
 
 constexpr double crumb = 1e-9;  // way that is none [m]
 
+/// Room for the first half of turning the wheels to a curvature, which takes `half` metres: it is
+/// taken from the last command, or driven farther before the gear changes.
+void turn_ahead(std::vector<Segment>& commands, double curvature, double half, GearSign next) {
+  Segment& last = commands.back();
+  const GearSign gear = gear_of(last);
+  if (gear == next) {
+    last.length -= gear * std::min(half, std::abs(last.length) / 2);
+  } else {
+    commands.push_back({(last.curvature + curvature) / 2, gear * half});
+  }
+}
+
 }  // namespace
 
 Wheels::Wheels(const Vehicle& vehicle, Steering steering)
@@ -68,25 +80,14 @@ std::vector<Segment> Wheels::commands(std::span<const Segment> segments,
   for (const Segment& segment : segments) {
     const Driven after = search::last_driven(segment);
     Segment command{after.curvature, segment.length};
-    if (!may_jump(before, after.gear)) {
-      const double half = way(before.curvature, segment.curvature) / 2;
-      const bool rolls = !result.empty() && before.gear == after.gear;
-      if (rolls && half > crumb) {
-        double& last = result.back().length;
-        const double taken = std::min(half, std::abs(last) / 2);
-        last -= after.gear * taken;
-        command.length += after.gear * taken;
-      }
-      if (!rolls && !result.empty() && half > crumb) {
-        result.push_back({(before.curvature + segment.curvature) / 2, before.gear * half});
-        command.length += after.gear * half;
-      }
-      if (rolls && segment.curvature_rate == 0.0 &&
-          result.back().curvature == segment.curvature) {
-        result.back().length += segment.length;
-        before = after;
-        continue;
-      }
+    const bool is_free = result.empty() || may_jump(before, after.gear);
+    const double half = is_free ? 0.0 : way(before.curvature, segment.curvature) / 2;
+    if (half > crumb) {
+      turn_ahead(result, segment.curvature, half, after.gear);
+      command.length += after.gear * half;
+    } else if (!is_free && before.gear == after.gear && segment.curvature_rate == 0.0) {
+      command.length += result.back().length;  // the wheels stay as they are
+      result.pop_back();
     }
     result.push_back(command);
     before = after;
