@@ -193,6 +193,24 @@ std::string kind_name(const testing::TestParamInfo<Steering>& info) {
 INSTANTIATE_TEST_SUITE_P(RigWheels, ContinuousCloser, testing::ValuesIn(continuous_kinds),
                          kind_name);
 
+// The trailer goes on folding up while the wheels turn back, and unfolds then.
+TEST(RigWheels, ACloserHoldsTheHitchAngleInsideOfAClothoid) {
+  const Vehicle vehicle = towing_vehicle();
+  const rig::Wheels wheels(vehicle, Steering::continuous);
+  rig::Closer closer(vehicle, Steering::continuous);
+  const rig::WheelEnds ends{{1, 1 / 5.9}, {}};
+  for (const double angle : {1.15, 1.198}) {
+    const RigState start{{0, 0, 0}, angle};
+    std::vector<Segment> commands = {{-1 / 5.9, 6}};
+    const std::vector<Segment> driven = wheels.driven(commands, ends.before);
+    const RigState end = end_of(vehicle, start, driven);
+    ASSERT_LT(end.hitch_angle, angle);
+    const bool is_held = largest_angle(vehicle, start, driven) <= vehicle.max_hitch_angle;
+    EXPECT_EQ(is_held, angle < 1.19);
+    EXPECT_EQ(closer.close(start, commands, end, ends), is_held);
+  }
+}
+
 // ---- Planning ----
 
 class ContinuousRigs : public testing::TestWithParam<Steering> {};
