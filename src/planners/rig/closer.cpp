@@ -12,7 +12,9 @@ namespace {
 
 constexpr int most_iterations = 15;
 constexpr double close_enough = 1e-10;  // [m, rad]
-constexpr double difference = 1e-7;     // for derivatives [rad]
+constexpr int iterations_to_get_near = 6;
+constexpr double near_enough = 0.2;
+constexpr double difference = 1e-7;  // for derivatives [rad]
 
 /// A vector turned by a quarter to the left: how a point moves when all turns about the origin.
 Point turned(double x, double y) { return {-y, x}; }
@@ -242,6 +244,8 @@ bool Closer::close(const RigState& from, std::span<Segment> commands, const RigS
     const Vector open = gap(to);
     if (largest(open) <= close_enough) return is_held();
     if (!(largest(open) < 1e3)) return false;
+    const bool is_lost = i >= iterations_to_get_near && largest(open) > near_enough * length_unit_;
+    if (is_lost && !wheels_.are_free()) return false;
     differentiate(commands, ends);
     if (!step(commands, open)) return false;
   }

@@ -230,6 +230,13 @@ void RigSearch::add(Side& side, std::int32_t parent, Segment command) {
   side.nodes.push_back({state, command, driven, cost, left, parent, false, from.level});
 }
 
+/// Whether the wheels get from what is driven on one side to what is driven on the other one on the
+/// way of a step.
+bool RigSearch::turn_in_time(const Driven& here, const Driven& there, int level) const {
+  if (there.gear == 0 || wheels_.may_jump(here, -there.gear)) return true;
+  return wheels_.way(here.curvature, there.curvature) <= std::ldexp(fineness_.step, -level);
+}
+
 /// [5] The root of the other search is near, or a state of it in the same cell or beside it: is
 /// there an exact drive by way of both?
 void RigSearch::meet(std::size_t which, std::int32_t id) {
@@ -248,6 +255,8 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
       beside.hitch_angle += angle * std::ldexp(angle_cell_, -level);
       const auto there = other.reached.find(key_of(beside, level));
       if (there == other.reached.end()) continue;
+      const Driven& met = other.nodes[static_cast<std::size_t>(there->second)].driven;
+      if (!turn_in_time(driven, met, level)) continue;
       which == 0 ? join(id, there->second) : join(there->second, id);
       if (found_) return;
     }

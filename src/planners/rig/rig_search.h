@@ -105,6 +105,8 @@ class RigSearch {
   bool expand(std::size_t which);
   void add_children(Side& side, std::int32_t parent);
   void add(Side& side, std::int32_t parent, Segment command);
+  [[nodiscard]] bool turn_in_time(const search::Driven& here, const search::Driven& there,
+                                  int level) const;
   void meet(std::size_t which, std::int32_t id);
   [[nodiscard]] std::vector<Segment> branch(const Side& side, std::int32_t id) const;
   void bridge(std::size_t which, std::int32_t id);
