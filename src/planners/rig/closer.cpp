@@ -13,7 +13,7 @@ namespace {
 constexpr int most_iterations = 15;
 constexpr double close_enough = 1e-10;  // [m, rad]
 constexpr int iterations_to_get_near = 6;
-constexpr double near_enough = 0.2;
+constexpr double near_enough = 0.2;  // then, in units of length
 constexpr double difference = 1e-7;  // for derivatives [rad]
 
 /// A vector turned by a quarter to the left: how a point moves when all turns about the origin.
