@@ -96,8 +96,8 @@ HalfAngle moved(const Generator& g, const HalfAngle& v) {
 
 /// From one angle to another that is less than half a turn away [rad].
 double change_between(const HalfAngle& from, const HalfAngle& to) {
-  return 2 * base::atan_2(to.sin * from.cos - to.cos * from.sin,
-                          to.cos * from.cos + to.sin * from.sin);
+  return 2 *
+         base::atan_2(to.sin * from.cos - to.cos * from.sin, to.cos * from.cos + to.sin * from.sin);
 }
 
 /// A clothoid in steps that are short enough for (5).

@@ -123,9 +123,8 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
     if (is_turning && !obeyed.reaches_command) {
       column.length = sum(column.length, turning, by_wheels);
     }
-    if (obeyed.turns_at_once) {
-      by_wheels = {};
-    } else if (!is_turning && obeyed.count == 1) {  // the wheels stay as they are
+    const bool is_arc = !is_turning && obeyed.count == 1;  // the wheels stay as they are
+    if (obeyed.turns_at_once || is_arc) {
       by_wheels = {};
     } else if (!is_turning) {
       by_wheels = change(states_[i], obeyed.segments[0], between_[i], passed_on).bend;
