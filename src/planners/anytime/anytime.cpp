@@ -236,7 +236,10 @@ double Run::lower_bound() const {
   // Ends that are off may save so much on the way around, too.
   const double off = rule_.is_length() ? 0.0 : 2 * steering::judged.position;
   double around = 0.0;
-  for (const Island& island : islands_) around = std::max(around, island.shortest() - off);
+  for (const Island& island : islands_) {
+    around = std::max(
+        {around, island.shortest() - off, island.shortest_turning() - open_ground_.leeway});
+  }
   if (fastest_) {
     const double length = std::max(open_ground_.shortest, around);
     const double time = planning::least_drive_time(task_.vehicle, length);
@@ -256,7 +259,12 @@ bool Run::is_good_enough() const {
 void Run::prove() {
   Island& bound = islands_[bound_island];
   std::int64_t left = best_ ? share_of(bound_island) : 0;
-  for (; left > 0 && bound.has_work() && !is_good_enough(); --left) {
+  for (; left > 0 && !is_good_enough(); --left) {
+    if (bound.may_raise()) {
+      bound.raise(1, budget_);
+      continue;
+    }
+    if (!bound.has_work()) return;
     Slice slice = bound.run(budget_.left(1, 0), &*best_, budget_, 0.0);
     if (slice.iterations == 0) return;
     merge(slice);
@@ -308,8 +316,11 @@ void Run::round() {
   std::array<Slice, island_count> slices;
   const Route* best = best_ ? &*best_ : nullptr;
   const double good = fastest_ ? 0.0 : enough();
-  parallel_for(island_count, best_ ? threads_ : 1,
-               [&](std::size_t i) { slices[i] = islands_[i].run(wanted[i], best, budget_, good); });
+  const std::int64_t steps = best_ && !target_gap_ ? share_of(bound_island) : 0;
+  parallel_for(island_count, best_ ? threads_ : 1, [&](std::size_t i) {
+    slices[i] = islands_[i].run(wanted[i], best, budget_, good);
+    if (i == bound_island) islands_[i].raise(steps, budget_);
+  });
   if (best_) ++rounds_with_route_;
   for (Slice& slice : slices) merge(slice);  // [8]
   if (fastest_ && best_) {

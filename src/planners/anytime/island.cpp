@@ -53,6 +53,7 @@ void Island::prepare() {
       break;
     case Work::bound:  // [7]
       geodesic_.emplace(task_, best_cost_);
+      flood_.emplace(task_);
       break;
   }
 }
@@ -116,6 +117,13 @@ std::optional<Route> Island::search() {
     return attempts_->route();
   }
   return std::nullopt;
+}
+
+void Island::raise(std::int64_t steps, const Budget& budget) {
+  for (std::int64_t i = 0; i < steps && may_raise(); ++i) {
+    if (i % checks_of_time == 0 && budget.is_interrupted()) return;
+    flood_is_final_ = !flood_->step(best_cost_);
+  }
 }
 
 // True when it has a route better than all it knew of.

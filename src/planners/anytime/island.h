@@ -11,6 +11,7 @@
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/sources.h"
 #include "search/geodesic.h"
+#include "search/pose_flood.h"
 
 namespace vandplan::anytime {
 
@@ -51,6 +52,14 @@ class Island {
 
   /// What no path is shorter than, as far as it has been proven here [m].
   [[nodiscard]] double shortest() const { return geodesic_ ? geodesic_->bound() : 0.0; }
+  /// The same of paths that begin and end just where they should.
+  [[nodiscard]] double shortest_turning() const { return flood_ ? flood_->bound() : 0.0; }
+
+  /// Once the way around is known: raises the bound for vehicles, which have to turn. At most so
+  /// many steps, which are no iterations.
+  void raise(std::int64_t steps, const Budget& budget);
+  /// Whether that may bring anything.
+  [[nodiscard]] bool may_raise() const { return bound_is_final_ && !flood_is_final_; }
 
   [[nodiscard]] std::int64_t solves() const;
   [[nodiscard]] std::int64_t checks() const;
@@ -78,8 +87,10 @@ class Island {
   std::optional<Attempts> attempts_;
   std::optional<Detours> detours_;
   std::optional<Geodesic> geodesic_;
+  std::optional<PoseFlood> flood_;
   bool is_prepared_ = false;
-  bool bound_is_final_ = false;
+  bool bound_is_final_ = false;  // of the geodesic
+  bool flood_is_final_ = false;
   std::optional<Shortener> candidate_;  // a route that may win yet
   Route raw_;                           // the candidate as it was found
   std::vector<Route> losers_;           // given up in this slice

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/geodesic_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace vandplan::search {
+namespace {
+
+constexpr std::size_t most_kept = 400000;
+
+std::int64_t key_of(const TautWays::RunId& run) {
+  return static_cast<std::int64_t>(run.row) << 32 | run.index;
+}
+
+/// Length of the shortest of a node's ways to a point of the run that it leads into.
+double way_by(const TautWays::Node& node, const Point& point) {
+  const double before = std::abs(node.line - node.root.y);
+  const double behind = std::abs(point.y - node.line);
+  const double share = before + behind > 0 ? before / (before + behind) : 1.0;
+  const double x = std::clamp(node.root.x + share * (point.x - node.root.x), node.interval.left,
+                              node.interval.right);
+  return node.cost + std::hypot(x - node.root.x, before) + std::hypot(point.x - x, behind);
+}
+
+}  // namespace
+
+GeodesicField::GeodesicField(OpenRows lattice, const Point& start, const Point& goal,
+                             double longest)
+    : ways_(std::move(lattice), start, goal), longest_(longest) {}
+
+// A way to a place and on to the goal is no shorter than the rank of any node on it.
+bool GeodesicField::go_on(std::int64_t work) {
+  while (ways_.work() < work) {
+    const std::optional<TautWays::Node> node = ways_.take();
+    if (!node || node->rank > longest_ || count_ > most_kept) {
+      is_given_up_ = count_ > most_kept || (!node && ways_.is_full());
+      return false;
+    }
+    if (!ways_.is_current(*node)) continue;
+    into_[key_of(node->into)].push_back(*node);
+    ++count_;
+    ways_.expand(*node);
+  }
+  return true;
+}
+
+double GeodesicField::at(const Point& point) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::optional<TautWays::RunId> run = ways_.run_at(point);
+  if (!run) return infinity;
+  double least = infinity;
+  if (*run == ways_.start_run()) {
+    least = std::hypot(point.x - ways_.start().x, point.y - ways_.start().y);
+  }
+  const auto nodes = into_.find(key_of(*run));
+  if (nodes == into_.end()) return least;
+  for (const TautWays::Node& node : nodes->second) least = std::min(least, way_by(node, point));
+  return least;
+}
+
+}  // namespace vandplan::search

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/pose_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "base/trigonometry.h"
+#include "search/geodesic.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan::search {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double slack = 1e-5;            // of lengths [m]; more than the judge's and rounding
+constexpr double angle_slack = 2e-6;      // likewise [rad]
+constexpr double curvature_slack = 1e-9;  // of the curvature, relative: what the judge allows
+constexpr double headings_of_cell = 4.0;  // that the farthest point moves by as much as a side
+constexpr double most_headings = 4096.0;
+constexpr double most_cells = 2e6;
+constexpr std::size_t most_boxes = 16'000'000;
+
+/// The body of a vehicle without all that is nearer to its border than so much, and its wheels;
+/// its rear axle is `along` ahead of the vehicle's.
+Vehicle core_of(Vehicle vehicle, double along, double across) {
+  vehicle.wheelbase -= 2 * along;
+  vehicle.width -= 2 * across;
+  if (vehicle.track_width) *vehicle.track_width -= 2 * across;
+  return vehicle;
+}
+
+bool is_within(const Bounds& bounds, const Point& point) {
+  return point.x >= bounds.x_min && point.x <= bounds.x_max && point.y >= bounds.y_min &&
+         point.y <= bounds.y_max;
+}
+
+}  // namespace
+
+PoseBoxes::PoseBoxes(const Task& task, double side, double longest)
+    : task_(task),
+      disc_(bound_disc(task.vehicle)),
+      stretch_(stretch_of(disc_, task.vehicle.min_turning_radius)),
+      side_(side),
+      longest_(longest),
+      box_(box_of_paths(task, disc_, longest)) {
+  const double near = disc_.radius + task.least_margin - side * std::sqrt(0.5) - slack;
+  const double cells = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min) / (side * side);
+  const double extent = std::max(box_.x_max - box_.x_min, box_.y_max - box_.y_min);
+  is_usable_ = near > 0 && cells < most_cells && extent < most_cells * side;
+  if (!is_usable_) return;
+
+  const Footprint body = footprint(task.vehicle);
+  const double length = std::max(body.front - disc_.ahead, body.rear + disc_.ahead);
+  const double reach = std::max(length, task.vehicle.min_turning_radius);
+  headings_ =
+      static_cast<Id>(std::ceil(std::min(most_headings, 8 + headings_of_cell * reach / side)));
+  half_turn_ = std::numbers::pi / headings_ + angle_slack;
+  const double half_diagonal = side * std::sqrt(0.5) + slack;
+  shift_ = half_diagonal + std::abs(disc_.ahead) * half_turn_;
+  const auto [sin, cos] = base::sin_cos(std::min(half_turn_, std::numbers::pi / 2));
+  const double tolerance = half_diagonal + CollisionChecker::tolerance;
+  ahead_ = tolerance + body.half_width * sin + length * (1 - cos);
+  const double across = tolerance + length * sin + body.half_width * (1 - cos);
+  const double track =
+      std::min(task.vehicle.track_width.value_or(task.vehicle.width), task.vehicle.width);
+  if (task.vehicle.outline.empty() && task.vehicle.wheelbase > 2.1 * ahead_ &&
+      track > 2.1 * across) {
+    core_ =
+        task.world->checker(core_of(task.vehicle, ahead_, across), {.wanted = task.least_margin});
+  }
+
+  const OpenRows lattice(task, box_, side, near);
+  columns_of_row_ = lattice.columns();
+  rows_ = lattice.rows();
+  const Point start = lattice.in_cells(centre_of(disc_, task.start));
+  const Point goal = lattice.in_cells(centre_of(disc_, task.goal));
+  const double longest_way = longest * stretch_ / side + 2;  // for all places of a cell
+  from_start_ = GeodesicField(lattice, start, goal, longest_way);
+  to_goal_ = GeodesicField(lattice, goal, start, longest_way);
+  index_.assign(static_cast<std::size_t>(columns_of_row_) * static_cast<std::size_t>(rows_), -1);
+}
+
+bool PoseBoxes::prepare(std::int64_t work) {
+  if (from_start_.go_on(from_start_.work() + work) || to_goal_.go_on(to_goal_.work() + work)) {
+    return false;
+  }
+  is_usable_ = !from_start_.is_given_up() && !to_goal_.is_given_up();
+  return true;
+}
+
+bool PoseBoxes::is_full() const noexcept { return least_lengths_.size() > most_boxes; }
+
+PoseBoxes::Id PoseBoxes::column_at(std::int32_t x, std::int32_t y) {
+  std::int32_t& index =
+      index_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_of_row_) +
+             static_cast<std::size_t>(x)];
+  if (index >= 0) return static_cast<Id>(index);
+  index = static_cast<std::int32_t>(columns_.size());
+  const Point middle{x + 0.5, y + 0.5};
+  const double off = side_ * std::sqrt(0.5) + slack;
+  const auto least = [&](GeodesicField& field) {
+    return std::max(0.0, field.at(middle) * side_ - off) / stretch_;
+  };
+  columns_.push_back({x, y, least(from_start_), least(to_goal_)});
+  least_lengths_.resize(columns_.size() * headings_, -1.0F);
+  return static_cast<Id>(index);
+}
+
+PoseBoxes::Id PoseBoxes::box_of(const Pose& pose) {
+  const Point centre = centre_of(disc_, pose);
+  const auto cell = [&](double place, std::int32_t count) {
+    return std::clamp(static_cast<std::int32_t>(place / side_), 0, count - 1);
+  };
+  const Id column =
+      column_at(cell(centre.x - box_.x_min, columns_of_row_), cell(centre.y - box_.y_min, rows_));
+  const double turns = pose.heading / (2 * std::numbers::pi);
+  const auto heading = static_cast<Id>(std::lround((turns - std::floor(turns)) * headings_));
+  return column * headings_ + heading % headings_;
+}
+
+std::array<PoseBoxes::Id, 6> PoseBoxes::neighbours(Id box) {
+  const Id heading = box % headings_;
+  const auto [x, y, from_start, to_goal] = columns_[box / headings_];
+  const Id first = box - heading;
+  const auto beside = [&](std::int32_t to_x, std::int32_t to_y) {
+    const bool is_there = to_x >= 0 && to_x < columns_of_row_ && to_y >= 0 && to_y < rows_;
+    return is_there ? column_at(to_x, to_y) * headings_ + heading : box;
+  };
+  return {beside(x - 1, y),
+          beside(x + 1, y),
+          beside(x, y - 1),
+          beside(x, y + 1),
+          first + (heading + 1) % headings_,
+          first + (heading + headings_ - 1) % headings_};
+}
+
+/// What no path is shorter than between an end and a pose of the box [m], on open ground.
+double PoseBoxes::turning_length(const Pose& end, const Pose& middle) const {
+  const double radius = task_.vehicle.min_turning_radius;
+  const double apart = std::hypot(middle.x - end.x, middle.y - end.y);
+  const double turn = radius * half_turn_ + slack;
+  if (apart < 2 * shift_) {
+    return radius * std::abs(wrap_angle(middle.heading - end.heading)) - turn;
+  }
+  const double length = reeds_shepp_length(end, middle, radius);
+  const double slope = std::hypot(length, 2 * radius) / (apart - shift_);
+  return length - slope * shift_ - turn;
+}
+
+/// Whether the body hits something at all poses of the box. Beyond the bounds nobody knows.
+bool PoseBoxes::is_hit(const Pose& middle) const {
+  if (!core_) return false;
+  const auto [sin, cos] = base::sin_cos(middle.heading);
+  const Pose core{middle.x + ahead_ * cos, middle.y + ahead_ * sin, middle.heading};
+  return is_within(task_.world->local().bounds, {core.x, core.y}) && !core_->is_free(core);
+}
+
+double PoseBoxes::find_least_length(const Column& column, Id heading) const {
+  if (!(column.from_start + column.to_goal <= longest_)) return infinity;
+  const double angle = wrap_angle(2 * std::numbers::pi * heading / headings_);
+  const auto [sin, cos] = base::sin_cos(angle);
+  const Pose middle{box_.x_min + (column.x + 0.5) * side_ - disc_.ahead * cos,
+                    box_.y_min + (column.y + 0.5) * side_ - disc_.ahead * sin, angle};
+  const double length =
+      (std::max(column.from_start * (1 + curvature_slack), turning_length(task_.start, middle)) +
+       std::max(column.to_goal * (1 + curvature_slack), turning_length(task_.goal, middle))) /
+      (1 + curvature_slack);
+  return length > longest_ || is_hit(middle) ? infinity : length;
+}
+
+float PoseBoxes::least_length(Id box) {
+  float& known = least_lengths_[box];
+  if (known < 0) {
+    const double length = find_least_length(columns_[box / headings_], box % headings_);
+    known = std::nextafter(static_cast<float>(length), 0.0F);
+    if (length == infinity) known = std::numeric_limits<float>::infinity();
+  }
+  return known;
+}
+
+}  // namespace vandplan::search

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How long is a path at least that passes through a box of poses?
+//
+// A box is a cell of a lattice, for the centre of a disc that the body holds, and an interval of
+// headings. It is closed if no path comes by, or none that is short enough.
+// docs/algorithms/anytime.md, "The bound", says why.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "search/geodesic_field.h"
+#include "vandplan/problem.h"
+
+namespace vandplan::search {
+
+class PoseBoxes {
+ public:
+  using Id = std::uint32_t;
+
+  /// Boxes of cells of `side` [m] around all ways up to `longest` [m]. Where `is_usable` is false
+  /// nothing is to be asked: such boxes prove nothing, or are too many.
+  PoseBoxes(const Task& task, double side, double longest);
+  PoseBoxes(const PoseBoxes&) = delete;
+  PoseBoxes& operator=(const PoseBoxes&) = delete;
+
+  [[nodiscard]] bool is_usable() const noexcept { return is_usable_; }
+  /// Measures the ways around, which it takes before anything is asked: some work. True when that
+  /// is done.
+  bool prepare(std::int64_t work);
+
+  /// The box that holds a pose of the task.
+  [[nodiscard]] Id box_of(const Pose& pose);
+  /// The six boxes that share a side with one; its own number where the lattice ends.
+  [[nodiscard]] std::array<Id, 6> neighbours(Id box);
+  /// No path through the box is shorter [m]; infinite if it is closed.
+  [[nodiscard]] float least_length(Id box);
+  /// Boxes so far have numbers below this; more come with their neighbours.
+  [[nodiscard]] std::size_t size() const noexcept { return least_lengths_.size(); }
+  [[nodiscard]] bool is_full() const noexcept;
+
+ private:
+  /// Boxes of one cell.
+  struct Column {
+    std::int32_t x, y;
+    double from_start, to_goal;  // for the disc's centre, at least [m]; infinite if it is closed
+  };
+
+  [[nodiscard]] Id column_at(std::int32_t x, std::int32_t y);
+  [[nodiscard]] double turning_length(const Pose& end, const Pose& middle) const;
+  [[nodiscard]] bool is_hit(const Pose& middle) const;
+  [[nodiscard]] double find_least_length(const Column& column, Id heading) const;
+
+  const Task& task_;
+  Disc disc_;
+  double stretch_;  // the centre goes so much further than the rear axle
+  double side_;     // of a cell [m]
+  double longest_;  // [m]
+  Bounds box_;
+  Id headings_;
+  double half_turn_ = 0.0;  // half of an interval of headings [rad]
+  double shift_ = 0.0;      // of the rear axle in a box from that of its middle, at most [m]
+  double ahead_ = 0.0;      // the core begins so far ahead of the rear axle [m]
+  std::shared_ptr<const CollisionChecker> core_;  // of what the body covers at all poses of a box
+  bool is_usable_ = false;
+  GeodesicField from_start_, to_goal_;
+  std::int32_t columns_of_row_ = 0, rows_ = 0;
+  std::vector<std::int32_t> index_;  // of the column of a cell; -1: not looked at
+  std::vector<Column> columns_;
+  std::vector<float> least_lengths_;  // below 0: not looked at
+};
+
+}  // namespace vandplan::search

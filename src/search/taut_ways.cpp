@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/taut_ways.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace vandplan::search {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double same_limit = 1e-6;  // [cells]
+constexpr int cells_per_work = 16;   // that take as long to look at as a node
+constexpr std::size_t most_nodes = 400000;
+
+double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
+
+}  // namespace
+
+TautWays::TautWays(OpenRows lattice, const Point& start, const Point& goal)
+    : lattice_(std::move(lattice)) {
+  const auto in_lattice = [&](const Point& point) {  // rounding may lead out of it
+    return Point{std::clamp(point.x, 0.0, lattice_.columns() + 0.0),
+                 std::clamp(point.y, 0.0, lattice_.rows() + 0.0)};
+  };
+  start_ = in_lattice(start);
+  goal_ = in_lattice(goal);
+  const std::optional<RunId> first = run_at(start_);
+  const std::optional<RunId> last = run_at(goal_);
+  assert(first && last);
+  if (!first || !last) return;
+  start_run_ = *first;
+  goal_run_ = *last;
+  spread(start_, 0.0, start_run_, {-1, -1});
+}
+
+std::optional<TautWays::Node> TautWays::take() {
+  if (open_.empty() || is_full()) return std::nullopt;
+  const Node node = open_.top();
+  open_.pop();
+  ++work_;
+  return node;
+}
+
+bool TautWays::is_full() const noexcept { return open_.size() > most_nodes; }
+
+bool TautWays::is_current(const Node& node) {
+  return node.cost == 0.0 || reaches(node.root, node.cost);
+}
+
+std::optional<TautWays::RunId> TautWays::run_at(const Point& point) {
+  if (!(point.x >= 0 && point.y >= 0 && point.x <= lattice_.columns() &&
+        point.y <= lattice_.rows())) {
+    return std::nullopt;
+  }
+  const std::int32_t row = std::min(static_cast<std::int32_t>(point.y), lattice_.rows() - 1);
+  const OpenRows::Row& all = runs(row);
+  const auto after =
+      std::upper_bound(all.begin(), all.end(), point.x,
+                       [](double x, const OpenRows::Run& run) { return x < run.begin; });
+  if (after == all.begin() || (after - 1)->end < point.x) return std::nullopt;
+  return RunId{row, static_cast<std::int32_t>(after - all.begin()) - 1};
+}
+
+const OpenRows::Row& TautWays::runs(std::int32_t row) {
+  if (!lattice_.is_known(row)) work_ += lattice_.columns() / cells_per_work;
+  return lattice_.row(row);
+}
+
+template <typename Visit>
+void TautWays::for_neighbours(const RunId& id, std::int32_t line, Visit visit) {
+  const OpenRows::Run run = runs(id.row)[static_cast<std::size_t>(id.index)];
+  const std::int32_t row = line > id.row ? line : line - 1;
+  if (row < 0 || row >= lattice_.rows()) return;
+  const OpenRows::Row& others = runs(row);
+  auto other = std::lower_bound(others.begin(), others.end(), run.begin,
+                                [](const OpenRows::Run& r, std::int32_t x) { return r.end < x; });
+  for (; other != others.end() && other->begin <= run.end; ++other) {
+    const Interval shared{static_cast<double>(std::max(run.begin, other->begin)),
+                          static_cast<double>(std::min(run.end, other->end)), true, true};
+    visit(shared, RunId{row, static_cast<std::int32_t>(other - others.begin())});
+  }
+}
+
+// By way of the point of the interval that is best for a goal that may be seen from it.
+double TautWays::rank(const Node& node) const {
+  const double y = node.line;
+  const bool goes_up = node.into.row == node.line;
+  const double ahead = std::abs(goal_.y - y);  // a goal behind is as far as its mirror image
+  const double behind = goes_up ? y - node.root.y : node.root.y - y;
+  const double share = behind + ahead > 0 ? behind / (behind + ahead) : 1.0;
+  const double x = std::clamp(node.root.x + share * (goal_.x - node.root.x), node.interval.left,
+                              node.interval.right);
+  return node.cost + std::hypot(x - node.root.x, behind) + std::hypot(goal_.x - x, ahead);
+}
+
+std::int64_t TautWays::key_of(const Point& corner) const noexcept {
+  return static_cast<std::int64_t>(corner.y) * (lattice_.columns() + 1) +
+         static_cast<std::int64_t>(corner.x);
+}
+
+// Whether no shorter way to the corner is known.
+bool TautWays::reaches(const Point& corner, double cost) {
+  double& least = corner_costs_.try_emplace(key_of(corner), cost).first->second;
+  if (cost > least + rounding) return false;
+  least = std::min(least, cost);
+  return true;
+}
+
+// A root on the line of the interval but outside of it: ways turn at the interval's end.
+void TautWays::push(Node node) {
+  if (node.root.y == node.line) {
+    const double x = std::clamp(node.root.x, node.interval.left, node.interval.right);
+    node.cost += std::abs(x - node.root.x);
+    if (x != node.root.x && !reaches({x, node.root.y}, node.cost)) return;
+    node.root.x = x;
+  }
+  node.rank = rank(node);
+  open_.push(node);
+}
+
+// To all that `in` touches, all of which is seen from the root.
+void TautWays::spread(const Point& root, double cost, const RunId& in, const RunId& from) {
+  for (const std::int32_t line : {in.row, in.row + 1}) {
+    for_neighbours(in, line, [&](const Interval& shared, const RunId& into) {
+      if (!(into == from)) push({root, cost, 0.0, shared, line, in, into});
+    });
+  }
+}
+
+// Across the run that a node enters, to what lies on the far line between two places.
+void TautWays::cross(const Node& node, const Point& root, double cost, double left, double right) {
+  const std::int32_t far = node.into.row == node.line ? node.line + 1 : node.line - 1;
+  for_neighbours(node.into, far, [&](Interval shared, const RunId& into) {
+    if (shared.left > right || shared.right < left) return;
+    if (shared.left < left) {
+      shared.left = left;
+      shared.turns_left = false;
+    }
+    if (shared.right > right) {
+      shared.right = right;
+      shared.turns_right = false;
+    }
+    push({root, cost, 0.0, shared, far, node.into, into});
+  });
+}
+
+// Ways that turn at the left or right end of the node's interval, and are not seen from its root:
+// beyond `limit` on the far line, or on the near line. Corners in a straight row see each other's
+// ways: all that is as far to the side but for `same_limit` is looked at once.
+void TautWays::turn(const Node& node, double limit, bool to_left) {
+  const Point root{to_left ? node.interval.left : node.interval.right,
+                   static_cast<double>(node.line)};
+  const double cost = node.cost + distance(node.root, root);
+  if (!reaches(root, cost)) return;
+  const bool goes_up = node.into.row == node.line;
+  const std::int64_t key = 4 * key_of(root) + 2 * static_cast<int>(goes_up) + to_left;
+  const auto [known, is_first] = turns_.try_emplace(key);
+  Turn& turn = known->second;
+  const bool is_covered = !is_first && cost > turn.cost - rounding &&
+                          (to_left ? limit <= turn.limit : limit >= turn.limit);
+  if (is_covered) return;
+  turn = {cost, to_left ? limit + same_limit : limit - same_limit};
+  cross(node, root, cost, to_left ? -infinity : turn.limit, to_left ? turn.limit : infinity);
+  for_neighbours(node.into, node.line, [&](const Interval& shared, const RunId& into) {
+    const bool is_beyond = to_left ? into.index < node.from.index : into.index > node.from.index;
+    if (is_beyond) push({root, cost, 0.0, shared, node.line, node.into, into});
+  });
+}
+
+void TautWays::expand(const Node& node) {
+  const double behind = std::abs(node.line - node.root.y);
+  if (behind == 0.0) {
+    spread(node.root, node.cost, node.into, node.from);
+    return;
+  }
+  const double stretch = (behind + 1.0) / behind;
+  const auto seen = [&](double x, double slack) {
+    const double there = node.root.x + (x - node.root.x) * stretch;
+    return there + slack * rounding * (1.0 + std::abs(there));
+  };
+  const double left = seen(node.interval.left, -1.0);
+  const double right = seen(node.interval.right, 1.0);
+  cross(node, node.root, node.cost, left, right);
+  if (node.interval.turns_left) turn(node, left, true);
+  if (node.interval.turns_right) turn(node, right, false);
+}
+
+}  // namespace vandplan::search

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Is the bound that knows headings true, and does it know them? Held against paths among obstacles
+// that are put as near to them as may be.
+#include "search/pose_flood.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "../support/cases.h"
+#include "../support/draws.h"
+#include "../support/grids.h"
+#include "../support/problems.h"
+#include "search/geodesic.h"
+#include "search/geodesic_field.h"
+#include "vandplan/planner.h"
+#include "vandplan/random.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan {
+namespace {
+
+using search::GeodesicField, search::OpenRows;
+
+/// What is proven after so many steps, of paths up to `longest`.
+double flood_bound(const Task& task, double longest, int steps) {
+  search::PoseFlood flood(task);
+  while (steps-- > 0 && flood.step(longest)) {
+  }
+  return flood.bound();
+}
+
+/// A few arcs and lines, back and forth.
+std::vector<Segment> shunting(double radius, Rng& rng) {
+  std::vector<Segment> segments;
+  double gear = any_sign(1, rng);
+  for (auto count = 1 + rng() % 5; count > 0; --count) {
+    const double curvature = (static_cast<double>(rng() % 3) - 1) / radius;
+    segments.push_back({curvature, gear * uniform(0.1, chance(0.5, rng) ? 2 : 1, rng) * radius});
+    if (chance(0.4, rng)) gear = -gear;
+  }
+  return segments;
+}
+
+/// The least box around the rear axle on its way.
+Bounds box_around(const Path& path) {
+  Bounds box{path.start.x, path.start.x, path.start.y, path.start.y};
+  for (const auto& [s, pose, curvature, direction] : sampled(path, 0.01)) {
+    box = {std::min(box.x_min, pose.x), std::max(box.x_max, pose.x), std::min(box.y_min, pose.y),
+           std::max(box.y_max, pose.y)};
+  }
+  return box;
+}
+
+/// Obstacles, kerbs and bounds that a path of the vehicle just passes.
+Surroundings just_beside(const Path& path, const Vehicle& vehicle, const Margin& margin, Rng& rng) {
+  const Bounds box_of_path = box_around(path);
+  const double by = chance(0.3, rng) ? 0.02 : 30;
+  Surroundings around{.bounds = {box_of_path.x_min - by, box_of_path.x_max + by,
+                                 box_of_path.y_min - by, box_of_path.y_max + by}};
+  const std::vector<PathPoint> points = sampled(path, 0.1);
+  const double reach = vehicle.wheelbase + vehicle.front_overhang + 1;
+  for (int i = 0; i < 60; ++i) {
+    const Pose& near = points[rng() % points.size()].pose;
+    const double x = near.x + uniform(-reach, reach, rng);
+    const double y = near.y + uniform(-reach, reach, rng);
+    const bool is_wall = chance(0.5, rng);
+    const Polygon polygon =
+        box(x, y, x + (is_wall ? uniform(0.01, 6, rng) : 0.05), y + uniform(0.01, 3, rng));
+    Surroundings more = around;
+    (chance(0.1, rng) ? more.kerbs : more.obstacles).push_back(polygon);
+    const CollisionChecker checker(vehicle, more, margin);
+    if (checker.is_free(path.start, path.segments)) around = std::move(more);
+  }
+  for (int i = 0; i < 5 && chance(0.2, rng); ++i) {
+    Surroundings more = around;
+    more.map = random_grid(60, 60, 0.01, rng);
+    more.map->origin = {path.start.x + uniform(-20, 0, rng), path.start.y + uniform(-20, 0, rng),
+                        uniform(-1, 1, rng)};
+    more.map->resolution = 0.4;
+    more.map->unknown_is_free = true;
+    const CollisionChecker checker(vehicle, more, margin);
+    if (checker.is_free(path.start, path.segments)) around = std::move(more);
+  }
+  return around;
+}
+
+Vehicle small_vehicle(Rng& rng) {
+  Vehicle vehicle{.wheelbase = uniform(1.5, 5, rng),
+                  .front_overhang = uniform(0.1, 1.5, rng),
+                  .rear_overhang = chance(0.2, rng) ? 0 : uniform(0.1, 2, rng),
+                  .width = uniform(0.8, 2.5, rng),
+                  .min_turning_radius = uniform(2, 8, rng)};
+  if (chance(0.2, rng)) vehicle.track_width = vehicle.width * uniform(0.5, 1, rng);
+  return vehicle;
+}
+
+/// The shortest way around, for a disc.
+double way_around(const Problem& problem) {
+  search::Geodesic geodesic(problem.task(), 1e3);
+  while (geodesic.step()) {
+  }
+  return geodesic.bound();
+}
+
+const Vehicle car{.wheelbase = 2.8,
+                  .front_overhang = 0.96,
+                  .rear_overhang = 0.93,
+                  .width = 1.94,
+                  .min_turning_radius = 5};
+
+// Parking: the disc goes straight into the slot, and open ground knows no slot.
+TEST(PoseFlood, KnowsThatAVehicleTurnsOutOfASlot) {
+  const Pose start{9, 4, 0};
+  const Pose goal{0, 0, std::numbers::pi / 2};
+  const Problem problem =
+      problem_of(start, goal, {box(-6, -2, -1.1, 2.2), box(1.1, -2, 6, 2.2), box(-20, 6, 20, 7)},
+                 {-20, 20, -20, 20}, car);
+  PlanOptions options{.cost = shortest_style};
+  options.budget.max_iterations = 20000;
+  const PlanResult result = plan(problem, options);
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  const double known = std::max(way_around(problem), reeds_shepp_length(start, goal, 5));
+  const double bound = flood_bound(problem.task(), result.cost, 3000);
+  EXPECT_GT(bound, 1.05 * known) << known << " " << bound << " " << result.cost;
+  EXPECT_LE(bound, result.cost);
+  EXPECT_GE(result.lower_bound, known) << result.cost;
+}
+
+// A box that is closed by mistake cuts every way, and then all of `longest` counts as proven.
+TEST(PoseFlood, IsBelowPathsThatJustPass) {
+  for_each_case(1, 150, [](Rng& rng) {
+    const Vehicle vehicle = small_vehicle(rng);
+    const Margin margin{.wanted = chance(0.2, rng) ? uniform(0, 0.5, rng) : 0};
+    const double turn = chance(0.3, rng) ? std::numbers::pi / 2 * static_cast<double>(rng() % 4)
+                                         : uniform(-3.2, 3.2, rng);
+    const Path path{{uniform(-9, 9, rng), uniform(-9, 9, rng), turn},
+                    shunting(vehicle.min_turning_radius, rng)};
+    const Surroundings around = just_beside(path, vehicle, margin, rng);
+    const Problem problem = problem_in(around, path.start, end_pose(path), vehicle);
+    PlanOptions options{.cost = shortest_style};
+    options.clearance.margin = margin.wanted;
+    options.budget.max_iterations = 1000;
+    const PlanResult result = plan(problem, options);
+    ASSERT_NE(result.status, PlanStatus::rejected) << result.reason;
+    double least = length(path);
+    if (result.path) least = std::min(least, result.cost);
+    Task task = problem.task();
+    task.least_margin = margin.wanted;
+    ASSERT_LE(flood_bound(task, 1.1 * least, 400), least * (1 + 1e-9))
+        << as_code(path) << " among " << as_code(around.obstacles);
+  });
+}
+
+}  // namespace
+}  // namespace vandplan
