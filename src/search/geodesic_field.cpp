@@ -31,16 +31,13 @@ double way_by(const TautWays::Node& node, const Point& point) {
 
 GeodesicField::GeodesicField(OpenRows lattice, const Point& start, const Point& goal,
                              double longest)
-    : ways_(std::move(lattice), start, goal), longest_(longest) {}
+    : ways_(std::move(lattice), start, goal, longest) {}
 
-// A way to a place and on to the goal is no shorter than the rank of any node on it.
 bool GeodesicField::go_on(std::int64_t work) {
   while (ways_.work() < work) {
     const std::optional<TautWays::Node> node = ways_.take();
-    if (!node || node->rank > longest_ || count_ > most_kept) {
-      is_given_up_ = count_ > most_kept || (!node && ways_.is_full());
-      return false;
-    }
+    is_given_up_ = ways_.is_full() || count_ > most_kept;
+    if (!node || is_given_up_) return false;
     if (!ways_.is_current(*node)) continue;
     into_[key_of(node->into)].push_back(*node);
     ++count_;
@@ -59,7 +56,10 @@ double GeodesicField::at(const Point& point) {
   }
   const auto nodes = into_.find(key_of(*run));
   if (nodes == into_.end()) return least;
-  for (const TautWays::Node& node : nodes->second) least = std::min(least, way_by(node, point));
+  for (const TautWays::Node& node : nodes->second) {
+    if (node.rank > least) break;  // they are kept in its order
+    least = std::min(least, way_by(node, point));
+  }
   return least;
 }
 

@@ -31,7 +31,6 @@ class GeodesicField {
 
  private:
   TautWays ways_;
-  double longest_ = 0.0;
   bool is_given_up_ = false;
   std::size_t count_ = 0;
   std::unordered_map<std::int64_t, std::vector<TautWays::Node>> into_;  // by run

@@ -22,6 +22,7 @@ constexpr double curvature_slack = 1e-9;  // of the curvature, relative: what th
 constexpr double headings_of_cell = 4.0;  // that the farthest point moves by as much as a side
 constexpr double most_headings = 4096.0;
 constexpr double most_cells = 2e6;
+constexpr int parts = 4;  // of a cell's side, each a cell for the ways around
 constexpr std::size_t most_boxes = 16'000'000;
 
 /// The body of a vehicle without all that is nearer to its border than so much, and its wheels;
@@ -47,7 +48,8 @@ PoseBoxes::PoseBoxes(const Task& task, double side, double longest)
       side_(side),
       longest_(longest),
       box_(box_of_paths(task, disc_, longest)) {
-  const double near = disc_.radius + task.least_margin - side * std::sqrt(0.5) - slack;
+  const double part = side / parts;
+  const double near = disc_.radius + task.least_margin - part * std::sqrt(0.5) - slack;
   const double cells = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min) / (side * side);
   const double extent = std::max(box_.x_max - box_.x_min, box_.y_max - box_.y_min);
   is_usable_ = near > 0 && cells < most_cells && extent < most_cells * side;
@@ -73,12 +75,12 @@ PoseBoxes::PoseBoxes(const Task& task, double side, double longest)
         task.world->checker(core_of(task.vehicle, ahead_, across), {.wanted = task.least_margin});
   }
 
-  const OpenRows lattice(task, box_, side, near);
-  columns_of_row_ = lattice.columns();
-  rows_ = lattice.rows();
+  const OpenRows lattice(task, box_, part, near);
+  columns_of_row_ = (lattice.columns() + parts - 1) / parts;
+  rows_ = (lattice.rows() + parts - 1) / parts;
   const Point start = lattice.in_cells(centre_of(disc_, task.start));
   const Point goal = lattice.in_cells(centre_of(disc_, task.goal));
-  const double longest_way = longest * stretch_ / side + 2;  // for all places of a cell
+  const double longest_way = longest * stretch_ / part + 2;  // for all places of a cell
   from_start_ = GeodesicField(lattice, start, goal, longest_way);
   to_goal_ = GeodesicField(lattice, goal, start, longest_way);
   index_.assign(static_cast<std::size_t>(columns_of_row_) * static_cast<std::size_t>(rows_), -1);
@@ -100,12 +102,22 @@ PoseBoxes::Id PoseBoxes::column_at(std::int32_t x, std::int32_t y) {
              static_cast<std::size_t>(x)];
   if (index >= 0) return static_cast<Id>(index);
   index = static_cast<std::int32_t>(columns_.size());
-  const Point middle{x + 0.5, y + 0.5};
-  const double off = side_ * std::sqrt(0.5) + slack;
-  const auto least = [&](GeodesicField& field) {
-    return std::max(0.0, field.at(middle) * side_ - off) / stretch_;
-  };
-  columns_.push_back({x, y, least(from_start_), least(to_goal_)});
+  Column column{x, y, infinity, infinity, infinity};
+  const double part = side_ / parts;
+  const double off = part * std::sqrt(0.5) + slack;
+  for (int i = 0; i < parts * parts; ++i) {
+    const Point middle{parts * x + i % parts + 0.5, parts * y + i / parts + 0.5};
+    const auto least = [&](GeodesicField& field) {
+      return std::max(0.0, field.at(middle) * part - off) / stretch_;
+    };
+    const double from_start = least(from_start_);
+    if (from_start == infinity) continue;
+    const double to_goal = least(to_goal_);
+    column.from_start = std::min(column.from_start, from_start);
+    column.to_goal = std::min(column.to_goal, to_goal);
+    column.in_all = std::min(column.in_all, from_start + to_goal);
+  }
+  columns_.push_back(column);
   least_lengths_.resize(columns_.size() * headings_, -1.0F);
   return static_cast<Id>(index);
 }
@@ -124,7 +136,7 @@ PoseBoxes::Id PoseBoxes::box_of(const Pose& pose) {
 
 std::array<PoseBoxes::Id, 6> PoseBoxes::neighbours(Id box) {
   const Id heading = box % headings_;
-  const auto [x, y, from_start, to_goal] = columns_[box / headings_];
+  const auto [x, y, from_start, to_goal, in_all] = columns_[box / headings_];
   const Id first = box - heading;
   const auto beside = [&](std::int32_t to_x, std::int32_t to_y) {
     const bool is_there = to_x >= 0 && to_x < columns_of_row_ && to_y >= 0 && to_y < rows_;
@@ -148,7 +160,7 @@ double PoseBoxes::turning_length(const Pose& end, const Pose& middle) const {
   }
   const double length = reeds_shepp_length(end, middle, radius);
   const double slope = std::hypot(length, 2 * radius) / (apart - shift_);
-  return length - slope * shift_ - turn;
+  return (length - slope * shift_ - turn) * (1 - curvature_slack);
 }
 
 /// Whether the body hits something at all poses of the box. Beyond the bounds nobody knows.
@@ -160,7 +172,7 @@ bool PoseBoxes::is_hit(const Pose& middle) const {
 }
 
 double PoseBoxes::find_least_length(const Column& column, Id heading) const {
-  if (!(column.from_start + column.to_goal <= longest_)) return infinity;
+  if (!(column.in_all <= longest_)) return infinity;
   const double angle = wrap_angle(2 * std::numbers::pi * heading / headings_);
   const auto [sin, cos] = base::sin_cos(angle);
   const Pose middle{box_.x_min + (column.x + 0.5) * side_ - disc_.ahead * cos,

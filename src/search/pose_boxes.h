@@ -47,6 +47,7 @@ class PoseBoxes {
   struct Column {
     std::int32_t x, y;
     double from_start, to_goal;  // for the disc's centre, at least [m]; infinite if it is closed
+    double in_all;               // of both, at least
   };
 
   [[nodiscard]] Id column_at(std::int32_t x, std::int32_t y);

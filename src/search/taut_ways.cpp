@@ -12,16 +12,22 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double same_limit = 1e-6;  // [cells]
-constexpr int cells_per_work = 16;   // that take as long to look at as a node
+constexpr int cells_per_work = 16;  // that take as long to look at as a node
 constexpr std::size_t most_nodes = 400000;
 
 double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
+double way_to_interval(const TautWays::Node& node) {
+  const auto& [left, right, turns_left, turns_right] = node.interval;
+  const Point nearest{std::clamp(node.root.x, left, right), static_cast<double>(node.line)};
+  return node.cost + distance(node.root, nearest);
+}
+
 }  // namespace
 
-TautWays::TautWays(OpenRows lattice, const Point& start, const Point& goal)
-    : lattice_(std::move(lattice)) {
+TautWays::TautWays(OpenRows lattice, const Point& start, const Point& goal,
+                   std::optional<double> longest)
+    : lattice_(std::move(lattice)), longest_(longest) {
   const auto in_lattice = [&](const Point& point) {  // rounding may lead out of it
     return Point{std::clamp(point.x, 0.0, lattice_.columns() + 0.0),
                  std::clamp(point.y, 0.0, lattice_.rows() + 0.0)};
@@ -86,7 +92,7 @@ void TautWays::for_neighbours(const RunId& id, std::int32_t line, Visit visit) {
 }
 
 // By way of the point of the interval that is best for a goal that may be seen from it.
-double TautWays::rank(const Node& node) const {
+double TautWays::way_to_goal(const Node& node) const {
   const double y = node.line;
   const bool goes_up = node.into.row == node.line;
   const double ahead = std::abs(goal_.y - y);  // a goal behind is as far as its mirror image
@@ -118,7 +124,9 @@ void TautWays::push(Node node) {
     if (x != node.root.x && !reaches({x, node.root.y}, node.cost)) return;
     node.root.x = x;
   }
-  node.rank = rank(node);
+  const double way = way_to_goal(node);
+  if (longest_ && way > *longest_) return;
+  node.rank = longest_ ? way_to_interval(node) : way;
   open_.push(node);
 }
 
@@ -149,22 +157,19 @@ void TautWays::cross(const Node& node, const Point& root, double cost, double le
 }
 
 // Ways that turn at the left or right end of the node's interval, and are not seen from its root:
-// beyond `limit` on the far line, or on the near line. Corners in a straight row see each other's
-// ways: all that is as far to the side but for `same_limit` is looked at once.
+// beyond `limit` on the far line, or on the near line. One of equally short ways to a corner is
+// enough: what only another one turns to is seen by the first, and nearer that way.
 void TautWays::turn(const Node& node, double limit, bool to_left) {
   const Point root{to_left ? node.interval.left : node.interval.right,
                    static_cast<double>(node.line)};
   const double cost = node.cost + distance(node.root, root);
   if (!reaches(root, cost)) return;
   const bool goes_up = node.into.row == node.line;
-  const std::int64_t key = 4 * key_of(root) + 2 * static_cast<int>(goes_up) + to_left;
-  const auto [known, is_first] = turns_.try_emplace(key);
-  Turn& turn = known->second;
-  const bool is_covered = !is_first && cost > turn.cost - rounding &&
-                          (to_left ? limit <= turn.limit : limit >= turn.limit);
-  if (is_covered) return;
-  turn = {cost, to_left ? limit + same_limit : limit - same_limit};
-  cross(node, root, cost, to_left ? -infinity : turn.limit, to_left ? turn.limit : infinity);
+  const std::int64_t key = 4 * key_of(root) + (goes_up ? 2 : 0) + (to_left ? 1 : 0);
+  const auto [turned, is_first] = turn_costs_.try_emplace(key, cost);
+  if (!is_first && cost > turned->second - rounding) return;
+  turned->second = cost;
+  cross(node, root, cost, to_left ? -infinity : limit, to_left ? limit : infinity);
   for_neighbours(node.into, node.line, [&](const Interval& shared, const RunId& into) {
     const bool is_beyond = to_left ? into.index < node.from.index : into.index > node.from.index;
     if (is_beyond) push({root, cost, 0.0, shared, node.line, node.into, into});

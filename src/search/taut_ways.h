@@ -36,7 +36,7 @@ class TautWays {
   struct Node {
     Point root;
     double cost;  // of the way to the root
-    double rank;  // what any way through here to the goal costs at least
+    double rank;  // what any way through here costs at least, to the goal or to the interval
     Interval interval;
     std::int32_t line;
     RunId from, into;
@@ -45,8 +45,11 @@ class TautWays {
   static constexpr double rounding = 1e-9;
 
   TautWays() = default;
-  /// Both points, in cells from the corner of the lattice, are in open cells.
-  TautWays(OpenRows lattice, const Point& start, const Point& goal);
+  /// Both points, in cells from the corner of the lattice, are in open cells. Without `longest`
+  /// ways lead to the goal, best first; else to all places that lie on ways to the goal which are
+  /// no longer, the nearest place first.
+  TautWays(OpenRows lattice, const Point& start, const Point& goal,
+           std::optional<double> longest = {});
 
   [[nodiscard]] OpenRows& lattice() noexcept { return lattice_; }
   [[nodiscard]] const RunId& start_run() const noexcept { return start_run_; }
@@ -72,13 +75,8 @@ class TautWays {
   struct IsWorse {
     bool operator()(const Node& a, const Node& b) const { return a.rank > b.rank; }
   };
-  /// How far to the side ways turn at a corner, and what they cost up to there.
-  struct Turn {
-    double cost, limit;
-  };
-
   [[nodiscard]] const OpenRows::Row& runs(std::int32_t row);
-  [[nodiscard]] double rank(const Node& node) const;
+  [[nodiscard]] double way_to_goal(const Node& node) const;
   [[nodiscard]] std::int64_t key_of(const Point& corner) const noexcept;
   void push(Node node);
   void cross(const Node& node, const Point& root, double cost, double left, double right);
@@ -93,9 +91,10 @@ class TautWays {
   OpenRows lattice_;
   Point start_, goal_;
   RunId start_run_{}, goal_run_{};
+  std::optional<double> longest_;  // none: only the goal counts
   std::priority_queue<Node, std::vector<Node>, IsWorse> open_;
   std::unordered_map<std::int64_t, double> corner_costs_;  // least cost of a way to a corner
-  std::unordered_map<std::int64_t, Turn> turns_;           // by corner, row entered and side
+  std::unordered_map<std::int64_t, double> turn_costs_;    // by corner, row entered and side
   std::int64_t work_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <limits>
 #include <span>
 
 #include "base/parallel.h"
@@ -76,6 +77,9 @@ static_assert(plans[bound_island].work == Work::bound);
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
 
+constexpr double a_good_deal = 0.999;      // of the cost
+constexpr std::int64_t settled_steps = 4;  // of the bound, for one before
+
 constexpr std::int64_t quickening = 192;  // trials of a round
 constexpr double no_time = 1e-12;         // relative
 constexpr double no_gain = 1e-6;          // of a whole drive, relative: ends may be off by as much
@@ -112,6 +116,7 @@ class Run {
   [[nodiscard]] double lower_bound() const;
   [[nodiscard]] double enough() const;
   void prove();
+  [[nodiscard]] std::int64_t raising_steps() const;
   void quicken();
   void offer_to_fastest();
   [[nodiscard]] double cost_of_drive(std::span<const Segment> segments,
@@ -132,8 +137,10 @@ class Run {
   int looks_ = 0;  // for walls
   OpenGround open_ground_;
   std::optional<Route> best_;
-  std::optional<Fastest> fastest_;  // where time is a part of the cost
-  std::vector<Segment> segments_;   // of the best route, in the end
+  double noted_cost_ = std::numeric_limits<double>::infinity();  // of the best route,
+  std::int64_t noted_at_ = 0;                                    // when it last fell a good deal
+  std::optional<Fastest> fastest_;                               // where time is a part of the cost
+  std::vector<Segment> segments_;                                // of the best route, in the end
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0;
   std::int64_t rounds_with_route_ = 0;
@@ -271,6 +278,13 @@ void Run::prove() {
   }
 }
 
+// Once the best route hardly gets cheaper, proving how good it is gets more of the time.
+std::int64_t Run::raising_steps() const {
+  if (!best_ || target_gap_) return 0;
+  const bool is_settled = budget_.iterations() > 2 * noted_at_;
+  return share_of(bound_island) * (is_settled ? settled_steps : 1);
+}
+
 std::int64_t Run::share_of(std::size_t island) const {
   const Plan& plan = is_far_ ? far_plans[island] : plans[island];
   if (!best_) return rounds_ < plan.first_round ? 0 : plan.before;
@@ -298,6 +312,10 @@ void Run::merge(Slice& slice) {
   }
   budget_.spend(slice.iterations);
   if (slice.route && (!best_ || slice.route->cost < best_->cost)) best_ = std::move(slice.route);
+  if (best_ && best_->cost < a_good_deal * noted_cost_) {
+    noted_cost_ = best_->cost;
+    noted_at_ = budget_.iterations();
+  }
 }
 
 // Every island works on its own, told only the best route so far; what they bring is merged in a
@@ -316,7 +334,7 @@ void Run::round() {
   std::array<Slice, island_count> slices;
   const Route* best = best_ ? &*best_ : nullptr;
   const double good = fastest_ ? 0.0 : enough();
-  const std::int64_t steps = best_ && !target_gap_ ? share_of(bound_island) : 0;
+  const std::int64_t steps = raising_steps();
   parallel_for(island_count, best_ ? threads_ : 1, [&](std::size_t i) {
     slices[i] = islands_[i].run(wanted[i], best, budget_, good);
     if (i == bound_island) islands_[i].raise(steps, budget_);
