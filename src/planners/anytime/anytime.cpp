@@ -71,7 +71,8 @@ struct GapPlan {
 
 constexpr std::array<GapPlan, island_count> gap_plans = {
     {{1, 48}, {6, 48}, {6, 16}, {0, 48}, {0, 1}, {6, 48}}};
-constexpr std::size_t bound_island = 4;  // works before each round then
+constexpr std::int64_t first_raise = 24;  // as `first_round`: boxes take long to make
+constexpr std::size_t bound_island = 4;   // works before each round then
 static_assert(plans[bound_island].work == Work::bound);
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
@@ -268,6 +269,7 @@ void Run::prove() {
   std::int64_t left = best_ ? share_of(bound_island) : 0;
   for (; left > 0 && !is_good_enough(); --left) {
     if (bound.may_raise()) {
+      if (rounds_with_route_ < first_raise) return;
       bound.raise(1, budget_);
       continue;
     }
