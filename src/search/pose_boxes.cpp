@@ -106,7 +106,9 @@ PoseBoxes::Id PoseBoxes::column_at(std::int32_t x, std::int32_t y) {
   const double part = side_ / parts;
   const double off = part * std::sqrt(0.5) + slack;
   for (int i = 0; i < parts * parts; ++i) {
-    const Point middle{parts * x + i % parts + 0.5, parts * y + i / parts + 0.5};
+    const std::int32_t part_x = parts * x + i % parts;
+    const std::int32_t part_y = parts * y + i / parts;
+    const Point middle{part_x + 0.5, part_y + 0.5};
     const auto least = [&](GeodesicField& field) {
       return std::max(0.0, field.at(middle) * part - off) / stretch_;
     };

@@ -13,6 +13,8 @@
 
 #include "../support/cases.h"
 #include "../support/problems.h"
+#include "search/geodesic_field.h"
+#include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
@@ -239,6 +241,72 @@ TEST(Geodesic, LeavesOutPathsThatAreTooLong) {
   EXPECT_GT(bound_of(problem), 200.0);
   EXPECT_GT(bound_of(problem, 250.0), 200.0);
   EXPECT_LE(bound_of(problem, 120.0), 120.0);
+}
+
+/// Length of the shortest way through open cells, all in cells.
+double shortest_way(const search::OpenRows& lattice, const Point& from, const Point& to) {
+  search::TautWays ways(lattice, from, to);
+  if (ways.start_run() == ways.goal_run()) return std::hypot(to.x - from.x, to.y - from.y);
+  while (const auto node = ways.take()) {
+    if (node->into == ways.goal_run()) return node->rank;
+    if (ways.is_current(*node)) ways.expand(*node);
+  }
+  return infinity;
+}
+
+Point point_in_open_cell(search::OpenRows& lattice, double extent, Rng& rng) {
+  for (;;) {
+    const Point p{uniform(0, extent, rng), uniform(0, extent, rng)};
+    const search::OpenRows::Row& row = lattice.row(static_cast<std::int32_t>(p.y));
+    const auto holds = [&](const auto& run) { return p.x > run.begin && p.x < run.end; };
+    if (std::any_of(row.begin(), row.end(), holds)) return p;
+  }
+}
+
+TEST(GeodesicField, TellsTheLengthOfTheShortestWayToEveryPlaceOnShortEnoughOnes) {
+  for_each_case(5, 60, [](Rng& rng) {
+    std::vector<Polygon> boxes;
+    for (int i = 0; i < 8; ++i) {
+      const double x = uniform(0, 30, rng);
+      const double y = uniform(0, 30, rng);
+      boxes.push_back(box(x, y, x + uniform(0.1, 5, rng), y + uniform(0.1, 12, rng)));
+    }
+    const Problem problem = problem_of({}, {1, 1, 0}, boxes);
+    const double side = uniform(0.2, 0.8, rng);
+    search::OpenRows lattice(problem.task(), {-5, 35, -5, 35}, side, disc - side);
+    const auto open_point = [&] { return point_in_open_cell(lattice, 40 / side, rng); };
+    const Point start = open_point();
+    const Point goal = open_point();
+    const double longest = 1.3 * shortest_way(lattice, start, goal);
+    if (longest == infinity) return;
+    search::GeodesicField field(lattice, start, goal, longest);
+    while (field.go_on(field.work() + 1000)) {
+    }
+    ASSERT_FALSE(field.is_given_up());
+    for (int i = 0; i < 20; ++i) {
+      const Point p = open_point();
+      const double length = shortest_way(lattice, start, p);
+      EXPECT_GE(field.at(p), length - 1e-6);
+      if (length + shortest_way(lattice, p, goal) <= longest) {
+        EXPECT_NEAR(field.at(p), length, 1e-6) << as_code(boxes);
+      }
+    }
+  });
+}
+
+// Each corner of the straight wall sees the ways of all before: once they doubled at each of them.
+TEST(GeodesicField, TakesLittleAlongWallsWithManyCornersInARow) {
+  const Problem problem = problem_of(
+      {0, 10, 0}, {0, -16, 0}, {box(-11, -30, -9, 30), box(9, -30, 11, 30), box(-9, -1, 9, 1)});
+  const double side = 0.08;
+  const search::OpenRows lattice(problem.task(), {-60, 60, -60, 60}, side, disc - side);
+  const Point start = lattice.in_cells({0, 10});
+  const Point goal = lattice.in_cells({0, -16});
+  search::GeodesicField field(lattice, start, goal, 116 / side);
+  while (field.go_on(field.work() + 1000)) {
+  }
+  EXPECT_FALSE(field.is_given_up());
+  EXPECT_LT(field.work(), 300000);
 }
 
 }  // namespace

@@ -130,6 +130,37 @@ TEST(PoseFlood, KnowsThatAVehicleTurnsOutOfASlot) {
   EXPECT_GE(result.lower_bound, known) << result.cost;
 }
 
+// On open ground it is known what every pose of a box needs.
+TEST(PoseBoxes, NeedNoLongerPathThanTheOneByAnyOfTheirPoses) {
+  for_each_case(2, 200, [](Rng& rng) {
+    Vehicle vehicle = small_vehicle(rng);
+    vehicle.min_turning_radius = any_size(0.5, 50, rng);
+    const double radius = vehicle.min_turning_radius;
+    const Bounds field{-3 * radius, 3 * radius, -3 * radius, 3 * radius};
+    const Pose start = uniform_pose(field, rng);
+    const Pose goal = uniform_pose(field, rng);
+    const Problem problem = problem_of(start, goal, {}, {-999, 999, -999, 999}, vehicle);
+    const double longest = 1.5 * reeds_shepp_length(start, goal, radius);
+    search::PoseBoxes boxes(problem.task(), any_size(0.02, 0.3, rng) * vehicle.width, longest);
+    if (!boxes.is_usable()) return;
+    while (!boxes.prepare(1000)) {
+    }
+    for (int i = 0; i < 200; ++i) {
+      Pose by = uniform_pose(field, rng);
+      if (chance(0.3, rng)) {  // near an end, where lengths are steep
+        const double near = any_size(0.01, 1, rng) * radius;
+        by = {start.x + uniform(-near, near, rng), start.y + uniform(-near, near, rng),
+              start.heading + uniform(-near, near, rng) / radius};
+      }
+      const double length =
+          reeds_shepp_length(start, by, radius) + reeds_shepp_length(by, goal, radius);
+      if (length > longest) continue;
+      EXPECT_LE(static_cast<double>(boxes.least_length(boxes.box_of(by))), length)
+          << as_code(start) << " to " << as_code(goal) << " by " << as_code(by);
+    }
+  });
+}
+
 // A box that is closed by mistake cuts every way, and then all of `longest` counts as proven.
 TEST(PoseFlood, IsBelowPathsThatJustPass) {
   for_each_case(1, 150, [](Rng& rng) {

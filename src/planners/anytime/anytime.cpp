@@ -280,10 +280,11 @@ void Run::prove() {
   }
 }
 
-// Once the best route hardly gets cheaper, proving how good it is gets more of the time.
+// Once the shortest route hardly gets shorter, proving how good it is gets more of the time. Under
+// prices looking for other kinds of path is worth more.
 std::int64_t Run::raising_steps() const {
   if (!best_ || target_gap_) return 0;
-  const bool is_settled = budget_.iterations() > 2 * noted_at_;
+  const bool is_settled = rule_.is_length() && budget_.iterations() > 2 * noted_at_;
   return share_of(bound_island) * (is_settled ? settled_steps : 1);
 }
 
