@@ -120,14 +120,14 @@ TEST(PoseFlood, KnowsThatAVehicleTurnsOutOfASlot) {
       problem_of(start, goal, {box(-6, -2, -1.1, 2.2), box(1.1, -2, 6, 2.2), box(-20, 6, 20, 7)},
                  {-20, 20, -20, 20}, car);
   PlanOptions options{.cost = shortest_style};
-  options.budget.max_iterations = 20000;
+  options.budget.max_iterations = 100000;
   const PlanResult result = plan(problem, options);
   ASSERT_EQ(result.status, PlanStatus::solved);
   const double known = std::max(way_around(problem), reeds_shepp_length(start, goal, 5));
   const double bound = flood_bound(problem.task(), result.cost, 3000);
   EXPECT_GT(bound, 1.05 * known) << known << " " << bound << " " << result.cost;
   EXPECT_LE(bound, result.cost);
-  EXPECT_GE(result.lower_bound, known) << result.cost;
+  EXPECT_GT(result.lower_bound, 1.05 * known);
 }
 
 // On open ground it is known what every pose of a box needs.

@@ -78,8 +78,9 @@ static_assert(plans[bound_island].work == Work::bound);
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
 
-constexpr double a_good_deal = 0.999;      // of the cost
-constexpr std::int64_t settled_steps = 4;  // of the bound, for one before
+constexpr double a_good_deal = 0.999;                   // of the cost
+constexpr std::int64_t settled_steps = 4;               // of the bound, for one before
+constexpr std::int64_t settled_steps_with_prices = 16;  // rounds take longer then
 
 constexpr std::int64_t quickening = 192;  // trials of a round
 constexpr double no_time = 1e-12;         // relative
@@ -280,12 +281,12 @@ void Run::prove() {
   }
 }
 
-// Once the shortest route hardly gets shorter, proving how good it is gets more of the time. Under
-// prices looking for other kinds of path is worth more.
+// Once the best route hardly gets cheaper, proving how good it is gets more of the time.
 std::int64_t Run::raising_steps() const {
   if (!best_ || target_gap_) return 0;
-  const bool is_settled = rule_.is_length() && budget_.iterations() > 2 * noted_at_;
-  return share_of(bound_island) * (is_settled ? settled_steps : 1);
+  const bool is_settled = budget_.iterations() > 2 * noted_at_;
+  const std::int64_t settled = rule_.is_length() ? settled_steps : settled_steps_with_prices;
+  return share_of(bound_island) * (is_settled ? settled : 1);
 }
 
 std::int64_t Run::share_of(std::size_t island) const {
