@@ -246,8 +246,8 @@ double Run::lower_bound() const {
   const double off = rule_.is_length() ? 0.0 : 2 * steering::judged.position;
   double around = 0.0;
   for (const Island& island : islands_) {
-    around = std::max(
-        {around, island.shortest() - off, island.shortest_turning() - open_ground_.leeway});
+    around = std::max(around, island.shortest() - off);
+    around = std::max(around, island.shortest_turning() - open_ground_.leeway);
   }
   if (fastest_) {
     const double length = std::max(open_ground_.shortest, around);
@@ -269,12 +269,11 @@ void Run::prove() {
   Island& bound = islands_[bound_island];
   std::int64_t left = best_ ? share_of(bound_island) : 0;
   for (; left > 0 && !is_good_enough(); --left) {
-    if (bound.may_raise()) {
-      if (rounds_with_route_ < first_raise) return;
+    if (!bound.has_work()) {
+      if (rounds_with_route_ < first_raise || !bound.may_raise()) return;
       bound.raise(1, budget_);
       continue;
     }
-    if (!bound.has_work()) return;
     Slice slice = bound.run(budget_.left(1, 0), &*best_, budget_, 0.0);
     if (slice.iterations == 0) return;
     merge(slice);
@@ -285,6 +284,7 @@ void Run::prove() {
 std::int64_t Run::raising_steps() const {
   if (!best_ || target_gap_) return 0;
   const bool is_settled = budget_.iterations() > 2 * noted_at_;
+  if (!is_settled && islands_[bound_island].has_work()) return 0;  // the way around comes first
   const std::int64_t settled = rule_.is_length() ? settled_steps : settled_steps_with_prices;
   return share_of(bound_island) * (is_settled ? settled : 1);
 }

@@ -55,11 +55,11 @@ class Island {
   /// The same of paths that begin and end just where they should.
   [[nodiscard]] double shortest_turning() const { return flood_ ? flood_->bound() : 0.0; }
 
-  /// Once the way around is known: raises the bound for vehicles, which have to turn. At most so
-  /// many steps, which are no iterations.
+  /// Raises the bound for vehicles, which have to turn. At most so many steps, which are no
+  /// iterations.
   void raise(std::int64_t steps, const Budget& budget);
   /// Whether that may bring anything.
-  [[nodiscard]] bool may_raise() const { return bound_is_final_ && !flood_is_final_; }
+  [[nodiscard]] bool may_raise() const { return flood_ && !flood_is_final_; }
 
   [[nodiscard]] std::int64_t solves() const;
   [[nodiscard]] std::int64_t checks() const;
