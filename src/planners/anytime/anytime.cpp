@@ -79,6 +79,7 @@ static_assert(plans[bound_island].work == Work::bound);
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
 
 constexpr double a_good_deal = 0.999;                   // of the cost
+constexpr std::int64_t unsettled = 4000;                // iterations
 constexpr std::int64_t settled_steps = 4;               // of the bound, for one before
 constexpr std::int64_t settled_steps_with_prices = 16;  // rounds take longer then
 
@@ -283,7 +284,7 @@ void Run::prove() {
 // Once the best route hardly gets cheaper, proving how good it is gets more of the time.
 std::int64_t Run::raising_steps() const {
   if (!best_ || target_gap_) return 0;
-  const bool is_settled = budget_.iterations() > 2 * noted_at_;
+  const bool is_settled = budget_.iterations() > 2 * noted_at_ + unsettled;
   if (!is_settled && islands_[bound_island].has_work()) return 0;  // the way around comes first
   const std::int64_t settled = rule_.is_length() ? settled_steps : settled_steps_with_prices;
   return share_of(bound_island) * (is_settled ? settled : 1);
