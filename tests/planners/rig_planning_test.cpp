@@ -32,17 +32,7 @@ Vehicle semitrailer() {
   return vehicle;
 }
 
-/// A dock between two parked trailers, from a yard of 40 m: the rig has to reverse.
-Scenario dock() {
-  return {.name = "dock",
-          .vehicle = semitrailer(),
-          .bounds = {-40, 40, -2, 45},
-          .start = {-20, 30, 0},
-          .goal = {0, 13, pi / 2},
-          .obstacles = {{{-40, 0}, {40, 0}, {40, 1}, {-40, 1}},
-                        {{-5, 1}, {-2.4, 1}, {-2.4, 14}, {-5, 14}},
-                        {{2.4, 1}, {5, 1}, {5, 14}, {2.4, 14}}}};
-}
+Scenario dock() { return dock_for(semitrailer()); }
 
 PlanOptions with_iterations(int iterations, std::uint64_t seed = 1) {
   PlanOptions options;

@@ -240,17 +240,8 @@ void expect_drive(const Problem& problem, const PlanResult& result, Steering ste
   EXPECT_NEAR(end.hitch_angle, problem.hitch_angles().goal, 1e-9);
 }
 
-// A dock between two parked trailers: the rig has to reverse.
 TEST_P(ContinuousRigs, BackIntoADock) {
-  const Scenario dock{.name = "dock",
-                      .vehicle = towing_vehicle(),
-                      .bounds = {-40, 40, -2, 45},
-                      .start = {-20, 30, 0},
-                      .goal = {0, 13, pi / 2},
-                      .obstacles = {{{-40, 0}, {40, 0}, {40, 1}, {-40, 1}},
-                                    {{-5, 1}, {-2.4, 1}, {-2.4, 14}, {-5, 14}},
-                                    {{2.4, 1}, {5, 1}, {5, 14}, {2.4, 14}}}};
-  const Problem problem = make_problem(dock);
+  const Problem problem = make_problem(dock_for(towing_vehicle()));
   PlanOptions options = steered(GetParam(), cases(2000));
   const PlanResult result = plan(problem, options);
   expect_drive(problem, result, GetParam());

@@ -145,7 +145,8 @@ TEST(WarmStart, IsNeverRejectedWhateverHasChanged) {
     shared.budget.threads = 5;
     EXPECT_EQ(plan(now, warm_started(*old.path), shared).path, result.path);
   });
-  EXPECT_GT(known_ones, 0);
+  if (is_sanitized) return;  // a few say nothing
+  EXPECT_GT(known_ones, 75);
   EXPECT_GT(2 * solved, known_ones);
 }
 

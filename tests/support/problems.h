@@ -47,6 +47,16 @@ inline Polygon box(double x_min, double y_min, double x_max, double y_max) {
   return {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}};
 }
 
+/// A dock between two parked trailers, from a yard of 40 m: a rig has to reverse.
+inline Scenario dock_for(const Vehicle& rig) {
+  return {.name = "dock",
+          .vehicle = rig,
+          .bounds = {-40, 40, -2, 45},
+          .start = {-20, 30, 0},
+          .goal = {0, 13, 1.5707963267948966},
+          .obstacles = {box(-40, 0, 40, 1), box(-5, 1, -2.4, 14), box(2.4, 1, 5, 14)}};
+}
+
 /// The same scenario somewhere else. With whole metres the text of its coordinates keeps its
 /// decimals, as long as they are few enough.
 inline Scenario moved_by(Scenario scenario, double dx, double dy) {
