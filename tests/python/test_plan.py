@@ -258,5 +258,7 @@ def test_a_vehicle_may_pull_a_trailer():
     scenario = vp.read_scenario(REPOSITORY / "scenarios/trailer/dock.yaml")
     result = vp.plan(scenario, max_iterations=20000, seed=3)
     assert result.status == "solved"
+    smooth = vp.plan(scenario, max_iterations=2000, steering="continuous")
+    assert vp.check(scenario, smooth) and smooth.options["steering"] == "continuous"
     with pytest.raises(vp.InputError, match="steering: is continuous"):
-        vp.plan(scenario, max_iterations=10, steering="continuous")
+        vp.plan(scenario, "rrt-bsc-euc", max_iterations=10, steering="continuous")
