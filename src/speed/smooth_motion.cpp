@@ -238,7 +238,8 @@ class Judge {
     // A slower drive is furthest above a cap elsewhere.
     constexpr int most = 30;
     for (int i = 0; i < most; ++i) {
-      const double share = std::ranges::max(shares_if_slowed(drive, slowness));
+      const std::vector<double> shares = shares_if_slowed(drive, slowness);
+      const double share = *std::ranges::max_element(shares);
       if (share <= 1.0) return slowness;
       slowness *= std::sqrt(share) * (1 + 1e-12);
     }

@@ -66,7 +66,8 @@ TEST(ContinuousLaw, PartsThatVanishAreLeftOut) {
     const Pose from{0, 0, 0};
     const Pose to = uniform_pose({-20, 20, -20, 20}, rng);
     Pose place = from;
-    for (const Segment& segment : steering.steer(from, to).view()) {
+    const Piece whole = steering.steer(from, to);
+    for (const Segment& segment : whole.view()) {
       place = advance(place, segment);
       if (std::abs(curvature_at(segment, std::abs(segment.length))) > 1e-9) continue;
       look_at(steering.steer(from, place));
