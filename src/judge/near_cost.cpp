@@ -13,6 +13,7 @@ constexpr double looks = 64;           // for each `clearance_distance`, at most
 constexpr double fewest_looks = 8;     // where something counts
 constexpr double agreement = 1e-4;     // of two rules, of the cost of a metre
 constexpr double most_looks = 1e6;     // for a path
+constexpr double least_looks = 256;    // so that what two rules overlook is little of it
 constexpr double usual_swing = 3;      // corners that move faster than the axle need more looks
 constexpr Real most_at_once = 1000.0;  // metres that one look may show to be far from everything
 
@@ -96,8 +97,10 @@ double near_cost(std::span<const Body> bodies, const CostOptions& rule) {
     const Stretch& stretch = track.stretches[i];
     double swing = 0;
     for (const Body& body : bodies) swing = std::max(swing, speed_of(body, stretch));
-    const Real step = std::max<Real>(distance / looks / std::max(1.0, swing / usual_swing),
-                                     track.length / most_looks);
+    const Real usual = distance / looks / std::max(1.0, swing / usual_swing);
+    const Real step =
+        std::max<Real>(std::min<Real>(usual, track.length / least_looks * fewest_looks / looks),
+                       track.length / most_looks);
     Integral integral(bodies, rule, swing, step);
     const Real weight = stretch.direction > 0 ? 1.0 : rule.reverse_weight;
     sum += weight * integral.over(i, 0, stretch.length);

@@ -21,6 +21,8 @@ constexpr double most_looks_of_answer = 64;
 constexpr double agreement = 1e-4;
 constexpr double most_looks_of_search_at_path = 2e4;  // of any length
 constexpr double most_looks_of_answer_at_path = 1e6;
+// Where both rules are wrong by as much at a kink they agree: the less, the shorter the parts are.
+constexpr double fewest_looks_of_answer_at_path = 256;
 // Points of a body that is long for its turning radius move faster than that and need more looks.
 constexpr double usual_swing = 3;
 constexpr double looks_ahead = 4;  // that one look may save at first, and twice as many if it does
@@ -150,7 +152,8 @@ class ExactNearness {
 
 double exact_nearness(const Looked& looked, const CostRule& rule, double whole) {
   const double slower = std::max(1.0, looked.swing() / usual_swing);
-  const double most = 4 * std::max(rule.clearance_distance / fewest_looks_of_answer / slower,
+  const double usual = rule.clearance_distance / fewest_looks_of_answer / slower;
+  const double most = 4 * std::max(std::min(usual, whole / fewest_looks_of_answer_at_path),
                                    whole / most_looks_of_answer_at_path);
   return ExactNearness(looked, rule.clearance_distance, most,
                        agreement / std::max(1.0, rule.clearance_weight))

@@ -37,6 +37,11 @@ TEST_P(NastyWorlds, KeepNoPromiseFromBeingKept) {
 
 INSTANTIATE_TEST_SUITE_P(Share, NastyWorlds, testing::Range(0, 4));
 
+// A short path, where two rules for the sum of what is near were wrong by as much at a kink.
+TEST(NastyWorlds, SumWhatIsNearAlikeOnAShortPath) {
+  for (const std::string& fault : try_world(30020567).faults) ADD_FAILURE() << fault;
+}
+
 // ---- Does the second judge see anything? ----
 
 /// Ten metres straight on, beside a wall that is `gap` [m] from the body.
