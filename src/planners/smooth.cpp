@@ -33,10 +33,7 @@ std::optional<double> cost_as_it_is(const Task& task, Connector& connector, cons
   Driven before = gears_at_ends(task, connector.rule()).before;
   Pose pose = old.start;
   for (const Segment& segment : old.segments) {
-    const Driven after{gear_of(segment), segment.curvature};
-    const bool jumps = std::abs(after.curvature - before.curvature) * connector.radius() >
-                       straight_wheels;  // not if it is not known
-    if (jumps && !connector.may_jump(before, after)) return std::nullopt;
+    if (!anytime::may_follow(connector, before, segment)) return std::nullopt;
     if (!connector.is_free(pose, segment)) return std::nullopt;
     before = last_driven(segment);
     pose = advance(pose, segment);

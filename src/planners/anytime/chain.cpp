@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace vandplan::anytime {
@@ -15,6 +16,12 @@ constexpr double sideways = 0.3;         // of repairs that bring nothing, those
 constexpr std::size_t most_spanned = 6;  // legs at an end
 
 }  // namespace
+
+bool may_follow(const Connector& connector, const Driven& before, const Segment& segment) {
+  const double jump = std::abs(segment.curvature - before.curvature);  // NaN if it is not known
+  return !(jump * connector.radius() > straight_wheels) ||
+         connector.may_jump(before, {gear_of(segment), segment.curvature});
+}
 
 Chain::Chain(const Task& task, Connector& connector, const Path& old, std::uint64_t seed)
     : task_(task), connector_(connector), old_(old), rng_(seed), vias_(vias_of(old)) {
@@ -93,17 +100,14 @@ bool Chain::join() {
   return true;
 }
 
-// Whether the vehicle can drive a segment of the old path after what is driven before it.
-bool Chain::may_follow(const Driven& before, const Segment& segment) const {
+// Whether the wheels turn as far and as fast as a segment of the old path asks for.
+bool Chain::can_drive(const Segment& segment) const {
   const double sharpest = (1 + curvature_rounding) / connector_.radius();
   const double end = curvature_at(segment, std::abs(segment.length));
   if (std::max(std::abs(segment.curvature), std::abs(end)) > sharpest) return false;
   const ContinuousSteering* const continuous = connector_.continuous();
   const double fastest = continuous == nullptr ? 0.0 : continuous->curvature_rate();
-  if (std::abs(segment.curvature_rate) > fastest * (1 + curvature_rounding)) return false;
-  const double jump = std::abs(segment.curvature - before.curvature);  // NaN if it is not known
-  return !(jump * connector_.radius() > straight_wheels) ||
-         connector_.may_jump(before, {gear_of(segment), segment.curvature});
+  return std::abs(segment.curvature_rate) <= fastest * (1 + curvature_rounding);
 }
 
 // What the old path drives between two places, if the vehicle can.
@@ -117,7 +121,8 @@ std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven bef
     s += length;
     if (begin >= end) continue;
     const Segment part = part_of(segment, begin, end);
-    if (piece.count == SegmentRoom::size() || !may_follow(before, part)) return std::nullopt;
+    if (piece.count == SegmentRoom::size()) return std::nullopt;
+    if (!can_drive(part) || !may_follow(connector_, before, part)) return std::nullopt;
     piece.segments[piece.count++] = part;
     piece.length += end - begin;
     before = last_driven(part);

@@ -3,6 +3,7 @@
 #pragma once
 // Which route keeps to the way of a path that is there?
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,6 +15,10 @@
 namespace vandplan::anytime {
 
 using namespace search;
+
+/// Whether a segment may be driven after that: the curvature goes on as it was, or may jump there.
+[[nodiscard]] bool may_follow(const Connector& connector, const Driven& before,
+                              const Segment& segment);
 
 /// Pieces from place to place along an old path, from the task's start to its goal. Some may be in
 /// the way of something.
@@ -49,7 +54,7 @@ class Chain {
   [[nodiscard]] std::optional<std::vector<Link>> links(std::span<const Via> vias,
                                                        const Gears& around);
   [[nodiscard]] Via beside(double s, GearSign next);
-  [[nodiscard]] bool may_follow(const Driven& before, const Segment& segment) const;
+  [[nodiscard]] bool can_drive(const Segment& segment) const;
   [[nodiscard]] std::optional<Piece> old_piece(const Via& from, const Via& to, Driven before) const;
   void exchange(std::size_t first, std::size_t last, const std::vector<Link>& fresh);
   [[nodiscard]] double clearance_cost(std::size_t first, std::size_t last) const;
