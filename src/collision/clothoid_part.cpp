@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "base/trigonometry.h"
-#include "path/clothoid.h"
 
 namespace vandplan::collision {
 namespace {
@@ -23,14 +22,6 @@ double half_of_arc(double rate, double reach) {
 double steepest(const Segment& clothoid) {
   return std::max(std::abs(clothoid.curvature),
                   std::abs(curvature_at(clothoid, std::abs(clothoid.length))));
-}
-
-Placement after(const Placement& from, const Segment& clothoid) {
-  const auto [x, y, turn] = path::along_clothoid(clothoid);
-  const auto [sin, cos] = base::sin_cos(turn);
-  const auto& [position, heading] = from;
-  return {{position.x + x * heading.x - y * heading.y, position.y + x * heading.y + y * heading.x},
-          {cos * heading.x - sin * heading.y, cos * heading.y + sin * heading.x}};
 }
 
 }  // namespace

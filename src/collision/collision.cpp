@@ -18,8 +18,8 @@ namespace vandplan {
 
 using collision::ClothoidPart, collision::DiscRows, collision::Obstacles, collision::Placement,
     collision::placement_of;
-using collision::OutlineSweep, collision::PlacedSegment, collision::Shape, collision::Sides,
-    collision::Sweep, collision::TrailerPart;
+using collision::OutlineSweep, collision::PlacedSegment, collision::RigPlacement, collision::Shape,
+    collision::Sides, collision::Sweep, collision::TrailerPart;
 
 namespace {
 
@@ -129,11 +129,18 @@ struct Towed {
       : vehicle(of),
         body(shape_of(*of.trailer),
              {.rear = 0.0, .front = 0.0, .half_width = of.trailer->width / 2}, margin),
-        reach(std::max(reach_of(body.shape.box), reach_of(body.wheels.box))) {}
+        reach(std::max(reach_of(body.shape.box), reach_of(body.wheels.box))) {
+    const auto [rear, front, half_width] = footprint(of);
+    const Footprint& own = body.shape.box;
+    holds_hitch = of.outline.empty() && of.trailer->outline.empty() &&
+                  -rear <= std::min(of.hitch, 0.0) && of.hitch <= front && own.rear >= 0.0 &&
+                  of.trailer->wheelbase <= own.front;
+  }
 
   Vehicle vehicle;
   Body body;
-  double reach;  // [m]
+  double reach;      // [m]
+  bool holds_hitch;  // whether either body holds its axle and the hitch
 };
 
 }  // namespace
@@ -156,6 +163,13 @@ struct CollisionChecker::Data {
   /// Whether nothing contains the place of a rear axle.
   [[nodiscard]] bool is_outside(const Point& axle) const noexcept {
     return !ground->walls.contain(axle) && !ground->kerbs.contain(axle) &&
+           !(ground->map && ground->map->contain(axle));
+  }
+
+  /// The same of a trailer's axle, or that a wall around it touches a body: where both bodies hold
+  /// the hitch, the way over it from one axle to the other does not leave them.
+  [[nodiscard]] bool is_trailer_outside(const Point& axle) const noexcept {
+    return (towed->holds_hitch || !ground->walls.contain(axle)) && !ground->kerbs.contain(axle) &&
            !(ground->map && ground->map->contain(axle));
   }
 
@@ -337,13 +351,12 @@ bool CollisionChecker::rig_is_free(const RigState& from,
   if (!data_->towed) return true;
   if (segments.empty()) return rig_is_free(from);
   const Vehicle& vehicle = data_->towed->vehicle;
-  const Pose axle = trailer_pose(vehicle, from);
-  if (!data_->is_outside({axle.x, axle.y})) return false;
-  RigState state = from;
+  RigPlacement rig(vehicle, placement_of(from.pose), from.hitch_angle);
+  if (!data_->is_trailer_outside(rig.trailer.position)) return false;
   for (const Segment& segment : segments) {
-    const TrailerPart part(vehicle, state, segment);
+    const TrailerPart part(vehicle, rig, segment);
     if (part.is_too_long() || !data_->crosses_nothing(part)) return false;
-    state = part.to();
+    rig = part.to();
   }
   return true;
 }
@@ -356,8 +369,8 @@ double CollisionChecker::rig_clearance(const RigState& state, double most,
                                        double enough) const noexcept {
   const double of_tractor = clearance(state.pose, most, enough);
   if (!data_->towed || of_tractor == 0.0) return of_tractor;
-  const auto& [vehicle, body, reach] = *data_->towed;
-  return data_->clearance(body, placement_of(trailer_pose(vehicle, state)), of_tractor, enough);
+  const Placement trailer = placement_of(trailer_pose(data_->towed->vehicle, state));
+  return data_->clearance(data_->towed->body, trailer, of_tractor, enough);
 }
 
 bool CollisionChecker::map_is_within(const Point& point, double distance) const noexcept {

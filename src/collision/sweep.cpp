@@ -10,6 +10,7 @@
 
 #include "base/trigonometry.h"
 #include "geometry/convex.h"
+#include "path/clothoid.h"
 
 namespace vandplan::collision {
 namespace {
@@ -51,6 +52,25 @@ Turned turned(double length, double curvature) noexcept {
 Placement placement_of(const Pose& pose) noexcept {
   const auto [sin, cos] = base::sin_cos(pose.heading);
   return {{pose.x, pose.y}, {cos, sin}};
+}
+
+Placement after(const Placement& from, const Segment& segment) noexcept {
+  const auto& [position, heading] = from;
+  const auto moved = [&](double x, double y, double sin, double cos) -> Placement {
+    return {
+        {position.x + x * heading.x - y * heading.y, position.y + x * heading.y + y * heading.x},
+        {cos * heading.x - sin * heading.y, cos * heading.y + sin * heading.x}};
+  };
+  if (segment.curvature_rate != 0) {
+    const auto [x, y, turn] = path::along_clothoid(segment);
+    const auto [sin, cos] = base::sin_cos(turn);
+    return moved(x, y, sin, cos);
+  }
+  // The chord of an arc that turns by 2 a is length * sin(a) / a long and lies at the angle a.
+  const double half = segment.curvature * segment.length / 2;
+  const auto [sin, cos] = base::sin_cos(half);
+  const double chord = segment.length * (std::abs(half) < 1e-4 ? 1 - half * half / 6 : sin / half);
+  return moved(chord * cos, chord * sin, 2 * sin * cos, 1 - 2 * sin * sin);
 }
 
 double squared_distance(const Shape& body, const Placement& placement,

@@ -22,6 +22,9 @@ struct Placement {
 /// A pose with its heading as a unit vector.
 [[nodiscard]] Placement placement_of(const Pose& pose) noexcept;
 
+/// Where a vehicle is after a segment.
+[[nodiscard]] Placement after(const Placement& from, const Segment& segment) noexcept;
+
 /// Four sides of one polygon, each from a corner to the next; where it has less, the last corner
 /// repeats.
 struct Sides {

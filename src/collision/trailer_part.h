@@ -7,19 +7,30 @@
 
 #include <utility>
 
+#include "base/trigonometry.h"
 #include "collision/sweep.h"
 #include "vandplan/rig.h"
 
 namespace vandplan::collision {
 
+/// A state of a rig with what is asked of it again and again.
+struct RigPlacement {
+  RigPlacement(const Vehicle& vehicle, const Placement& tractor, double hitch_angle) noexcept;
+
+  Placement tractor;
+  double hitch_angle;  // [rad]
+  base::SinCos fold;   // of the hitch angle
+  Placement trailer;
+};
+
 /// What a trailer does while its tractor drives a part of a segment.
 class TrailerPart {
  public:
   /// Along all of a segment; the vehicle has a trailer and outlives the part.
-  TrailerPart(const Vehicle& vehicle, const RigState& from, const Segment& segment) noexcept;
+  TrailerPart(const Vehicle& vehicle, const RigPlacement& from, const Segment& segment) noexcept;
 
-  /// The state of the rig at the end, its hitch angle not wrapped.
-  [[nodiscard]] const RigState& to() const noexcept { return to_; }
+  /// The rig at the end, its hitch angle not wrapped.
+  [[nodiscard]] const RigPlacement& to() const noexcept { return to_; }
 
   /// Whether more parts than can be checked in reasonable time may be needed.
   [[nodiscard]] bool is_too_long() const noexcept;
@@ -43,14 +54,15 @@ class TrailerPart {
   [[nodiscard]] std::pair<TrailerPart, TrailerPart> halves() const noexcept;
 
  private:
-  [[nodiscard]] double most_turn() const noexcept;
-  TrailerPart(const Vehicle& vehicle, const RigState& from, const RigState& to,
-              const Segment& segment) noexcept
-      : vehicle_(&vehicle), from_(from), to_(to), segment_(segment) {}
+  TrailerPart(const Vehicle& vehicle, const RigPlacement& from, const RigPlacement& to,
+              const Segment& segment) noexcept;
 
   const Vehicle* vehicle_;
-  RigState from_, to_;
-  Segment segment_;  // of the tractor
+  RigPlacement from_, to_;
+  Segment segment_;   // of the tractor
+  double last_;       // curvature
+  double fastest_;    // speed of the trailer's hitch beside that of the tractor, at most
+  double most_turn_;  // of the trailer, at most [rad]
 };
 
 }  // namespace vandplan::collision

@@ -205,6 +205,17 @@ TEST(RigCheck, ATrailerThatCutsTheCornerIsNamed) {
   EXPECT_TRUE(driven.problem.task().checker->is_free(Pose{}, turn));
 }
 
+TEST(RigCheck, ATrailerInsideOfAWallIsNotFreeAlthoughNoBodyTouchesASide) {
+  Vehicle vehicle{3.6, 1.4, 0.9, 2.55, 6.0};
+  vehicle.hitch = -1.2;
+  vehicle.trailer = Trailer{6.0, -1.5, 1.0, 2.55};  // a bare drawbar from -1.2 to -2.7
+  const std::vector<Polygon> around = {{{-30, -9}, {-1.8, -9}, {-1.8, 9}, {-30, 9}}};
+  const Drive standing = drive(vehicle, {}, {{0, 0.1}}, around);
+  EXPECT_TRUE(standing.problem.task().checker->is_free(Pose{}));
+  EXPECT_FALSE(standing.problem.task().checker->rig_is_free(RigState{}));
+  EXPECT_FALSE(judged(standing).valid);
+}
+
 TEST(RigCheck, OverKerbsTheTrailerSwingsButItsWheelsDoNot) {
   // Behind the axle at x = -7.2 the trailer overhangs by 4.3 m.
   const std::vector<Polygon> behind = {{{-11, -3}, {-9, -3}, {-9, 3}, {-11, 3}}};
