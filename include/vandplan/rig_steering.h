@@ -51,6 +51,10 @@ class RigSteering {
   [[nodiscard]] std::optional<Piece> steer(const RigState& from, const RigState& to,
                                            const RigPrices& prices) const;
 
+  /// The least path of the few words that are most useful between such states, or nothing where
+  /// none of them leads there: for whoever asks often and throws most paths away. Throws as above.
+  [[nodiscard]] std::optional<Piece> steer_quickly(const RigState& from, const RigState& to) const;
+
   /// Every path that the search finds up to the cutoff, the cheapest first.
   [[nodiscard]] std::vector<Piece> candidates(const RigState& from, const RigState& to,
                                               const RigPrices& prices) const;

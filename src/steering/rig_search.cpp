@@ -237,21 +237,33 @@ class LeastWord {
   std::optional<RigSegments> least_;
 };
 
+using Shortlist = std::array<std::uint8_t, shortlist_size>;
+
+const Shortlist& shortlist(const RigWordSolver& solver, const RigWordSolver::Task& task) {
+  return rig_shortlists[shortlist_of(task, solver.hitch().most())];
+}
+
+/// Steps 2 and 3, and of step 4 the list of a task. Whether the word is good.
+bool look_at_likely(LeastWord& word, const Shortlist& likely) {
+  if (word.is_good()) return true;
+  for (const std::size_t number : likely) {
+    word.look_at(number);
+    if (word.is_good()) return true;
+  }
+  return false;
+}
+
 /// Steps 2 to 4.
 std::optional<RigSegments> least_word(const RigWordSolver& solver,
                                       const RigWordSolver::Task& task) {
   LeastWord word(solver, task);
-  if (word.is_good()) return word.least();
+  const Shortlist& likely = shortlist(solver, task);
+  if (look_at_likely(word, likely)) return word.least();
   const WordPrices& prices = task.prices;
   const bool by_length = prices.forward == 1 && prices.reverse == 1 && prices.gear_change == 0;
-  const auto& shortlist = rig_shortlists[shortlist_of(task, solver.hitch().most())];
-  for (const std::size_t number : shortlist) {
-    word.look_at(number);
-    if (word.is_good()) return word.least();
-  }
   if (by_length && !word.is_dear()) return word.least();
   for (std::size_t number = 0; number < guess_count; ++number) {
-    if (std::find(shortlist.begin(), shortlist.end(), number) != shortlist.end()) continue;
+    if (std::find(likely.begin(), likely.end(), number) != likely.end()) continue;
     word.look_at(number);
     if (word.is_good()) break;
   }
@@ -317,6 +329,15 @@ std::optional<Piece> least_rig_path(const RigWordSolver& solver, const RigEnds& 
   std::optional<Piece> piece = detour(solver, image, task);
   if (!piece || price_of(prices, piece->view()) > prices.cutoff) return std::nullopt;
   return piece;
+}
+
+std::optional<Piece> likely_rig_path(const RigWordSolver& solver, const RigEnds& ends) {
+  const Image image = folded(ends);
+  const RigWordSolver::Task task = task_of(image, {});
+  LeastWord word(solver, task);
+  (void)look_at_likely(word, shortlist(solver, task));
+  if (!word.least()) return std::nullopt;
+  return unfolded(image, {word.least()->list.data(), word.least()->count});
 }
 
 std::vector<Piece> all_rig_paths(const RigWordSolver& solver, const RigEnds& ends,

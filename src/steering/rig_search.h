@@ -27,6 +27,10 @@ struct RigEnds {
 [[nodiscard]] std::optional<Piece> least_rig_path(const RigWordSolver& solver, const RigEnds& ends,
                                                   const RigPrices& prices);
 
+/// The shortest path of the guesses that are tried first, if there is one.
+[[nodiscard]] std::optional<Piece> likely_rig_path(const RigWordSolver& solver,
+                                                   const RigEnds& ends);
+
 /// All that it finds up to the cutoff, the cheapest first.
 [[nodiscard]] std::vector<Piece> all_rig_paths(const RigWordSolver& solver, const RigEnds& ends,
                                                const RigPrices& prices);

@@ -114,6 +114,15 @@ std::optional<Piece> RigSteering::steer(const RigState& from, const RigState& to
   return scaled(*piece, radius_);
 }
 
+std::optional<Piece> RigSteering::steer_quickly(const RigState& from, const RigState& to) const {
+  check_state("from", from, max_hitch_angle_);
+  check_state("to", to, max_hitch_angle_);
+  const RigWordSolver solver(HitchTurn(shape_[0], shape_[1], shape_[2]));
+  const auto piece = likely_rig_path(solver, ends_of(from, to, radius_, shape_[2]));
+  if (!piece) return std::nullopt;
+  return scaled(*piece, radius_);
+}
+
 std::vector<Piece> RigSteering::candidates(const RigState& from, const RigState& to,
                                            const RigPrices& prices) const {
   check_state("from", from, max_hitch_angle_);

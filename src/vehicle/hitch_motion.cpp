@@ -44,37 +44,6 @@ double determinant(const Generator& g) {
   return g.stretch * g.stretch + (g.shear - g.turn) * (g.shear + g.turn);
 }
 
-/// By how much the angle changes that is half of `angle` [rad]: (3), for the three cases of (4).
-double half_change(const Generator& g, double angle) {
-  const auto [sin, cos] = base::sin_cos(angle);
-  const double across = g.stretch * sin + g.shear * cos + g.turn;
-  const double along = g.shear * sin - g.stretch * cos;
-  if (across == 0.0) return 0.0;
-  const double z = determinant(g);
-  constexpr double small = 0.25;
-  if (z > small) {  // two equilibria
-    const double root = std::sqrt(z);
-    const double e = base::exponential(-2 * root);
-    const double ratio = (1 - e) / root;
-    return base::atan_2(ratio * across, (1 + e) + ratio * along);
-  }
-  if (z < -small) {  // none: the trailer turns round its hitch
-    const double root = std::sqrt(-z);
-    const double halves = std::floor(root * std::numbers::inv_pi);
-    const auto part = base::sin_cos(std::max(root - halves * std::numbers::pi, 0.0));
-    const double ratio = part.sin / root;
-    return std::copysign(halves * std::numbers::pi, across) +
-           base::atan_2(ratio * across, part.cos + ratio * along);
-  }
-  double ratio = 1.0;  // sinh(sqrt z) / sqrt z
-  double even = 1.0;   // cosh(sqrt z)
-  for (int n = 14; n > 0; n -= 2) {
-    ratio = 1.0 + z * ratio / (n * (n + 1));
-    even = 1.0 + z * even / (n * (n - 1));
-  }
-  return base::atan_2(ratio * across, even + ratio * along);
-}
-
 /// Sine and cosine of half the hitch angle, times any length.
 struct HalfAngle {
   double sin, cos;
@@ -174,9 +143,49 @@ double hitch_rate(const Coupling& coupling, double angle, double curvature) noex
   return curvature - (sin + coupling.hitch * curvature * cos) / coupling.wheelbase;
 }
 
+HitchAlongArc::HitchAlongArc(const Coupling& coupling, const Segment& arc) noexcept
+    : half_turns_(0.0) {
+  const Generator g = generator(coupling, arc.curvature, arc.length);
+  stretch_ = g.stretch;
+  shear_ = g.shear;
+  turn_ = g.turn;
+  // The three cases of (4).
+  const double z = determinant(g);
+  constexpr double small = 0.25;
+  if (z > small) {  // two equilibria
+    const double root = std::sqrt(z);
+    const double e = base::exponential(-2 * root);
+    ratio_ = (1 - e) / root;
+    even_ = 1 + e;
+  } else if (z < -small) {  // none: the trailer turns round its hitch
+    const double root = std::sqrt(-z);
+    const double halves = std::floor(root * std::numbers::inv_pi);
+    const auto part = base::sin_cos(std::max(root - halves * std::numbers::pi, 0.0));
+    ratio_ = part.sin / root;
+    even_ = part.cos;
+    half_turns_ = halves * std::numbers::pi;
+  } else {
+    ratio_ = 1.0;  // sinh(sqrt z) / sqrt z
+    even_ = 1.0;   // cosh(sqrt z)
+    for (int n = 14; n > 0; n -= 2) {
+      ratio_ = 1.0 + z * ratio_ / (n * (n + 1));
+      even_ = 1.0 + z * even_ / (n * (n - 1));
+    }
+  }
+}
+
+/// (3).
+double HitchAlongArc::change(const base::SinCos& angle) const noexcept {
+  const double across = stretch_ * angle.sin + shear_ * angle.cos + turn_;
+  const double along = shear_ * angle.sin - stretch_ * angle.cos;
+  if (across == 0.0) return 0.0;
+  return 2 * (std::copysign(half_turns_, across) +
+              base::atan_2(ratio_ * across, even_ + ratio_ * along));
+}
+
 double hitch_change(const Coupling& coupling, double angle, const Segment& segment) noexcept {
   if (segment.curvature_rate == 0.0) {
-    return 2 * half_change(generator(coupling, segment.curvature, segment.length), angle);
+    return HitchAlongArc(coupling, segment).change(base::sin_cos(angle));
   }
   const Steps steps(coupling, segment);
   double there = angle;

@@ -5,6 +5,7 @@
 //
 // Formulas: docs/algorithms/trailers.md.
 
+#include "base/trigonometry.h"
 #include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 
@@ -18,6 +19,20 @@ struct Coupling {
 
 /// Change of the hitch angle per metre driven forward with that curvature [rad/m].
 [[nodiscard]] double hitch_rate(const Coupling& coupling, double angle, double curvature) noexcept;
+
+/// What an arc or a line does to hitch angles, worked out once for many of them.
+class HitchAlongArc {
+ public:
+  HitchAlongArc(const Coupling& coupling, const Segment& arc) noexcept;
+
+  /// Change of an angle [rad], of which sine and cosine are given; whole turns included.
+  [[nodiscard]] double change(const base::SinCos& angle) const noexcept;
+
+ private:
+  double stretch_, shear_, turn_;  // the matrix M of (2), times the length
+  double ratio_, even_;            // S and C of (4), times any factor
+  double half_turns_;              // of half the angle, beyond what these tell [rad]
+};
 
 /// Change of the hitch angle along a whole segment [rad], whole turns included.
 [[nodiscard]] double hitch_change(const Coupling& coupling, double angle,

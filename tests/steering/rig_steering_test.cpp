@@ -265,6 +265,29 @@ TEST(RigSteering, LosesLittleToTheBestOfAllGuesses) {
   EXPECT_LT(sum, (is_sanitized ? 1.3 : 1.05) * least);
 }
 
+TEST(RigSteering, LeadsQuicklyBetweenMostStates) {
+  int found = 0, all = 0;
+  double quick = 0, least = 0;
+  for_each_case(10, 1000, [&](Rng& rng) {
+    const Vehicle vehicle = any_rig(rng);
+    const double reach = vehicle.min_turning_radius * any_size(0.3, 6, rng);
+    const RigState from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
+    const RigSteering steering(vehicle);
+    const auto piece = steering.steer_quickly(from, to);
+    ++all;
+    if (!piece) return;
+    ++found;
+    EXPECT_TRUE(leads(vehicle, from, to, *piece));
+    const double by_all = steering.steer(from, to)->length;
+    EXPECT_LE(by_all, piece->length * (1 + 1e-9));
+    quick += piece->length / vehicle.min_turning_radius;
+    least += by_all / vehicle.min_turning_radius;
+  });
+  EXPECT_GE(found, 0.95 * all) << found << " of " << all;
+  EXPECT_LT(quick, 1.05 * least);
+  EXPECT_THROW((void)RigSteering(semitrailer()).steer_quickly({}, {{nan, 0, 0}, 0}), InputError);
+}
+
 TEST(RigSteering, AvoidsWhatIsDear) {
   const RigSteering steering(semitrailer());
   const RigState from{{0, 0, 0}, 0}, to{{-5, 3, 0}, 0};
