@@ -25,6 +25,15 @@ using namespace search;
 
 constexpr double rounding = 1e-9;  // of the bound, relative
 
+/// A way to look, for what is open, narrow or full of turns.
+struct Kind {
+  double step, weight;
+  int levels;
+  int share;  ///< of the expansions, beside others
+};
+constexpr std::array<Kind, 4> kinds = {
+    {{3, 8, 1, 1}, {2.2, 8, 2, 1}, {1.5, 8, 4, 1}, {1, 1.7, 1, 3}}};
+
 /// What came of a run so far.
 class Run {
  public:
@@ -47,7 +56,6 @@ class Run {
   [[nodiscard]] PlannerAnswer answer();
 
  private:
-  static constexpr std::size_t kinds = 4;
   static constexpr int first_share = 128, most_share = 1 << 14;
   /// One of the ways to search.
   struct Search {
@@ -71,7 +79,7 @@ class Run {
   CostRule rule_;
   double unit_;  // of the steps of a search [m]
   Guides guides_;
-  std::array<Search, kinds> searches_;
+  std::array<Search, kinds.size()> searches_;
   std::size_t turn_ = 0;     // of a search
   int share_ = first_share;  // of expansions, which grows
   int left_ = first_share;
@@ -86,15 +94,10 @@ class Run {
   std::uint64_t shortened_ = 0;
 };
 
-/// Ways to look, for what is open, narrow or full of turns. One that is at its end, or has found
-/// something, makes way for a finer one of its kind.
+/// A search that is at its end, or has found something, makes way for a finer one of its kind.
 void Run::begin(Search& search) {
-  struct Kind {
-    double step, weight;
-    int levels;
-  };
-  constexpr std::array<Kind, kinds> all = {{{3, 8, 1}, {2.2, 8, 2}, {1.5, 8, 4}, {1, 1.7, 1}}};
-  const auto& [step, weight, levels] = all[static_cast<std::size_t>(&search - searches_.data())];
+  const auto& [step, weight, levels, share] =
+      kinds[static_cast<std::size_t>(&search - searches_.data())];
   const int round = search.rounds++;
   constexpr int most_rounds = 16;
   constexpr double finer = 0.7;
@@ -138,13 +141,13 @@ bool Run::search() {
     if (!goes_on || found_) end(search);
     if (budget_.exhausted()) break;
     if (left_ > 0 && !found_) continue;
-    turn_ = (turn_ + 1) % kinds;
+    turn_ = (turn_ + 1) % kinds.size();
     if (turn_ == 0) {
       look_for_walls();
       if (is_walled_in()) break;
       share_ = std::min(2 * share_, most_share);
     }
-    left_ = share_;
+    left_ = share_ * kinds[turn_].share;
   }
   return !budget_.exhausted() && !is_walled_in();
 }

@@ -15,10 +15,10 @@ namespace {
 
 using search::Driven;
 
-constexpr double usual_angle = 0.7;        // between tractor and trailer in a turn [rad]
-constexpr double near_steps = 3;           // from the other end of the drive, about
-constexpr int expansions_per_bridge = 11;  // odd: both searches get their turn
-constexpr int most_halvings = 2;           // of a step that would fold the rig up
+constexpr double usual_angle = 0.7;       // between tractor and trailer in a turn [rad]
+constexpr double near_steps = 3;          // from the other end of the drive, about
+constexpr int expansions_per_bridge = 5;  // odd: both searches get their turn
+constexpr int most_halvings = 2;          // of a step that would fold the rig up
 
 Bounds around(const Task& task) {
   const Bounds& b = task.world->local().bounds;
@@ -44,6 +44,24 @@ Segment backwards(const Segment& segment) {
   return {search::last_driven(segment).curvature, -segment.length, -segment.curvature_rate};
 }
 
+/// Full lock to either side, gently, and straight on, of each level.
+std::vector<std::vector<Primitive>> primitives_of(const Vehicle& vehicle,
+                                                  const Fineness& fineness) {
+  const double sharpest = 1 / vehicle.min_turning_radius;
+  const double gentle = 0.5 / turning_radius(vehicle);
+  std::vector<std::vector<Primitive>> all(static_cast<std::size_t>(std::max(fineness.levels, 1)));
+  double step = fineness.step;
+  for (std::vector<Primitive>& of_level : all) {
+    for (const double curvature : {-sharpest, -gentle, 0.0, gentle, sharpest}) {
+      for (const double length : {step, -step}) {
+        of_level.emplace_back(vehicle, Segment{curvature, length});
+      }
+    }
+    step /= 2;
+  }
+  return all;
+}
+
 /// Prices of metres and gear changes alone: the arcs of a search say little of others.
 CostRule priced(CostRule rule) {
   rule.curvature_change_cost = 0.0;
@@ -58,6 +76,11 @@ double turning_radius(const Vehicle& vehicle) {
   return std::max(vehicle.min_turning_radius,
                   (vehicle.trailer->wheelbase - vehicle.hitch * cos) / sin);
 }
+
+Primitive::Primitive(const Vehicle& vehicle, const Segment& of) noexcept
+    : command(of),
+      moved(advance(Pose{}, of)),
+      hitch({.hitch = vehicle.hitch, .wheelbase = vehicle.trailer->wheelbase}, of) {}
 
 Guides::Guides(const Task& task)
     : to_goal(task, around(task), 0.5, task.goal, task.start),
@@ -81,6 +104,7 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
       cell_(0.7 * fineness.step),
       heading_cell_(0.5 * fineness.step / turning_radius(task.vehicle)),
       angle_cell_(0.5 * fineness.step / task.vehicle.trailer->wheelbase),
+      primitives_(primitives_of(task.vehicle, fineness)),
       sides_{side_from({task.start, task.hitch_angles.start}, {task.goal, task.hitch_angles.goal},
                        ends_.before, priced(rule), guides.to_goal),
              side_from({task.goal, task.hitch_angles.goal}, {task.start, task.hitch_angles.start},
@@ -99,7 +123,7 @@ RigSearch::Side RigSearch::side_from(const RigState& root, const RigState& targe
             .nodes = {{root, {}, before, 0.0, 0.0, -1, true, 0}},
             .open = {{0.0, 0}}};
   side.nodes.front().to_go = to_go(side, root).guess;
-  side.reached[key_of(root, 0)] = 0;
+  side.cells[key_of(root, 0)].node = 0;
   return side;
 }
 
@@ -163,12 +187,13 @@ bool RigSearch::expand(std::size_t which) {
     const Node node = side.nodes[static_cast<std::size_t>(id)];
     const std::uint64_t key = key_of(node.state, node.level);
     if (node.parent >= 0) {
-      if (side.reached.contains(key)) continue;
+      Cell& cell = side.cells[key];
+      if (cell.node >= 0) continue;
       const Node& parent = side.nodes[static_cast<std::size_t>(node.parent)];
       Driven driven = parent.driven;
       if (!is_free(parent.state, wheels_.obey(node.command, driven).view())) continue;
       side.nodes[static_cast<std::size_t>(id)].is_reached = true;
-      side.reached[key] = id;
+      cell.node = id;
     }
     side.nodes[static_cast<std::size_t>(id)].level = level_at(node.state);
     side.latest = id;
@@ -181,53 +206,67 @@ bool RigSearch::expand(std::size_t which) {
   return false;
 }
 
-void RigSearch::add_children(Side& side, std::int32_t parent) {
-  const double sharpest = 1 / task_.vehicle.min_turning_radius;
-  const auto& [state, command, driven, cost, left, before, is_reached, level] =
-      side.nodes[static_cast<std::size_t>(parent)];
-  const double angle = state.hitch_angle;
-  const double step = std::ldexp(fineness_.step, -level);
-  const double gentle = 0.5 / turning_radius(task_.vehicle);
-  for (const double curvature : {-sharpest, -gentle, 0.0, gentle, sharpest}) {
-    for (const double length : {step, -step}) add(side, parent, {curvature, length});
-  }
+RigSearch::Parent::Parent(std::int32_t of, const Node& with)
+    : id(of),
+      node(with),
+      heading(base::sin_cos(with.state.pose.heading)),
+      fold(base::sin_cos(with.state.hitch_angle)) {}
+
+void RigSearch::add_children(Side& side, std::int32_t id) {
+  const Parent parent(id, side.nodes[static_cast<std::size_t>(id)]);
+  const auto level = static_cast<std::size_t>(parent.node.level);
+  for (const Primitive& primitive : primitives_[level]) add(side, parent, primitive);
   // The circle on which the trailer keeps its angle.
-  const double lever = task_.vehicle.trailer->wheelbase - task_.vehicle.hitch * std::cos(angle);
-  const double holding = std::sin(angle) / lever;
-  if (std::abs(angle) < 0.02 || std::abs(holding) > sharpest) return;
-  for (const double length : {step, -step}) add(side, parent, {holding, length});
+  const Vehicle& vehicle = task_.vehicle;
+  const double holding =
+      parent.fold.sin / (vehicle.trailer->wheelbase - vehicle.hitch * parent.fold.cos);
+  const bool is_straight = std::abs(parent.node.state.hitch_angle) < 0.02;
+  if (is_straight || std::abs(holding) > 1 / vehicle.min_turning_radius) return;
+  const double step = std::ldexp(fineness_.step, -parent.node.level);
+  for (const double length : {step, -step}) add(side, parent, {vehicle, {holding, length}});
 }
 
-void RigSearch::add(Side& side, std::int32_t parent, Segment command) {
-  const Node from = side.nodes[static_cast<std::size_t>(parent)];
-  const auto obeyed_to = [&](RigState& state, Driven& driven) {
-    state = from.state;
-    driven = from.driven;
-    const Obeyed obeyed = wheels_.obey(command, driven);
+/// The state that a command leads to, which is obeyed that way.
+RigState RigSearch::after(const Parent& parent, const Primitive& primitive,
+                          const Obeyed& obeyed) const {
+  RigState state = parent.node.state;
+  if (obeyed.count > 1 || obeyed.segments[0].curvature_rate != 0.0) {
     for (const Segment& segment : obeyed.view()) state = advance(task_.vehicle, state, segment);
-    return obeyed;
-  };
-  RigState state;
-  Driven driven;
-  Obeyed obeyed = obeyed_to(state, driven);
+    return state;
+  }
+  const auto [sin, cos] = parent.heading;
+  const auto& [x, y, turn] = primitive.moved;
+  return {{state.pose.x + x * cos - y * sin, state.pose.y + x * sin + y * cos,
+           wrap_angle(state.pose.heading + turn)},
+          wrap_angle(state.hitch_angle + primitive.hitch.change(parent.fold))};
+}
+
+void RigSearch::add(Side& side, const Parent& parent, Primitive primitive) {
+  const Node& from = parent.node;
+  Driven driven = from.driven;
+  Obeyed obeyed = wheels_.obey(primitive.command, driven);
+  RigState state = after(parent, primitive, obeyed);
   for (int i = 0; std::abs(state.hitch_angle) > task_.vehicle.max_hitch_angle; ++i) {
     if (i == most_halvings) return;
-    command.length /= 2;
-    obeyed = obeyed_to(state, driven);
+    const Segment& command = primitive.command;
+    primitive = Primitive(task_.vehicle, {command.curvature, command.length / 2});
+    driven = from.driven;
+    obeyed = wheels_.obey(primitive.command, driven);
+    state = after(parent, primitive, obeyed);
   }
-  const std::uint64_t key = key_of(state, from.level);
-  if (side.reached.contains(key)) return;
+  Cell& cell = side.cells[key_of(state, from.level)];
+  if (cell.node >= 0) return;
   Driven before = from.parent < 0 ? Driven{side.rule.initial_gear} : from.driven;
   const double cost = from.cost + search::drive_cost(side.rule, obeyed.view(), before);
-  double& least = side.least.try_emplace(key, 1e300).first->second;
-  if (cost >= least) return;
-  least = cost;
+  if (cost >= cell.least) return;
+  cell.least = cost;
   const auto [left, at_least] = to_go(side, state);
   if (cost + at_least >= cutoff_) return;
   side.open.push_back(
       {cost + fineness_.weight * left, static_cast<std::int32_t>(side.nodes.size())});
   std::push_heap(side.open.begin(), side.open.end());
-  side.nodes.push_back({state, command, driven, cost, left, parent, false, from.level});
+  side.nodes.push_back(
+      {state, primitive.command, driven, cost, left, parent.id, false, from.level});
 }
 
 /// Whether the wheels get from what is driven on one side to what is driven on the other one on the
@@ -253,11 +292,12 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
       RigState beside = state;
       beside.pose.heading += heading * std::ldexp(heading_cell_, -level);
       beside.hitch_angle += angle * std::ldexp(angle_cell_, -level);
-      const auto there = other.reached.find(key_of(beside, level));
-      if (there == other.reached.end()) continue;
-      const Driven& met = other.nodes[static_cast<std::size_t>(there->second)].driven;
+      const auto there = other.cells.find(key_of(beside, level));
+      if (there == other.cells.end() || there->second.node < 0) continue;
+      const std::int32_t partner = there->second.node;
+      const Driven& met = other.nodes[static_cast<std::size_t>(partner)].driven;
       if (!turn_in_time(driven, met, level)) continue;
-      which == 0 ? join(id, there->second) : join(there->second, id);
+      which == 0 ? join(id, partner) : join(partner, id);
       if (found_) return;
     }
   }
@@ -273,8 +313,16 @@ std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t id) const 
   return wheels_.driven(commands, side.before);
 }
 
+/// Whether the tractor would get straight from one place to another.
+bool RigSearch::is_in_sight(const Pose& from, const Pose& to) {
+  ++checks_;
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  const Segment line{0.0, std::sqrt(dx * dx + dy * dy)};
+  return task_.checker->is_free({from.x, from.y, base::atan_2(dy, dx)}, line);
+}
+
 /// [6] Now and then: does exact steering lead to the state that the other search came to last, or
-/// to the one that is nearest to where this search began?
+/// to the one that is nearest to where this search began? Every second time if it is out of sight.
 void RigSearch::bridge(std::size_t which, std::int32_t id) {
   if (found_ || !steering_ || ++expansions_ % expansions_per_bridge != 0) return;
   const Side& other = sides_[1 - which];
@@ -283,7 +331,8 @@ void RigSearch::bridge(std::size_t which, std::int32_t id) {
   const std::int32_t to = which == 0 ? partner : id;
   const RigState& begin = sides_[0].nodes[static_cast<std::size_t>(from)].state;
   const RigState& end = sides_[1].nodes[static_cast<std::size_t>(to)].state;
-  const auto piece = steering_->steer(begin, end);
+  if (!is_in_sight(begin.pose, end.pose) && ++out_of_sight_ % 2 != 0) return;
+  const auto piece = steering_->steer_quickly(begin, end);
   if (piece && is_free(begin, piece->view())) join(from, to, piece->view());
 }
 

@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/trigonometry.h"
 #include "planners/rig/closer.h"
 #include "planners/rig/wheels.h"
 #include "search/grid_distance.h"
@@ -19,6 +20,7 @@
 #include "vandplan/rig.h"
 #include "vandplan/rig_steering.h"
 #include "vandplan/search.h"
+#include "vehicle/hitch_motion.h"
 
 namespace vandplan::rig {
 
@@ -37,6 +39,15 @@ struct Guides {
   explicit Guides(const Task& task);
 
   search::GridDistance to_goal, to_start;
+};
+
+/// A command whose wheels turn at once, and what it does to a rig.
+struct Primitive {
+  Primitive(const Vehicle& vehicle, const Segment& of) noexcept;
+
+  Segment command;
+  Pose moved;  ///< where the tractor is, seen from where it was
+  vehicle::HitchAlongArc hitch;
 };
 
 /// Two searches, one from the start and one back from the goal, that look for each other.
@@ -70,6 +81,19 @@ class RigSearch {
     bool is_reached;      // the way from the parent is free
     int level;            // of the cell, and then of the steps from here
   };
+  /// What is known of a cell of states.
+  struct Cell {
+    double least = 1e300;    // cost of a node
+    std::int32_t node = -1;  // that is reached; -1: none
+  };
+  /// A node while its children are added.
+  struct Parent {
+    Parent(std::int32_t of, const Node& with);
+
+    std::int32_t id;
+    Node node;
+    base::SinCos heading, fold;  // of its heading and of its hitch angle
+  };
   struct Entry {
     double rank;
     std::int32_t node;
@@ -86,8 +110,7 @@ class RigSearch {
     const search::GridDistance* grid;
     std::vector<Node> nodes;
     std::vector<Entry> open;
-    std::unordered_map<std::uint64_t, double> least = {};          // cost of a cell; -1: closed
-    std::unordered_map<std::uint64_t, std::int32_t> reached = {};  // node of a cell
+    std::unordered_map<std::uint64_t, Cell> cells = {};
     std::int32_t nearest = 0;  // reached node with the least to go
     std::int32_t latest = 0;   // reached node that was expanded last
   };
@@ -103,12 +126,15 @@ class RigSearch {
   };
   [[nodiscard]] ToGo to_go(const Side& side, const RigState& state) const;
   bool expand(std::size_t which);
-  void add_children(Side& side, std::int32_t parent);
-  void add(Side& side, std::int32_t parent, Segment command);
+  void add_children(Side& side, std::int32_t id);
+  void add(Side& side, const Parent& parent, Primitive primitive);
+  [[nodiscard]] RigState after(const Parent& parent, const Primitive& primitive,
+                               const Obeyed& obeyed) const;
   [[nodiscard]] bool turn_in_time(const search::Driven& here, const search::Driven& there,
                                   int level) const;
   void meet(std::size_t which, std::int32_t id);
   [[nodiscard]] std::vector<Segment> branch(const Side& side, std::int32_t id) const;
+  [[nodiscard]] bool is_in_sight(const Pose& from, const Pose& to);
   void bridge(std::size_t which, std::int32_t id);
   void join(std::int32_t forward, std::int32_t backward, std::span<const Segment> between = {});
   [[nodiscard]] bool is_free(const RigState& from, std::span<const Segment> segments);
@@ -121,6 +147,7 @@ class RigSearch {
   Fineness fineness_;
   double trailer_radius_;  // that a trailer turns with in ease [m]
   double cell_, heading_cell_, angle_cell_;
+  std::vector<std::vector<Primitive>> primitives_;  // of each level
   std::array<Side, 2> sides_;
   std::size_t turn_ = 0;
   double cutoff_ = std::numeric_limits<double>::infinity();
@@ -129,6 +156,7 @@ class RigSearch {
   std::int64_t closings_ = 0;
   std::int64_t expansions_ = 0;
   std::int64_t bridges_ = 0;
+  std::int64_t out_of_sight_ = 0;  // of the bridges
 };
 
 /// Of the sharpest circle that the rig can go on driving, of its tractor [m].
