@@ -2,8 +2,6 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/grown_tree.h"
 
-#include <cmath>
-#include <span>
 #include <utility>
 
 #include "planners/rig/closer.h"
@@ -19,23 +17,6 @@ namespace {
 bool is_table(Estimate estimate) {
   return estimate == Estimate::hlut_1 || estimate == Estimate::hlut_2 ||
          estimate == Estimate::hlut_3 || estimate == Estimate::hlut_4;
-}
-
-/// Whether what rounding does to a hitch angle somewhere on the way grows beyond what the judge
-/// allows at its end, where it should be at `states` before and after the segments.
-bool runs_away(const Vehicle& vehicle, std::span<const RigState> states,
-               std::span<const Segment> segments) {
-  constexpr double most_growth = 1e5;
-  constexpr double tick = 1e-6;  // for derivatives [rad]
-  double growth = 1.0;
-  for (std::size_t i = segments.size(); i-- > 0;) {
-    const double angle = states[i].hitch_angle;
-    growth *= (hitch_angle_after(vehicle, angle + tick, segments[i]) -
-               hitch_angle_after(vehicle, angle - tick, segments[i])) /
-              (2 * tick);
-    if (!(std::abs(growth) < most_growth)) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -126,7 +107,6 @@ bool GrownTree::keep_way(const Adoption& to_goal) {
   }
   rig::Closer closer(task_.vehicle);
   if (!closer.close(state(0), way, goal())) return false;
-  if (runs_away(task_.vehicle, closer.states(), way)) return false;
   std::erase_if(way, [](const Segment& segment) { return segment.length == 0.0; });
   if (!task_.checker->rig_is_free(state(0), way)) return false;
   way_ = std::move(way);

@@ -236,12 +236,31 @@ bool Closer::is_held() const {
   return std::abs(states_.front().hitch_angle) <= vehicle_.max_hitch_angle;
 }
 
+/// In reverse rounding grows by a factor of e in each length of the trailer.
+bool Closer::is_steady() const {
+  constexpr double most_growth = 1e4;
+  constexpr double tick = 1e-6;  // for derivatives [rad]
+  double growth = 1.0;           // the most that becomes of a change anywhere before
+  const auto grow = [&](double angle, const Segment& segment) {
+    const double apart = hitch_angle_after(vehicle_, angle + tick, segment) -
+                         hitch_angle_after(vehicle_, angle - tick, segment);
+    growth = std::max(growth, 1.0) * std::abs(apart) / (2 * tick);
+    return growth < most_growth;
+  };
+  for (std::size_t i = 0; i < obeyed_.size(); ++i) {
+    const auto& [segments, count, at_once, reaches] = obeyed_[i];
+    if (count > 0 && !grow(states_[i].hitch_angle, segments[0])) return false;
+    if (count > 1 && !grow(between_[i].hitch_angle, segments[1])) return false;
+  }
+  return true;
+}
+
 bool Closer::close(const RigState& from, std::span<Segment> commands, const RigState& to,
                    const WheelEnds& ends) {
   for (int i = 0; i < most_iterations; ++i) {
     drive(from, commands, ends);
     const Vector open = gap(to);
-    if (largest(open) <= close_enough) return is_held();
+    if (largest(open) <= close_enough) return is_held() && is_steady();
     if (!(largest(open) < 1e3)) return false;
     const bool is_lost = i >= iterations_to_get_near && largest(open) > near_enough * length_unit_;
     if (is_lost && !wheels_.are_free()) return false;

@@ -22,14 +22,11 @@ class Closer {
   explicit Closer(const Vehicle& vehicle, Steering steering = Steering::reeds_shepp);
 
   /// Whether the commands now lead from `from` to `to` within 1e-10 m and rad, with every curvature
-  /// and hitch angle in its limit, every gear as it was and the wheels as they should be at the
-  /// ends; else they are of no use. A command may be left without length.
+  /// and hitch angle in its limit, every gear as it was, the wheels as they should be at the ends,
+  /// and no rounding of a hitch angle growing on the way by more than 10^4; else they are of no
+  /// use. A command may be left without length.
   [[nodiscard]] bool close(const RigState& from, std::span<Segment> commands, const RigState& to,
                            const WheelEnds& ends = {});
-
-  /// The states before each command and after the last one, hitch angles not wrapped; of the last
-  /// call that succeeded.
-  [[nodiscard]] std::span<const RigState> states() const { return states_; }
 
  private:
   using Vector = std::array<double, 4>;
@@ -53,6 +50,7 @@ class Closer {
   [[nodiscard]] bool solve(const Vector& gap, Vector& multipliers) const;
   [[nodiscard]] bool step(std::span<Segment> commands, const Vector& gap);
   [[nodiscard]] bool is_held() const;
+  [[nodiscard]] bool is_steady() const;
 
   const Vehicle& vehicle_;
   Wheels wheels_;
