@@ -75,6 +75,12 @@ Body body_of(const Vehicle& v, Real margin) {
                    margin);
 }
 
+Body body_of(const Trailer& t, Real margin) {
+  if (!t.outline.empty()) return body_with(t.outline, margin);
+  return body_with(rectangle(-t.rear_overhang, t.wheelbase + t.front_overhang, t.width / 2),
+                   margin);
+}
+
 Body wheels_of(const Vehicle& v, Real margin) {
   return body_with(rectangle(0, v.wheelbase, v.track_width.value_or(v.width) / 2), margin);
 }
@@ -163,6 +169,7 @@ class Look {
         body_(body_of(scenario.vehicle, margin)),
         wheels_(wheels_of(scenario.vehicle, margin)),
         reach_(std::max(body_.reach, wheels_.reach)) {
+    if (scenario.vehicle.trailer) trailer_ = body_of(*scenario.vehicle.trailer, margin);
     add(scenario.obstacles, "obstacle", obstacles_);
     add(scenario.kerbs, "kerb", kerbs_);
     if (!scenario.map) return;
@@ -171,16 +178,23 @@ class Look {
                     origin.heading);
   }
 
-  /// What is hit at a place that counts from the start; empty if nothing.
+  /// What the vehicle hits at a place that counts from the start; empty if nothing.
   [[nodiscard]] std::string hit(const Vector& place, Real heading) const {
     const Frame vehicle = frame_at(place, heading);
-    for (const Thing& thing : obstacles_) {
-      if (is_near(thing, place) && hits(thing, body_, vehicle)) return thing.name;
-    }
     for (const Thing& thing : kerbs_) {
-      if (is_near(thing, place) && hits(thing, wheels_, vehicle)) return thing.name;
+      if (is_near(thing, place, reach_) && hits(thing, wheels_, vehicle)) return thing.name;
     }
-    return scenario_.map && hits_map(vehicle) ? "map" : "";
+    return hit(body_, vehicle);
+  }
+
+  /// The same of the trailer, whose wheels have no length to be made smaller: kerbs are overlooked.
+  [[nodiscard]] std::string hit_by_trailer(const Vector& place, Real heading, Real angle) const {
+    const Vehicle& vehicle = scenario_.vehicle;
+    const Vector hitch = frame_at(place, heading).placed({vehicle.hitch, 0});
+    const Real behind = vehicle.trailer->wheelbase;
+    const Vector axle = frame_at(hitch, heading - angle).placed({-behind, 0});
+    const std::string thing = hit(trailer_, frame_at(axle, heading - angle));
+    return thing.empty() ? "" : thing + " with the trailer";
   }
 
   [[nodiscard]] bool leaves_bounds(const Vector& place) const {
@@ -202,17 +216,26 @@ class Look {
     }
   }
 
-  [[nodiscard]] bool is_near(const Thing& thing, const Vector& place) const {
-    return thing.box.x_min - place.x <= reach_ && place.x - thing.box.x_max <= reach_ &&
-           thing.box.y_min - place.y <= reach_ && place.y - thing.box.y_max <= reach_;
+  [[nodiscard]] std::string hit(const Body& body, const Frame& vehicle) const {
+    for (const Thing& thing : obstacles_) {
+      if (is_near(thing, vehicle.origin, body.reach) && hits(thing, body, vehicle)) {
+        return thing.name;
+      }
+    }
+    return scenario_.map && hits_map(body, vehicle) ? "map" : "";
+  }
+
+  [[nodiscard]] static bool is_near(const Thing& thing, const Vector& place, Real reach) {
+    return thing.box.x_min - place.x <= reach && place.x - thing.box.x_max <= reach &&
+           thing.box.y_min - place.y <= reach && place.y - thing.box.y_max <= reach;
   }
 
   /// Blocked cells near the body one by one; and the ground outside if that is blocked.
-  [[nodiscard]] bool hits_map(const Frame& vehicle) const {
+  [[nodiscard]] bool hits_map(const Body& body, const Frame& vehicle) const {
     const OccupancyGrid& grid = *scenario_.map;
     const Real side = grid.resolution;
     Rectangle near{1e300L, -1e300L, 1e300L, -1e300L};
-    for (const Vector& corner : body_.corners) {
+    for (const Vector& corner : body.corners) {
       const Vector p = map_.seen(vehicle.placed(corner));
       near = {std::min(near.x_min, p.x), std::max(near.x_max, p.x), std::min(near.y_min, p.y),
               std::max(near.y_max, p.y)};
@@ -227,25 +250,27 @@ class Look {
          ++row) {
       for (std::int32_t column = clamped(near.x_min, grid.columns);
            column <= clamped(near.x_max, grid.columns); ++column) {
-        if (is_blocked(grid, column, row) && hits_cell(vehicle, column, row)) return true;
+        if (is_blocked(grid, column, row) && hits_cell(body, vehicle, column, row)) return true;
       }
     }
     return false;
   }
 
-  [[nodiscard]] bool hits_cell(const Frame& vehicle, std::int32_t column, std::int32_t row) const {
+  [[nodiscard]] bool hits_cell(const Body& body, const Frame& vehicle, std::int32_t column,
+                               std::int32_t row) const {
     const Real side = scenario_.map->resolution;
     Thing cell;
     for (const auto& [right, up] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
       cell.corners.push_back(map_.placed({side * (column + right), side * (row + up)}));
     }
-    return hits(cell, body_, vehicle);
+    return hits(cell, body, vehicle);
   }
 
   const Scenario& scenario_;
   Body body_;
   Body wheels_;
-  Real reach_;
+  Body trailer_ = {};
+  Real reach_;  ///< of the vehicle
   std::vector<Thing> obstacles_;
   std::vector<Thing> kerbs_;
   Frame map_{};
@@ -255,6 +280,7 @@ class Look {
 struct Drive {
   Vector place;
   Real heading;
+  Real angle;  ///< at the hitch, if there is a trailer
 
   /// A step so short that three Gauss nodes are exact to the last digits.
   void step(Real curvature, Real rate, Real signed_step) {
@@ -268,6 +294,28 @@ struct Drive {
       place.y += signed_step * weight / 18 * std::sin(there);
     }
     heading = heading_at(driven);
+  }
+
+  /// What that does to the hitch angle, by small steps of Runge and Kutta.
+  void fold(const Vehicle& vehicle, Real curvature, Real rate, Real signed_step) {
+    const Real gear = signed_step < 0 ? -1 : 1;
+    const Real driven = std::abs(signed_step);
+    const Real hitch = vehicle.hitch, wheelbase = vehicle.trailer->wheelbase;
+    const auto slope = [&](Real t, Real a) {
+      const Real k = curvature + rate * t;
+      return gear * (k - (std::sin(a) + hitch * k * std::cos(a)) / wheelbase);
+    };
+    const Real steepest = std::max(std::abs(curvature), std::abs(curvature + rate * driven));
+    const Real pace = (1 + std::abs(hitch) * steepest) / wheelbase + steepest;
+    const auto steps = 1 + static_cast<long>(std::min<Real>(256 * driven * pace, 1e6L));
+    const Real h = driven / steps;
+    for (long i = 0; i < steps; ++i) {
+      const Real t = h * i;
+      const Real first = slope(t, angle);
+      const Real second = slope(t + h / 2, angle + h / 2 * first);
+      const Real third = slope(t + h / 2, angle + h / 2 * second);
+      angle += h / 6 * (first + 2 * second + 2 * third + slope(t + h, angle + h * third));
+    }
   }
 };
 
@@ -283,6 +331,15 @@ std::string flaw_at(const std::string& what, const Vector& place) {
          std::to_string(static_cast<double>(place.y)) + " m from the start";
 }
 
+/// What is wrong with the trailer there, or empty.
+std::string flaw_of_trailer(const Look& look, const Vehicle& vehicle, const Drive& at) {
+  if (!(std::abs(at.angle) <= vehicle.max_hitch_angle + allowed_miss)) {
+    return flaw_at("folds up", at.place);
+  }
+  const std::string hit = look.hit_by_trailer(at.place, at.heading, at.angle);
+  return hit.empty() ? "" : flaw_at("hits " + hit, at.place);
+}
+
 /// Drives a segment and looks; what is wrong, or empty.
 std::string drive(const Look& look, const Vehicle& vehicle, const Segment& segment, Drive& at) {
   const Real length = std::abs(Real{segment.length});
@@ -294,10 +351,15 @@ std::string drive(const Look& look, const Vehicle& vehicle, const Segment& segme
   const Real part = Real{segment.length} / steps;
   for (long i = 0; i < steps; ++i) {
     const Real driven = std::abs(part) * i;
-    at.step(segment.curvature + segment.curvature_rate * driven, segment.curvature_rate, part);
+    const Real curvature = segment.curvature + segment.curvature_rate * driven;
+    if (vehicle.trailer) at.fold(vehicle, curvature, segment.curvature_rate, part);
+    at.step(curvature, segment.curvature_rate, part);
     if (look.leaves_bounds(at.place)) return flaw_at("outside the bounds", at.place);
     const std::string hit = look.hit(at.place, at.heading);
     if (!hit.empty()) return flaw_at("hits " + hit, at.place);
+    if (!vehicle.trailer) continue;
+    const std::string flaw = flaw_of_trailer(look, vehicle, at);
+    if (!flaw.empty()) return flaw;
   }
   return "";
 }
@@ -307,10 +369,14 @@ std::string drive(const Look& look, const Vehicle& vehicle, const Segment& segme
 std::string naive_flaw(const Scenario& scenario, const Path& path) {
   if (path.start != scenario.start) return "begins elsewhere";
   const Look look(scenario, -allowed_depth);
-  Drive at{{}, scenario.start.heading};
+  Drive at{{}, scenario.start.heading, scenario.hitch_angles.start};
   if (look.leaves_bounds(at.place)) return "starts outside the bounds";
   const std::string hit = look.hit(at.place, at.heading);
   if (!hit.empty()) return "hits " + hit + " at the start";
+  if (scenario.vehicle.trailer) {
+    std::string flaw = flaw_of_trailer(look, scenario.vehicle, at);
+    if (!flaw.empty()) return flaw;
+  }
   for (const Segment& segment : path.segments) {
     std::string flaw = drive(look, scenario.vehicle, segment, at);
     if (!flaw.empty()) return flaw;
@@ -320,7 +386,10 @@ std::string naive_flaw(const Scenario& scenario, const Path& path) {
   const Real dy = at.place.y - (Real{goal.y} - scenario.start.y);
   if (!(std::hypot(dx, dy) <= allowed_miss)) return flaw_at("ends beside the goal", {dx, dy});
   const Real turn = std::remainder(at.heading - goal.heading, 2 * pi);
-  return std::abs(turn) <= allowed_miss ? "" : flaw_at("ends turned", at.place);
+  if (!(std::abs(turn) <= allowed_miss)) return flaw_at("ends turned", at.place);
+  const Real fold = std::remainder(at.angle - scenario.hitch_angles.goal, 2 * pi);
+  const bool is_folded = scenario.vehicle.trailer && !(std::abs(fold) <= allowed_miss);
+  return is_folded ? flaw_at("ends folded", at.place) : "";
 }
 
 std::string naive_hit(const Scenario& scenario, const Pose& pose, double margin) {

@@ -309,4 +309,22 @@ Scenario nasty_world(std::uint64_t seed) {
   return moved_by(std::move(scenario), any_sign(far, rng), any_sign(far * uniform01(rng), rng));
 }
 
+Scenario nasty_world_of_a_rig(std::uint64_t seed) {
+  Scenario scenario = nasty_world(seed);
+  Rng rng(stream_seed(seed, 2));
+  Vehicle& vehicle = scenario.vehicle;
+  const double size = whole_length(vehicle);
+  Trailer trailer{.wheelbase = size * any_size(0.1, 4, rng),
+                  .width = vehicle.width * any_size(0.3, 2, rng)};
+  trailer.front_overhang = uniform(-0.9, 0.5, rng) * trailer.wheelbase;
+  trailer.rear_overhang = chance(0.2, rng) ? 0 : uniform(0, 1, rng) * trailer.wheelbase;
+  vehicle.trailer = trailer;
+  vehicle.hitch = chance(0.3, rng) ? 0 : uniform(-0.5, 0.3, rng) * size;
+  vehicle.max_hitch_angle = uniform(0.3, 1.5, rng);
+  for (double* const angle : {&scenario.hitch_angles.start, &scenario.hitch_angles.goal}) {
+    if (chance(0.5, rng)) *angle = uniform(-0.3, 0.3, rng);
+  }
+  return scenario;
+}
+
 }  // namespace vandplan::nasty

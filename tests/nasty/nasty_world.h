@@ -15,4 +15,8 @@ namespace vandplan::nasty {
 /// `make_problem` refuses; in some the start or the goal is in collision.
 [[nodiscard]] Scenario nasty_world(std::uint64_t seed);
 
+/// The same with a trailer behind the vehicle, short or four times as long, on a drawbar or with
+/// its body over the hitch, and with hitch angles at both ends.
+[[nodiscard]] Scenario nasty_world_of_a_rig(std::uint64_t seed);
+
 }  // namespace vandplan::nasty

@@ -21,13 +21,13 @@ namespace {
 using vandplan::nasty::Trial;
 
 constexpr const char* usage =
-    "usage: nasty_worlds FROM COUNT [JOBS]\n"
+    "usage: nasty_worlds [--rigs] FROM COUNT [JOBS]\n"
     "       nasty_worlds --save SEED FOLDER\n\n"
     "Tries the worlds FROM to FROM + COUNT - 1, JOBS at a time (1), and prints a line for each "
     "broken\n"
-    "promise with the command that repeats it; exit status 1 if there is one. --save writes a "
-    "world\n"
-    "as a scenario file.\n";
+    "promise with the number that repeats it; exit status 1 if there is one. --rigs: "
+    "with a\n"
+    "trailer. --save writes a world as a scenario file.\n";
 
 /// What all trials brought.
 struct Total {
@@ -35,6 +35,8 @@ struct Total {
   std::uint64_t slowest = 0;
   double slowest_time = 0;  // [s]
 };
+
+using Try = Trial (*)(std::uint64_t seed);
 
 void add(Total& total, std::uint64_t seed, const Trial& trial, double time) {
   ++total.worlds;
@@ -46,20 +48,19 @@ void add(Total& total, std::uint64_t seed, const Trial& trial, double time) {
     total.slowest = seed;
   }
   for (const std::string& fault : trial.faults) {
-    std::printf("%s    (nasty_worlds %llu 1)\n", fault.c_str(),
-                static_cast<unsigned long long>(seed));
+    std::printf("%s    (world %llu)\n", fault.c_str(), static_cast<unsigned long long>(seed));
   }
   std::fflush(stdout);
 }
 
-Total try_all(std::uint64_t from, std::uint64_t count, unsigned jobs) {
+Total try_all(Try one, std::uint64_t from, std::uint64_t count, unsigned jobs) {
   Total total;
   std::mutex mutex;
   std::atomic<std::uint64_t> next = 0;
   const auto work = [&] {
     for (std::uint64_t i = next++; i < count; i = next++) {
       const auto begin = std::chrono::steady_clock::now();
-      const Trial trial = vandplan::nasty::try_world(from + i);
+      const Trial trial = one(from + i);
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
       const std::lock_guard lock(mutex);
       add(total, from + i, trial, time.count());
@@ -74,11 +75,16 @@ Total try_all(std::uint64_t from, std::uint64_t count, unsigned jobs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
+  std::vector<std::string> words(argv + 1, argv + argc);
   if (words.size() == 3 && words[0] == "--save") {
     const std::uint64_t seed = std::strtoull(words[1].c_str(), nullptr, 10);
     std::puts(vandplan::nasty::save_world(seed, words[2]).c_str());
     return 0;
+  }
+  Try one = vandplan::nasty::try_world;
+  if (!words.empty() && words[0] == "--rigs") {
+    one = vandplan::nasty::try_world_of_a_rig;
+    words.erase(words.begin());
   }
   if (words.size() < 2 || words.size() > 3) {
     std::fputs(usage, stderr);
@@ -86,7 +92,7 @@ int main(int argc, char** argv) {
   }
   const auto number = [&](std::size_t i) { return std::strtoull(words[i].c_str(), nullptr, 10); };
   const auto jobs = words.size() > 2 ? std::max(1U, static_cast<unsigned>(number(2))) : 1U;
-  const Total total = try_all(number(0), number(1), jobs);
+  const Total total = try_all(one, number(0), number(1), jobs);
   std::printf(
       "%llu worlds, %llu of them refused; %llu paths; %llu faults; slowest: %llu, %.3f s\n",
       static_cast<unsigned long long>(total.worlds), static_cast<unsigned long long>(total.refused),

@@ -10,11 +10,13 @@
 #include "nasty/trial.h"
 #include "support/cases.h"
 #include "support/problems.h"
+#include "vandplan/rig.h"
 
 namespace vandplan::nasty {
 namespace {
 
 constexpr int worlds = 500;
+constexpr int worlds_of_rigs = 100;
 
 /// A share of the worlds, so that shares can be tried side by side.
 class NastyWorlds : public testing::TestWithParam<int> {};
@@ -33,6 +35,19 @@ TEST_P(NastyWorlds, KeepNoPromiseFromBeingKept) {
   }
   EXPECT_GT(paths, cases(worlds) / 2);
   EXPECT_LE(refused, cases(worlds) / 10);
+}
+
+TEST_P(NastyWorlds, KeepNoPromiseToARigFromBeingKept) {
+  int paths = 0;
+  for (int i = 0; i < cases(worlds_of_rigs); ++i) {
+    const int seed = GetParam() * worlds_of_rigs + i;
+    const Trial trial = try_world_of_a_rig(static_cast<std::uint64_t>(seed));
+    paths += trial.paths;
+    for (const std::string& fault : trial.faults) {
+      ADD_FAILURE() << fault << "    (nasty_worlds --rigs " << seed << " 1)";
+    }
+  }
+  EXPECT_GT(paths, cases(worlds_of_rigs) / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Share, NastyWorlds, testing::Range(0, 4));
@@ -87,6 +102,27 @@ TEST(NaiveJudge, SeesPathsThatAreNone) {
   const Path turn{{}, {{.curvature = 1 / 99.0, .length = 10}}};
   scenario.goal = end_pose(turn);
   EXPECT_NE(naive_flaw(scenario, turn), "");
+}
+
+TEST(NaiveJudge, SeesTheTrailer) {
+  Scenario scenario{.bounds = wide_bounds};
+  scenario.vehicle = Vehicle{3.6, 1.4, 0.9, 2.5, 6.0};
+  scenario.vehicle.hitch = 0.5;
+  scenario.vehicle.trailer = Trailer{7.7, 1.6, 4.3, 2.5};
+  const Path turn{{}, {{.curvature = 1 / 6.5, .length = 9}}};
+  scenario.goal = end_pose(turn);
+  scenario.hitch_angles.goal = hitch_angle_after(scenario.vehicle, 0, turn.segments[0]);
+  EXPECT_EQ(naive_flaw(scenario, turn), "");
+  scenario.hitch_angles.goal += 1e-5;
+  EXPECT_NE(naive_flaw(scenario, turn), "");
+  scenario.hitch_angles.goal -= 1e-5;
+  scenario.vehicle.max_hitch_angle = scenario.hitch_angles.goal - 1e-5;
+  EXPECT_NE(naive_flaw(scenario, turn), "");
+  scenario.vehicle.max_hitch_angle = 1.2;
+  scenario.obstacles = {box(-3, 1.5, -2, 2)};  // where the trailer cuts the corner
+  EXPECT_NE(naive_flaw(scenario, turn), "");
+  scenario.vehicle.trailer.reset();
+  EXPECT_EQ(naive_flaw(scenario, turn), "");
 }
 
 TEST(NaiveJudge, SeesCellsAndTheEndOfTheMap) {

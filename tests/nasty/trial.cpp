@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "nasty/naive_judge.h"
 #include "nasty/nasty_world.h"
@@ -29,19 +30,14 @@ constexpr double longest_written = 300;
 
 class Judgement {
  public:
-  explicit Judgement(std::uint64_t seed)
-      : scenario_(nasty_world(seed)), rng_(stream_seed(seed, 1)), problem_(made()) {}
+  Judgement(Scenario scenario, std::uint64_t seed)
+      : scenario_(std::move(scenario)), rng_(stream_seed(seed, 1)), problem_(made()) {}
 
   Trial trial() {
     if (!problem_) return {{}, true, 0};
     try_checker();
-    const std::size_t count = planners().size();
-    const auto any = [&] {
-      return 1 + static_cast<std::size_t>(uniform(0, static_cast<double>(count - 1), rng_));
-    };
     try_planner(default_planner(), true);
-    try_planner(planners()[any()], false);
-    try_planner(planners()[any()], false);
+    for (int i = 0; i < 2 && can_be_steered(); ++i) try_planner(any_other(), false);
     if (bound_ > least_ * (1 + 1e-9) + leeway_) {
       fault("a bound of " + std::to_string(bound_) + " m, and a path of " + std::to_string(least_));
     }
@@ -59,15 +55,35 @@ class Judgement {
 
   void fault(const std::string& what) { trial_.faults.push_back(what); }
 
+  [[nodiscard]] bool is_rig() const { return scenario_.vehicle.trailer.has_value(); }
+
+  /// Whether others than the default planner know how.
+  [[nodiscard]] bool can_be_steered() const {
+    const Vehicle& vehicle = scenario_.vehicle;
+    return !is_rig() || std::abs(vehicle.hitch) < vehicle.trailer->wheelbase;
+  }
+
+  const Planner& any_other() {
+    const auto count = static_cast<double>(planners().size() - 1);
+    for (;;) {
+      const Planner& planner = planners()[1 + static_cast<std::size_t>(uniform(0, count, rng_))];
+      if (!is_rig() || planner.properties.honours_trailers) return planner;
+    }
+  }
+
   PlanOptions options_for(const Planner& planner) {
     PlanOptions options;
-    options.budget.max_iterations = static_cast<std::int64_t>(any_size(30, 300, rng_));
+    const bool is_slow = is_rig() && planner.name != default_planner().name;
+    options.budget.max_iterations =
+        static_cast<std::int64_t>(any_size(30, is_slow ? 60 : 300, rng_));
     options.budget.seed = rng_();
     if (honours(planner, "region") && chance(0.7, rng_)) options.planner.set("region", "scene");
     constexpr Steering kinds[] = {Steering::reeds_shepp, Steering::continuous_between_stops,
                                   Steering::continuous};
-    if (honours(planner, "steering") && chance(0.7, rng_)) options.steering = kinds[rng_() % 3];
-    if (planner.properties.honours_time && chance(0.1, rng_)) {
+    const bool steers = is_rig() ? planner.properties.honours_steering_of_rigs
+                                 : planner.properties.honours_steering;
+    if (steers && chance(0.7, rng_)) options.steering = kinds[rng_() % 3];
+    if (!is_rig() && planner.properties.honours_time && chance(0.1, rng_)) {
       options.cost.measure = CostMeasure::time;
       return options;
     }
@@ -125,7 +141,7 @@ class Judgement {
     const ScenarioFile read = scenario_from_yaml(to_yaml(scenario_), "world.yaml", scenario_.map);
     const ResultRecord record{.scenario = scenario_.name,
                               .planner = planner.name,
-                              .options = complete(planner, options),
+                              .options = complete(planner, options, scenario_.vehicle),
                               .result = result};
     const std::string file = folder_.put("result.json", results_to_json(read, {record}));
     const std::vector<ResultRecord> records = read_results(file, read);
@@ -174,15 +190,19 @@ class Judgement {
   double leeway_ = 0.0;  ///< of the path of that length
 };
 
-}  // namespace
-
-Trial try_world(std::uint64_t seed) {
+Trial tried(Scenario scenario, std::uint64_t seed) {
   try {
-    return Judgement(seed).trial();
+    return Judgement(std::move(scenario), seed).trial();
   } catch (const std::exception& error) {
     return {{std::string("throws: ") + error.what()}, false, 0};
   }
 }
+
+}  // namespace
+
+Trial try_world(std::uint64_t seed) { return tried(nasty_world(seed), seed); }
+
+Trial try_world_of_a_rig(std::uint64_t seed) { return tried(nasty_world_of_a_rig(seed), seed); }
 
 std::string save_world(std::uint64_t seed, const std::string& folder) {
   Scenario scenario = nasty_world(seed);

@@ -21,6 +21,9 @@ struct Trial {
 /// judged again, bounds are held against the costs of all, and the checker against naive looks.
 [[nodiscard]] Trial try_world(std::uint64_t seed);
 
+/// The same with a trailer behind the vehicle, by planners that plan for rigs.
+[[nodiscard]] Trial try_world_of_a_rig(std::uint64_t seed);
+
 /// The scenario of that world as a file (its map, if it has one, as MAP.yaml and MAP.pgm beside
 /// it), for `vandplan plan`. Returns the file's name.
 std::string save_world(std::uint64_t seed, const std::string& folder);
