@@ -323,6 +323,27 @@ TEST(RigPlanning, WithPricesBothBodiesStayAway) {
 
 // ---- Closing a gap ----
 
+/// From a state along segments to where they lead.
+bool closes(const RigState& from, std::vector<Segment> segments) {
+  const Vehicle vehicle = semitrailer();
+  RigState end = from;
+  for (const Segment& segment : segments) end = advance(vehicle, end, segment);
+  return rig::Closer(vehicle).close(from, segments, end);
+}
+
+TEST(Closer, RefusesWhatRoundingWouldBend) {
+  const double wheelbase = semitrailer().trailer->wheelbase;
+  // In reverse a change grows by e in each length of the trailer, forward it vanishes.
+  const double angle = 1e-6;
+  EXPECT_TRUE(closes({{}, angle}, {{0, -9 * wheelbase}}));
+  EXPECT_FALSE(closes({{}, angle}, {{0, -10 * wheelbase}}));
+  EXPECT_FALSE(closes({{}, angle}, {{0, -10 * wheelbase}, {0, 20 * wheelbase}}));
+  EXPECT_TRUE(closes({{}, angle}, {{0, 20 * wheelbase}, {0, -9 * wheelbase}}));
+  // Exactly straight it stays.
+  EXPECT_TRUE(closes({}, {{0, -20 * wheelbase}}));
+  EXPECT_FALSE(closes({}, {{1e-3, 1}, {0, -10 * wheelbase}}));
+}
+
 TEST(CloserLaw, ADriveIsBentUntilItEndsThere) {
   int closed = 0;
   int tried = 0;

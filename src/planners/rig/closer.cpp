@@ -236,12 +236,16 @@ bool Closer::is_held() const {
   return std::abs(states_.front().hitch_angle) <= vehicle_.max_hitch_angle;
 }
 
-/// In reverse rounding grows by a factor of e in each length of the trailer.
+/// In reverse rounding grows by a factor of e in each length of the trailer, but not where the rig
+/// is exactly straight from the start on.
 bool Closer::is_steady() const {
   constexpr double most_growth = 1e4;
   constexpr double tick = 1e-6;  // for derivatives [rad]
   double growth = 1.0;           // the most that becomes of a change anywhere before
+  bool is_straight = true;
   const auto grow = [&](double angle, const Segment& segment) {
+    is_straight &= angle == 0.0 && segment.curvature == 0.0 && segment.curvature_rate == 0.0;
+    if (is_straight) return true;
     const double apart = hitch_angle_after(vehicle_, angle + tick, segment) -
                          hitch_angle_after(vehicle_, angle - tick, segment);
     growth = std::max(growth, 1.0) * std::abs(apart) / (2 * tick);
