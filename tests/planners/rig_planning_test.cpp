@@ -339,6 +339,7 @@ TEST(Closer, RefusesWhatRoundingWouldBend) {
   EXPECT_FALSE(closes({{}, angle}, {{0, -10 * wheelbase}}));
   EXPECT_FALSE(closes({{}, angle}, {{0, -10 * wheelbase}, {0, 20 * wheelbase}}));
   EXPECT_TRUE(closes({{}, angle}, {{0, 20 * wheelbase}, {0, -9 * wheelbase}}));
+  EXPECT_FALSE(closes({{}, angle}, {{0, 20 * wheelbase}, {0, -10 * wheelbase}}));
   // Exactly straight it stays.
   EXPECT_TRUE(closes({}, {{0, -20 * wheelbase}}));
   EXPECT_FALSE(closes({}, {{1e-3, 1}, {0, -10 * wheelbase}}));
