@@ -21,9 +21,10 @@ enum class SmoothMethod : std::uint8_t {
 [[nodiscard]] SmoothMethod smooth_method_named(std::string_view name);
 
 /// A planner that keeps to the way of one path from the problem's start to its goal: what it finds
-/// steers as its options say, is free and, if the path itself can be driven so, costs no more. It
-/// finds none where a way beside the path is needed that it does not see; `no_path` proves nothing
-/// then. A value to be handed to `plan`; it is not among `planners()`.
+/// steers as its options say, is free and, if the path itself can be driven so, costs no more; a
+/// path that is nearer than a millimetre to something may count as blocked. It finds none where a
+/// way beside the path is needed that it does not see; `no_path` proves nothing then. A value to be
+/// handed to `plan`; it is not among `planners()`.
 [[nodiscard]] Planner smoother(const Path& path, SmoothMethod method);
 
 }  // namespace vandplan

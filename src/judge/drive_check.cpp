@@ -209,23 +209,28 @@ struct Passing {
   Real standing = 0;  // for how long [s]
 };
 
+/// At the slowest knot that is near, as others belong to how it comes and goes.
 Passing passing_of(const SpeedProfile& speeds, Real s) {
+  const auto is_near = [&](const SpeedKnot& knot) {
+    return std::abs(knot.s - s) <= distance_slack;
+  };
   Passing passing{.t = speeds.duration, .speed = 0, .standing = 0};
   bool has_come = false;
+  for (const SpeedKnot& knot : speeds.knots) {
+    if (!is_near(knot) || (has_come && knot.v >= passing.speed)) continue;
+    passing.t = knot.t;
+    passing.speed = knot.v;
+    has_come = true;
+  }
   for (std::size_t i = 0; i + 1 < speeds.knots.size(); ++i) {
     const SpeedKnot& knot = speeds.knots[i];
     const SpeedKnot& next = speeds.knots[i + 1];
-    if (next.s < s - distance_slack || knot.s > s + distance_slack) continue;
-    if (!has_come) {
-      passing.t = std::abs(knot.s - s) <= distance_slack ? knot.t : next.t;
-      passing.speed = std::abs(knot.s - s) <= distance_slack ? knot.v : next.v;
+    if (!has_come && knot.s < s && s < next.s) {
       // In the middle of what is driven with one acceleration nobody stands.
-      if (next.s > s + distance_slack && knot.s < s - distance_slack) {
-        passing.speed = std::max<Real>({knot.v, next.v, speed_slack * 2});
-      }
-      has_come = true;
+      passing.t = next.t;
+      passing.speed = std::max<Real>({knot.v, next.v, speed_slack * 2});
     }
-    if (next.s - knot.s <= least_motion && knot.v <= speed_slack) {
+    if (is_near(knot) && next.s - knot.s <= least_motion && knot.v <= speed_slack) {
       passing.standing += static_cast<Real>(next.t) - knot.t;
     }
   }
@@ -240,6 +245,7 @@ std::optional<DriveFault> rushed_stop(const SpeedProfile& speeds, const Track& t
   Real before = task.curvatures.start;
   for (std::size_t i = 0; track.length > 0 && i < track.stretches.size(); ++i) {
     const Stretch& stretch = track.stretches[i];
+    if (stretch.length <= least_motion) continue;
     const bool changes_gear = i > 0 && stretch.direction != track.stretches[i - 1].direction;
     const Real turn = std::abs(angle(stretch.curvature) - angle(before));
     before = judge::curvature_at(stretch, stretch.length);

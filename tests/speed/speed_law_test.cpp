@@ -8,6 +8,8 @@
 #include "support/draws.h"
 #include "support/drive_oracle.h"
 #include "support/jerk_oracle.h"
+#include "support/problems.h"
+#include "vandplan/drive_check.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -101,6 +103,19 @@ TEST(SpeedLaw, KeepsTheLimitOfJerk) {
 }
 
 // From rest to rest along a line the fastest drive has seven phases.
+TEST(SpeedLaw, TheJudgeOfDrivesAcceptsIt) {
+  for_each_case(9, 500, [](Rng& rng) {
+    Path path = any_path(rng);
+    if (chance(0.2, rng)) path.segments.insert(path.segments.begin(), {0.1, 1e-11});
+    Vehicle vehicle = any_driver(rng);
+    if (chance(0.3, rng)) vehicle.limits.max_acceleration = any_size(0.01, 0.1, rng);
+    if (chance(0.7, rng)) vehicle.limits.max_jerk = any_size(0.05, 50, rng);
+    const Problem problem = problem_of_path({.bounds = wide_bounds}, path, vehicle);
+    const DriveCheck check = check_drive(problem, {path, speed_profile(path, vehicle)});
+    EXPECT_TRUE(check.valid) << check.reason << " " << as_code(path);
+  });
+}
+
 TEST(SpeedLaw, OnALineNoDriveWithoutJerksIsFaster) {
   for_each_case(8, 100, [](Rng& rng) {
     Path path;
