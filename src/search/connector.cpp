@@ -20,6 +20,13 @@ void append(Piece& piece, const Segment& segment) {
   piece.length += std::abs(segment.length);
 }
 
+/// Whether the wheels would be turned at a stop before or after so short a stroke that cutting the
+/// piece may leave it out.
+bool holds_crumb(const Piece& piece) {
+  return std::ranges::any_of(piece.view(),
+                             [](const Segment& s) { return std::abs(s.length) <= nothing; });
+}
+
 std::optional<ContinuousSteering> continuous_steering(const Task& task) {
   if (task.steering == Steering::reeds_shepp) return std::nullopt;
   // Who turns his wheels so slowly that he has turned around before they are at full lock turns
@@ -134,6 +141,7 @@ std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& t
   std::optional<Piece> best;
   double least = cutoff;
   const auto consider = [&](const Piece& piece, const End& start, const End& goal) {
+    if (holds_crumb(piece)) return;
     if (first_driven(piece).gear == -start.gear || last_driven(piece).gear == -goal.gear) return;
     const double total = cost(piece, gears);
     if (total >= least) return;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "../support/cases.h"
+#include "../support/draws.h"
 #include "../support/problems.h"
 #include "vandplan/dubins.h"
 #include "vandplan/random.h"
@@ -111,6 +112,22 @@ TEST(Connector, AContinuousPieceGoesOnFromWhatIsDrivenAroundIt) {
     });
   }
   EXPECT_GE(found, cases(2000));
+}
+
+// Where an arc leads to a place from which another one is to be driven in the same gear, a stroke
+// of no length in the other gear would let the wheels be turned; who cuts the piece leaves it out.
+TEST(Connector, WheelsAreTurnedAtNoStrokeOfAHairsBreadth) {
+  const Task task = continuous_task(Steering::continuous_between_stops);
+  Connector connector(task);
+  for_each_case(5, 5000, [&](Rng& rng) {
+    const double sharpest = (chance(0.5, rng) ? 1 : -1) / connector.radius();
+    const GearSign gear = chance(0.5, rng) ? 1 : -1;
+    const Pose from = uniform_pose({-20, 20, -20, 20}, rng);
+    const Pose to = advance(from, {sharpest, gear * uniform(0.1, 12, rng)});
+    const auto piece = connector.steer(from, to, {{-gear, 0.0}, {gear, -sharpest}});
+    if (!piece) return;
+    for (const Segment& segment : piece->view()) EXPECT_GT(std::abs(segment.length), 1e-12);
+  });
 }
 
 TEST(Connector, ItStandsAtTheEndsOfTheTaskBetweenStops) {
