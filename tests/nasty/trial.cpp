@@ -13,11 +13,14 @@
 #include "nasty/nasty_world.h"
 #include "support/draws.h"
 #include "support/temporary_folder.h"
+#include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 #include "vandplan/result_file.h"
 #include "vandplan/scenario_file.h"
+#include "vandplan/smooth.h"
+#include "vandplan/speed.h"
 
 namespace vandplan::nasty {
 namespace {
@@ -38,6 +41,7 @@ class Judgement {
     try_checker();
     try_planner(default_planner(), true);
     for (int i = 0; i < 2 && can_be_steered(); ++i) try_planner(any_other(), false);
+    if (known_ && !is_rig() && chance(0.3, rng_)) try_to_drive(*known_);
     if (bound_ > least_ * (1 + 1e-9) + leeway_) {
       fault("a bound of " + std::to_string(bound_) + " m, and a path of " + std::to_string(least_));
     }
@@ -116,6 +120,7 @@ class Judgement {
     if (is_length(options.cost)) bound_ = std::max(bound_, result.lower_bound);
     if (!result.path) return;
     ++trial_.paths;
+    if (!known_) known_ = *result.path;
     if (length(*result.path) < least_) {
       least_ = length(*result.path);
       leeway_ = leeway_of(*result.path);
@@ -123,6 +128,20 @@ class Judgement {
     const std::string flaw = naive_flaw(scenario_, *result.path);
     if (!flaw.empty()) fault(planner.name + ", says the naive judge: " + flaw);
     if (length(*result.path) < longest_written) expect_kept(planner, options, result);
+  }
+
+  /// Speeds along a path are those of its vehicle; and it is smoothed, and planned along.
+  void try_to_drive(const Path& path) {
+    Scenario driven = scenario_;
+    driven.vehicle.limits.max_acceleration = any_size(0.01, 10, rng_);
+    if (chance(0.5, rng_)) driven.vehicle.limits.max_jerk = any_size(0.01, 50, rng_);
+    const TimedPath drive{path, speed_profile(path, driven.vehicle)};
+    const DriveCheck check = check_drive(make_problem(driven), drive);
+    if (!check.valid) fault("speeds: " + check.reason);
+    for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
+      try_planner(smoother(path, method), false);
+    }
+    try_planner(warm_started(path), false);
   }
 
   /// How much longer a path to the very goal may be than `path`, which ends a little beside it and
@@ -181,6 +200,7 @@ class Judgement {
   }
 
   Scenario scenario_;
+  std::optional<Path> known_;  ///< the first one
   Rng rng_;
   std::optional<Problem> problem_;
   TemporaryFolder folder_;
