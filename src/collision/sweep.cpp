@@ -55,7 +55,8 @@ Placement placement_of(const Pose& pose) noexcept {
 }
 
 Placement after(const Placement& from, const Segment& segment) noexcept {
-  const auto& [position, heading] = from;
+  const Point position = from.position;
+  const Point heading = from.heading;
   const auto moved = [&](double x, double y, double sin, double cos) -> Placement {
     return {
         {position.x + x * heading.x - y * heading.y, position.y + x * heading.y + y * heading.x},
