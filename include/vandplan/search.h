@@ -177,6 +177,10 @@ struct Connection {
   double cost = 0.0;  ///< in all, with what it cost to get to its begin [m]
 };
 
+/// The least radius on which a vehicle steers with continuous curvature [m]: its own, or a wider
+/// one if its wheels turn so slowly that it has turned around before they are at full lock.
+[[nodiscard]] double continuous_radius(const Vehicle& vehicle) noexcept;
+
 /// Steers, prices and checks for one task, and counts what it is asked. One for each thread.
 class Connector {
  public:

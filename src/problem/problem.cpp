@@ -154,6 +154,11 @@ Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal) 
 Task task_of(const Problem& problem, const ClearanceOptions& options, Steering steering) {
   Task task = problem.task();
   task.steering = steering;
+  const bool turns_wheels = task.curvatures.start != task.curvatures.goal;
+  if (steering == Steering::continuous && turns_wheels && task.start == task.goal) {
+    task.goal.x +=
+        1e-9;  // far below what a goal may be missed by: planners know ends by their place
+  }
   if (options.margin == 0.0) return task;
   Margin margin{.wanted = options.margin};
   if (options.margin_ramp > 0.0) {

@@ -6,6 +6,7 @@
 #include "steering/continuous_wanted.h"
 #include "steering/words.h"
 #include "vandplan/dubins.h"
+#include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
 
@@ -27,19 +28,23 @@ bool holds_crumb(const Piece& piece) {
                              [](const Segment& s) { return std::abs(s.length) <= nothing; });
 }
 
+double rate_of(const Vehicle& vehicle) {
+  const double turning = vehicle.min_turning_radius;
+  const double most = supported_sharpness.most / turning / turning;
+  return std::min(max_curvature_rate(vehicle), most * (1 - 1e-12));
+}
+
 std::optional<ContinuousSteering> continuous_steering(const Task& task) {
   if (task.steering == Steering::reeds_shepp) return std::nullopt;
-  // Who turns his wheels so slowly that he has turned around before they are at full lock turns
-  // them less far: nothing is gained by winding on.
-  constexpr double least = 0.1;
-  static_assert(least > supported_sharpness.least);
-  const double most = supported_sharpness.most;
-  const double turning = task.vehicle.min_turning_radius;
-  const double rate =
-      std::min(max_curvature_rate(task.vehicle), most / turning / turning * (1 - 1e-12));
-  const double radius = std::max(turning, std::sqrt(least / rate) * (1 + 1e-12));
+  const double radius = continuous_radius(task.vehicle);
+  const double given = std::max(std::abs(task.curvatures.start), std::abs(task.curvatures.goal));
+  if (task.steering == Steering::continuous && given * radius > 1 + 1e-12) {
+    throw InputError("curvature", "of start or goal is " + std::to_string(given) +
+                                      " 1/m, expected at most " + std::to_string(1 / radius) +
+                                      " with wheels that turn so slowly");
+  }
   return ContinuousSteering(
-      radius, rate,
+      radius, rate_of(task.vehicle),
       task.steering == Steering::continuous ? Continuity::throughout : Continuity::between_stops);
 }
 
@@ -105,6 +110,13 @@ std::optional<Piece> Connector::steer(const Pose& from, const Pose& to, const Ge
   }
   steering_.stop();
   return best;
+}
+
+double continuous_radius(const Vehicle& vehicle) noexcept {
+  constexpr double least = 0.1;
+  static_assert(least > supported_sharpness.least);
+  const double widest = std::sqrt(least / rate_of(vehicle)) * (1 + 1e-12);
+  return std::max(vehicle.min_turning_radius, widest);
 }
 
 bool Connector::may_jump(const Driven& before, const Driven& after) const {

@@ -283,6 +283,21 @@ Bounds nasty_bounds(Site& site) {
           std::max(start.y, goal.y) + (chance(0.05, rng) ? 0 : margin())};
 }
 
+/// How the wheels are turned at both ends: straight, most of the time, or as far as planners with
+/// continuous curvature take them.
+EndCurvatures nasty_curvatures(std::uint64_t seed, const Vehicle& vehicle) {
+  Rng rng(stream_seed(seed, 3));
+  const double slowest = 1.001 * std::sqrt(0.1 / max_curvature_rate(vehicle));
+  const double radius = std::max(vehicle.min_turning_radius, slowest);
+  const auto any = [&] {
+    const double kind = uniform01(rng);
+    const double share = kind < 0.8 ? 0.0 : kind < 0.9 ? 1.0 : uniform01(rng);
+    return any_sign(share, rng) / radius;
+  };
+  const double start = any();
+  return {start, any()};
+}
+
 }  // namespace
 
 Scenario nasty_world(std::uint64_t seed) {
@@ -304,6 +319,7 @@ Scenario nasty_world(std::uint64_t seed) {
   }
   if (chance(0.3, rng)) scenario.map = nasty_map(site);
   scenario.bounds = nasty_bounds(site);
+  scenario.curvatures = nasty_curvatures(seed, scenario.vehicle);
   if (!chance(0.2, rng)) return scenario;
   const double far = any_size(1e3, 1e9, rng);
   return moved_by(std::move(scenario), any_sign(far, rng), any_sign(far * uniform01(rng), rng));

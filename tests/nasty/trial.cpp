@@ -45,6 +45,7 @@ class Judgement {
     if (bound_ > least_ * (1 + 1e-9) + leeway_) {
       fault("a bound of " + std::to_string(bound_) + " m, and a path of " + std::to_string(least_));
     }
+    if (proves_none_ && known_) fault("a proof that there is no path, and a path");
     return std::move(trial_);
   }
 
@@ -82,6 +83,14 @@ class Judgement {
         static_cast<std::int64_t>(any_size(30, is_slow ? 60 : 300, rng_));
     options.budget.seed = rng_();
     if (honours(planner, "region") && chance(0.7, rng_)) options.planner.set("region", "scene");
+    if (chance(0.25, rng_)) {
+      options.clearance.margin = any_size(1e-4, 0.5, rng_) * scenario_.vehicle.width;
+      if (chance(0.6, rng_)) options.clearance.margin_ramp = any_size(0.01, 100, rng_);
+    }
+    const bool has_strokes = !is_rig() && honours(planner, "min_stroke");
+    if (has_strokes && chance(0.15, rng_)) {
+      options.planner.set("min_stroke", any_size(0.01, 10, rng_));
+    }
     constexpr Steering kinds[] = {Steering::reeds_shepp, Steering::continuous_between_stops,
                                   Steering::continuous};
     const bool steers = is_rig() ? planner.properties.honours_steering_of_rigs
@@ -98,6 +107,7 @@ class Judgement {
     options.cost.gear_change_cost = uniform(0, 10, rng_);
     if (chance(0.3, rng_)) options.cost.clearance_weight = any_size(0.1, 10, rng_);
     if (chance(0.3, rng_)) options.cost.clearance_distance = any_size(0.05, 10, rng_);
+    if (chance(0.3, rng_)) options.cost.curvature_change_cost = any_size(0.01, 20, rng_);
     if (chance(0.3, rng_)) options.cost.initial_gear = InitialGear::reverse;
     return options;
   }
@@ -117,7 +127,10 @@ class Judgement {
 
   void expect_good(const Planner& planner, const PlanOptions& options, const PlanResult& result) {
     if (result.status == PlanStatus::rejected) fault(planner.name + " rejected: " + result.reason);
-    if (is_length(options.cost)) bound_ = std::max(bound_, result.lower_bound);
+    if (options.clearance.margin == 0) {
+      if (is_length(options.cost)) bound_ = std::max(bound_, result.lower_bound);
+      proves_none_ |= result.status == PlanStatus::no_path && planner.properties.family != "smooth";
+    }
     if (!result.path) return;
     ++trial_.paths;
     if (!known_) known_ = *result.path;
@@ -135,7 +148,8 @@ class Judgement {
     Scenario driven = scenario_;
     driven.vehicle.limits.max_acceleration = any_size(0.01, 10, rng_);
     if (chance(0.5, rng_)) driven.vehicle.limits.max_jerk = any_size(0.01, 50, rng_);
-    const TimedPath drive{path, speed_profile(path, driven.vehicle)};
+    const TimedPath drive{
+        path, speed_profile(path, driven.vehicle, {.start_curvature = driven.curvatures.start})};
     const DriveCheck check = check_drive(make_problem(driven), drive);
     if (!check.valid) fault("speeds: " + check.reason);
     for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
@@ -146,13 +160,14 @@ class Judgement {
 
   /// How much longer a path to the very goal may be than `path`, which ends a little beside it and
   /// whose poses coordinates round: the shortest path that far sideways, sqrt(8 R times the
-  /// distance).
+  /// distance). So little a goal is moved where it is the start.
   double leeway_of(const Path& path) const {
     const Pose end = end_pose(path);
     const double far = std::max({std::abs(end.x), std::abs(end.y), 1.0});
     const double beside = std::hypot(end.x - scenario_.goal.x, end.y - scenario_.goal.y);
     const double rounding = far * std::numeric_limits<double>::epsilon();
-    return std::sqrt(8 * scenario_.vehicle.min_turning_radius * (beside + rounding));
+    constexpr double moved = 1e-9;
+    return std::sqrt(8 * scenario_.vehicle.min_turning_radius * (beside + rounding + moved));
   }
 
   /// Files hold what was planned, and it is still good.
@@ -208,6 +223,7 @@ class Judgement {
   double bound_ = 0.0;
   double least_ = std::numeric_limits<double>::infinity();
   double leeway_ = 0.0;  ///< of the path of that length
+  bool proves_none_ = false;
 };
 
 Trial tried(Scenario scenario, std::uint64_t seed) {

@@ -10,6 +10,7 @@
 #include "../support/draws.h"
 #include "../support/problems.h"
 #include "vandplan/dubins.h"
+#include "vandplan/input_error.h"
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
@@ -128,6 +129,17 @@ TEST(Connector, WheelsAreTurnedAtNoStrokeOfAHairsBreadth) {
     if (!piece) return;
     for (const Segment& segment : piece->view()) EXPECT_GT(std::abs(segment.length), 1e-12);
   });
+}
+
+TEST(Connector, WheelsThatTurnTooSlowlyForTheGivenCurvatureAreNamed) {
+  Task task = continuous_task(Steering::continuous);
+  task.vehicle.limits.max_curvature_rate = 1e-4;
+  task.curvatures.start = 0.9 / continuous_radius(task.vehicle);
+  EXPECT_NO_THROW(Connector{task});
+  task.curvatures.start = 1 / task.vehicle.min_turning_radius;
+  EXPECT_THROW(Connector{task}, InputError);
+  task.steering = Steering::continuous_between_stops;
+  EXPECT_NO_THROW(Connector{task});
 }
 
 TEST(Connector, ItStandsAtTheEndsOfTheTaskBetweenStops) {

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/anytime/fastest.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -21,10 +23,13 @@ constexpr double hopeless_challenge = 20;  // over the least cost, times the tri
 
 Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure)
     : measure_(std::move(measure)), seed_(seed), cost_(std::numeric_limits<double>::infinity()) {
+  const double given = std::max(std::abs(task.curvatures.start), std::abs(task.curvatures.goal));
   for (const double sharpness : sharpnesses) {
-    Task& softer = tasks_.emplace_back(task);
+    Task softer = task;
     softer.vehicle.limits.max_curvature_rate = sharpness * max_curvature_rate(task.vehicle);
-    connectors_.emplace_back(softer, rule);
+    // Wheels that turn more slowly may not be turned as far as they are at the ends.
+    if (sharpness < 1 && given * continuous_radius(softer.vehicle) > 1) continue;
+    connectors_.emplace_back(tasks_.emplace_back(std::move(softer)), rule);
   }
 }
 
