@@ -3,7 +3,8 @@
 #pragma once
 // What does a trailer do when its tractor drives?
 //
-// Formulas: docs/algorithms/trailers.md. Every vehicle that is passed here has a trailer.
+// Formulas: docs/algorithms/trailers.md. Every vehicle that is passed here has a trailer, where
+// nothing else is said.
 
 #include <vector>
 
@@ -32,11 +33,11 @@ struct RigState {
 
 /// The hitch angle after a tractor has driven the segment [rad]: exact but for rounding along arcs
 /// and lines, within 1e-11 along clothoids of vehicles. Not wrapped: it goes on beyond pi where the
-/// trailer turns round its hitch. An equilibrium stays exactly.
+/// trailer turns round its hitch. An equilibrium stays exactly. Without a trailer the angle stays.
 [[nodiscard]] double hitch_angle_after(const Vehicle& vehicle, double hitch_angle,
                                        const Segment& segment) noexcept;
 
-/// The state after driving the segment; the hitch angle is in [-pi, pi).
+/// The state after driving the segment; the hitch angle is in [-pi, pi). Without a trailer it stays.
 [[nodiscard]] RigState advance(const Vehicle& vehicle, const RigState& state,
                                const Segment& segment) noexcept;
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "planners/rig/closer.h"
+#include "planners/commands/closer.h"
 #include "planners/tree_parts.h"
 
 namespace vandplan::planning {
@@ -105,7 +105,7 @@ bool GrownTree::keep_way(const Adoption& to_goal) {
     const std::optional<Piece> piece = rig_->steer(states[i], states[i - 1]);
     way.insert(way.end(), piece->view().begin(), piece->view().end());
   }
-  rig::Closer closer(task_.vehicle);
+  commands::Closer closer(task_.vehicle);
   if (!closer.close(state(0), way, goal())) return false;
   std::erase_if(way, [](const Segment& segment) { return segment.length == 0.0; });
   if (!task_.checker->rig_is_free(state(0), way)) return false;

@@ -241,11 +241,7 @@ double rig_clearance_cost(const Task& task, const CostRule& rule, const RigState
     sum += price * (looks == Looks::answer
                         ? exact_nearness(looked, rule, whole)
                         : nearness(looked, distance, steps, (cutoff - sum) / price));
-    if (task.vehicle.trailer) {
-      state = advance(task.vehicle, state, segment);
-    } else {
-      state.pose = advance(state.pose, segment);
-    }
+    state = advance(task.vehicle, state, segment);
   }
   return sum;
 }

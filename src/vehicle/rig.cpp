@@ -40,6 +40,7 @@ double hitch_rate(const Vehicle& vehicle, double hitch_angle, double curvature) 
 
 double hitch_angle_after(const Vehicle& vehicle, double hitch_angle,
                          const Segment& segment) noexcept {
+  if (!vehicle.trailer) return hitch_angle;
   return hitch_angle + vehicle::hitch_change(coupling_of(vehicle), hitch_angle, segment);
 }
 

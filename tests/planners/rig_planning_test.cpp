@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "planners/grown_tree.h"
-#include "planners/rig/closer.h"
+#include "planners/commands/closer.h"
 #include "planners/rig/towed.h"
 #include "support/cases.h"
 #include "support/draws.h"
@@ -328,7 +328,7 @@ bool closes(const RigState& from, std::vector<Segment> segments) {
   const Vehicle vehicle = semitrailer();
   RigState end = from;
   for (const Segment& segment : segments) end = advance(vehicle, end, segment);
-  return rig::Closer(vehicle).close(from, segments, end);
+  return commands::Closer(vehicle).close(from, segments, end);
 }
 
 TEST(Closer, RefusesWhatRoundingWouldBend) {
@@ -350,7 +350,7 @@ TEST(CloserLaw, ADriveIsBentUntilItEndsThere) {
   int tried = 0;
   for_each_case(1, 300, [&](Rng& rng) {
     const Vehicle vehicle = semitrailer();
-    rig::Closer closer(vehicle);
+    commands::Closer closer(vehicle);
     std::vector<Segment> segments;
     RigState end{{0, 0, 0}, uniform(-0.3, 0.3, rng)};
     const RigState start = end;

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "planners/rig/closer.h"
-#include "planners/rig/wheels.h"
+#include "planners/commands/closer.h"
+#include "planners/commands/wheels.h"
 #include "support/cases.h"
 #include "support/continuity.h"
 #include "support/draws.h"
@@ -40,7 +40,7 @@ Vehicle towing_vehicle() {
 }
 
 /// Wheels that may be anywhere before `continuous` drives, and may jump before others.
-rig::WheelEnds ends_for(Steering steering, double before, std::optional<double> after = {}) {
+commands::WheelEnds ends_for(Steering steering, double before, std::optional<double> after = {}) {
   if (steering == Steering::continuous_between_stops) return {};
   return {{0, before}, after};
 }
@@ -80,7 +80,7 @@ TEST(RigWheelsLaw, EveryChainOfCommandsIsAContinuousDrive) {
   const Vehicle vehicle = towing_vehicle();
   for_each_case(1, 2000, [&](Rng& rng) {
     for (const Steering steering : continuous_kinds) {
-      const rig::Wheels wheels(vehicle, steering);
+      const commands::Wheels wheels(vehicle, steering);
       const double first = uniform(-1, 1, rng) / 5.9;
       const std::vector<Segment> commands = any_commands(6, rng);
       const Driven before = ends_for(steering, first).before;
@@ -100,8 +100,8 @@ TEST(RigWheelsLaw, CommandsLeadAlongWhatIsDriven) {
   const Vehicle vehicle = towing_vehicle();
   for_each_case(2, 2000, [&](Rng& rng) {
     for (const Steering steering : continuous_kinds) {
-      const rig::Wheels wheels(vehicle, steering);
-      const rig::WheelEnds ends = ends_for(steering, uniform(-1, 1, rng) / 5.9);
+      const commands::Wheels wheels(vehicle, steering);
+      const commands::WheelEnds ends = ends_for(steering, uniform(-1, 1, rng) / 5.9);
       const std::vector<Segment> commands = any_commands(6, rng);
       const std::vector<Segment> driven = wheels.driven(commands, ends.before);
       const Pose end = end_pose({{}, driven});
@@ -122,8 +122,8 @@ TEST(RigWheels, LeadAlongArcsWhoseCurvatureJumps) {
   const std::vector<Segment> arcs = {{0, 8}, {0.1, 6}, {-0.1, 7}};
   const std::vector<Segment> back = {{0, 8}, {0.05, 6}, {-0.1, -7}};
   for (const Steering steering : continuous_kinds) {
-    const rig::Wheels wheels(towing_vehicle(), steering);
-    const rig::WheelEnds ends = ends_for(steering, 0.0);
+    const commands::Wheels wheels(towing_vehicle(), steering);
+    const commands::WheelEnds ends = ends_for(steering, 0.0);
     const Pose rolled = end_pose({{}, wheels.driven(wheels.commands(arcs, ends), ends.before)});
     EXPECT_NEAR(rolled.x, end_pose({{}, arcs}).x, 0.05);
     EXPECT_NEAR(rolled.y, end_pose({{}, arcs}).y, 0.05);
@@ -134,7 +134,7 @@ TEST(RigWheels, LeadAlongArcsWhoseCurvatureJumps) {
 }
 
 TEST(RigWheels, AreFreeForArcsAndLines) {
-  const rig::Wheels wheels(towing_vehicle(), Steering::reeds_shepp);
+  const commands::Wheels wheels(towing_vehicle(), Steering::reeds_shepp);
   const std::vector<Segment> arcs = {{0.1, 4}, {-0.1, 3}, {0.1, -2}};
   EXPECT_EQ(wheels.driven(arcs, {}), arcs);
   EXPECT_EQ(wheels.commands(arcs, {}), arcs);
@@ -147,14 +147,14 @@ class ContinuousCloser : public testing::TestWithParam<Steering> {};
 TEST_P(ContinuousCloser, BendsADriveUntilItEndsThere) {
   const Steering steering = GetParam();
   const Vehicle vehicle = towing_vehicle();
-  const rig::Wheels wheels(vehicle, steering);
-  rig::Closer closer(vehicle, steering);
+  const commands::Wheels wheels(vehicle, steering);
+  commands::Closer closer(vehicle, steering);
   int closed = 0, tried = 0;
   for_each_case(1, 400, [&](Rng& rng) {
     const RigState start{{0, 0, 0}, uniform(-0.3, 0.3, rng)};
     std::vector<Segment> commands = any_commands(8, rng);
     const double last = commands.back().curvature;
-    const rig::WheelEnds ends = ends_for(steering, uniform(-1, 1, rng) / 5.9, last);
+    const commands::WheelEnds ends = ends_for(steering, uniform(-1, 1, rng) / 5.9, last);
     const std::vector<Segment> first = wheels.driven(commands, ends.before);
     if (largest_angle(vehicle, start, first) > 0.9) return;
     ++tried;
@@ -196,9 +196,9 @@ INSTANTIATE_TEST_SUITE_P(RigWheels, ContinuousCloser, testing::ValuesIn(continuo
 // The trailer goes on folding up while the wheels turn back, and unfolds then.
 TEST(RigWheels, ACloserHoldsTheHitchAngleInsideOfAClothoid) {
   const Vehicle vehicle = towing_vehicle();
-  const rig::Wheels wheels(vehicle, Steering::continuous);
-  rig::Closer closer(vehicle, Steering::continuous);
-  const rig::WheelEnds ends{{1, 1 / 5.9}, {}};
+  const commands::Wheels wheels(vehicle, Steering::continuous);
+  commands::Closer closer(vehicle, Steering::continuous);
+  const commands::WheelEnds ends{{1, 1 / 5.9}, {}};
   for (const double angle : {1.15, 1.198}) {
     const RigState start{{0, 0, 0}, angle};
     std::vector<Segment> commands = {{-1 / 5.9, 6}};

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "planners/commands/wheels.h"
 #include "steering/words.h"
 
 namespace vandplan::anytime {
@@ -15,9 +16,8 @@ namespace {
 
 using search::Connector, search::Driven, search::gear_of;
 
-constexpr double crumb_share = 1.0 / 70;  // of the turning radius: 0.1 m for a truck
-constexpr double tidy_slack = 1e-4;       // of the cost: 1 cm of 100 m, less than any search leaves
-constexpr std::size_t reach = 3;          // segments on either side that make up for one left out
+constexpr double tidy_slack = 1e-4;  // of the cost: 1 cm of 100 m, less than any search leaves
+constexpr std::size_t reach = 3;     // segments on either side that make up for one left out
 
 using Segments = std::vector<Segment>;
 
@@ -34,7 +34,7 @@ class Tidier {
       : connector_(connector),
         start_(start),
         segments_(merged(segments)),
-        crumb_(crumb_share * connector.radius()) {}
+        crumb_(commands::crumb_length(connector.radius())) {}
 
   void drop_crumbs();
   void lengthen_strokes(double least);

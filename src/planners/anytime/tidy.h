@@ -14,10 +14,9 @@ namespace vandplan::anytime {
 [[nodiscard]] OptionInfo min_stroke_option();
 
 /// The segments of a path from `start`, tidied: it ends where it ended, is free if it was, and
-/// costs at most a ten thousandth more, but for what strokes of `min_stroke` [m] need. Segments
-/// shorter than a seventieth of the turning radius are left out where the others can make up for
-/// them. Then a stroke before or after a gear change that is shorter than `min_stroke` is left out
-/// or driven on, if there is room for it.
+/// costs at most a ten thousandth more, but for what strokes of `min_stroke` [m] need. Crumbs
+/// are left out where the others can make up for them. Then a stroke before or after a gear change
+/// that is shorter than `min_stroke` is left out or driven on, if there is room for it.
 [[nodiscard]] std::vector<Segment> tidied(search::Connector& connector, const Pose& start,
                                           std::vector<Segment> segments, double min_stroke);
 

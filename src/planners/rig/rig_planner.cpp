@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "planners/rig/rig_search.h"
-#include "planners/rig/rig_shorten.h"
+#include "planners/commands/shorten_drive.h"
 #include "planners/rig/towed.h"
 #include "search/enclosure.h"
 #include "vandplan/input_error.h"
@@ -161,7 +161,7 @@ void Run::keep(const std::vector<Segment>& segments, double cost) {
 
 bool Run::shorten() {
   if (!found_) return !budget_.exhausted();
-  RigShortener shortener(task_, rule_, *std::exchange(found_, std::nullopt),
+  DriveShortener shortener(task_, rule_, *std::exchange(found_, std::nullopt),
                          stream_seed(options_.budget.seed, shortened_++));
   keep(shortener.segments(), shortener.cost());
   while (!shortener.is_stalled() && !is_good_enough() && budget_.next()) {

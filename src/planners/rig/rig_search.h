@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/trigonometry.h"
-#include "planners/rig/closer.h"
-#include "planners/rig/wheels.h"
+#include "planners/commands/closer.h"
+#include "planners/commands/wheels.h"
 #include "search/grid_distance.h"
 #include "vandplan/random.h"
 #include "vandplan/rig.h"
@@ -23,6 +23,8 @@
 #include "vehicle/hitch_motion.h"
 
 namespace vandplan::rig {
+
+using namespace commands;
 
 using search::Connector, search::CostRule, search::GearSign;
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/rig/closer.h"
+#include "planners/commands/closer.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/trigonometry.h"
 
-namespace vandplan::rig {
+namespace vandplan::commands {
 namespace {
 
 constexpr int most_iterations = 15;
@@ -44,7 +44,10 @@ Closer::Closer(const Vehicle& vehicle, Steering steering)
       wheels_(vehicle, steering),
       most_curvature_(1 / vehicle.min_turning_radius),
       curvature_unit_(0.3 * most_curvature_),
-      length_unit_(0.3 * std::sqrt(vehicle.min_turning_radius * vehicle.trailer->wheelbase)) {}
+      length_unit_(0.3 * std::sqrt(vehicle.min_turning_radius *
+                                   (vehicle.trailer ? vehicle.trailer->wheelbase
+                                                    : vehicle.min_turning_radius))),
+      conditions_(vehicle.trailer ? 4 : 3) {}
 
 void Closer::drive(const RigState& from, std::span<Segment> commands, const WheelEnds& ends) {
   states_.assign(1, from);
@@ -88,17 +91,16 @@ Closer::Change Closer::change(const RigState& from, const Segment& segment, cons
   const Point swing = turned(end.x - last.x, end.y - last.y);
   const Point bend = turned(end.x - (first.x + 4 * middle.x + last.x) / 6,
                             end.y - (first.y + 4 * middle.y + last.y) / 6);
+  const double there = curvature_at(segment, std::abs(length));
+  Change result = {{length * bend.x, length * bend.y, length, 0.0},
+                   {cos + there * swing.x, sin + there * swing.y, there, 0.0}};
+  if (!vehicle_.trailer) return result;
   const double tick = difference * most_curvature_;
   const double bent = hitch_angle_after(vehicle_, angle, {curvature + tick, length, rate});
   const double folded = hitch_angle_after(vehicle_, angle + difference, segment);
-  const double by_curvature = (bent - angle_after) / tick;
-  const double by_angle = (folded - angle_after) / difference;
-  const double there = curvature_at(segment, std::abs(length));
-  const double by_length = hitch_rate(vehicle_, angle_after, there);
-  const Change result = {
-      {length * bend.x, length * bend.y, length, passed_on * by_curvature},
-      {cos + there * swing.x, sin + there * swing.y, there, passed_on * by_length}};
-  passed_on *= by_angle;
+  result.bend[3] = passed_on * ((bent - angle_after) / tick);
+  result.stretch[3] = passed_on * hitch_rate(vehicle_, angle_after, there);
+  passed_on *= (folded - angle_after) / difference;
   return result;
 }
 
@@ -141,11 +143,11 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
   }
 }
 
-/// [3] Least squares of the changes: multipliers of the four conditions, by Cholesky's method.
+/// [3] Least squares of the changes: multipliers of the conditions, by Cholesky's method.
 bool Closer::solve(const Vector& gap, Vector& multipliers) const {
   std::array<Vector, 4> m{};
   const auto add = [&](const Vector& column, double unit) {
-    for (std::size_t r = 0; r < 4; ++r) {
+    for (std::size_t r = 0; r < conditions_; ++r) {
       for (std::size_t c = 0; c <= r; ++c) m[r][c] += unit * unit * column[r] * column[c];
     }
   };
@@ -154,7 +156,7 @@ bool Closer::solve(const Vector& gap, Vector& multipliers) const {
     if (!column.length_is_fixed) add(column.length, length_unit_);
   }
   Vector y = gap;
-  for (std::size_t r = 0; r < 4; ++r) {
+  for (std::size_t r = 0; r < conditions_; ++r) {
     for (std::size_t c = 0; c <= r; ++c) {
       double sum = m[r][c];
       for (std::size_t k = 0; k < c; ++k) sum -= m[r][k] * m[c][k];
@@ -168,8 +170,8 @@ bool Closer::solve(const Vector& gap, Vector& multipliers) const {
     for (std::size_t k = 0; k < r; ++k) y[r] -= m[r][k] * y[k];
     y[r] /= m[r][r];
   }
-  for (std::size_t r = 4; r-- > 0;) {
-    for (std::size_t k = r + 1; k < 4; ++k) y[r] -= m[k][r] * y[k];
+  for (std::size_t r = conditions_; r-- > 0;) {
+    for (std::size_t k = r + 1; k < conditions_; ++k) y[r] -= m[k][r] * y[k];
     y[r] /= m[r][r];
   }
   multipliers = y;
@@ -226,6 +228,7 @@ bool Closer::step(std::span<Segment> commands, const Vector& gap) {
 }
 
 bool Closer::is_held() const {
+  if (!vehicle_.trailer) return true;
   for (std::size_t i = 0; i < obeyed_.size(); ++i) {
     if (std::abs(states_[i + 1].hitch_angle) > vehicle_.max_hitch_angle) return false;
     const Segment& first = obeyed_[i].segments[0];
@@ -239,6 +242,7 @@ bool Closer::is_held() const {
 /// In reverse rounding grows by a factor of e in each length of the trailer, but not where the rig
 /// is exactly straight from the start on.
 bool Closer::is_steady() const {
+  if (!vehicle_.trailer) return true;
   constexpr double most_growth = 1e4;
   constexpr double tick = 1e-6;  // for derivatives [rad]
   double growth = 1.0;           // the most that becomes of a change anywhere before
@@ -274,4 +278,4 @@ bool Closer::close(const RigState& from, std::span<Segment> commands, const RigS
   return false;
 }
 
-}  // namespace vandplan::rig
+}  // namespace vandplan::commands

@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/rig/rig_shorten.h"
+#include "planners/commands/shorten_drive.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "planners/rig/rig_search.h"
-
-namespace vandplan::rig {
+namespace vandplan::commands {
 namespace {
 
 constexpr double progress = 1e-3;  // relative, that is worth the name
 constexpr int patience = 600;      // trials without it
 constexpr std::size_t most_segments_of_window = 10;
+constexpr std::size_t reach = 3;      // commands on either side that make up for one left out
+constexpr double crumb_slack = 1e-4;  // of the cost: 1 cm of 100 m, less than any search leaves
 
 }  // namespace
 
-RigShortener::RigShortener(const Task& task, const search::CostRule& rule,
-                           std::vector<Segment> commands, std::uint64_t seed)
+DriveShortener::DriveShortener(const Task& task, const search::CostRule& rule,
+                               std::vector<Segment> commands, std::uint64_t seed)
     : task_(task),
       rule_(rule),
       wheels_(task.vehicle, task.steering),
       ends_(wheel_ends(task)),
       closer_(task.vehicle, task.steering),
+      crumb_(crumb_length(task.vehicle.min_turning_radius)),
       commands_(std::move(commands)),
       rng_(seed) {
   drive();
   progress_cost_ = cost_;
 }
 
-bool RigShortener::is_stalled() const { return idle_ > patience; }
+bool DriveShortener::is_stalled() const { return idle_ > patience; }
 
-void RigShortener::drive() {
+void DriveShortener::drive() {
   states_.assign(1, {task_.start, task_.hitch_angles.start});
   driven_.assign(1, ends_.before);
   near_.clear();
@@ -57,12 +58,12 @@ void RigShortener::drive() {
 }
 
 /// What being near things adds, at most `cutoff` or something above it.
-double RigShortener::near_cost(const RigState& from, std::span<const Segment> segments,
-                               double cutoff) const {
+double DriveShortener::near_cost(const RigState& from, std::span<const Segment> segments,
+                                 double cutoff) const {
   return search::rig_clearance_cost(task_, rule_, from, segments, search::Looks::search, cutoff);
 }
 
-RigShortener::Window RigShortener::any_window() {
+DriveShortener::Window DriveShortener::any_window() {
   const std::size_t count = commands_.size();
   const std::size_t most = std::min(count, most_segments_of_window);
   const std::size_t least = std::min<std::size_t>(count, 3);
@@ -72,7 +73,7 @@ RigShortener::Window RigShortener::any_window() {
 }
 
 /// Every length a little less or more, every curvature another one.
-void RigShortener::shake(const Window& window) {
+void DriveShortener::shake(const Window& window) {
   const double size = size_ * std::exp2(uniform(-4.0, 1.0, rng_));
   const double sharpest = 1 / task_.vehicle.min_turning_radius;
   const double some = uniform(0.2, 1.0, rng_);
@@ -87,7 +88,7 @@ void RigShortener::shake(const Window& window) {
 }
 
 /// One segment less, or two around a gear change.
-void RigShortener::leave_out(const Window& window) {
+void DriveShortener::leave_out(const Window& window) {
   const std::size_t size = window.last - window.first;
   if (size < 4) return;
   const auto at = static_cast<std::ptrdiff_t>(rng_() % (size - 1));
@@ -99,7 +100,7 @@ void RigShortener::leave_out(const Window& window) {
 }
 
 /// One segment in two parts, so that its curvature may change on the way.
-void RigShortener::split(const Window& window) {
+void DriveShortener::split(const Window& window) {
   const std::size_t size = window.last - window.first;
   const std::size_t at = static_cast<std::size_t>(rng_() % size);
   const double part = uniform(0.2, 0.8, rng_);
@@ -111,7 +112,7 @@ void RigShortener::split(const Window& window) {
 
 /// The wheels at both ends of a window. Where the vehicle rolls on they stay as they are, for the
 /// sake of what comes next.
-WheelEnds RigShortener::ends_of(const Window& window) const {
+WheelEnds DriveShortener::ends_of(const Window& window) const {
   WheelEnds ends{driven_[window.first], {}};
   const search::Driven& last = driven_[window.last];
   if (window.last == commands_.size()) {
@@ -122,15 +123,16 @@ WheelEnds RigShortener::ends_of(const Window& window) const {
   return ends;
 }
 
-/// Puts the trial in place of the window if it is free and cheaper. What is near elsewhere stays.
-bool RigShortener::replace(const Window& window) {
+/// Puts the trial in place of the window if it is free and the drive costs less than `limit` then.
+/// What is near elsewhere stays.
+bool DriveShortener::replace(const Window& window, double limit) {
   std::vector<Segment> whole(commands_.begin(),
                              commands_.begin() + static_cast<std::ptrdiff_t>(window.first));
   whole.insert(whole.end(), trial_.begin(), trial_.end());
   whole.insert(whole.end(), commands_.begin() + static_cast<std::ptrdiff_t>(window.last),
                commands_.end());
   search::Driven priced = rule_.initial_gear;
-  double left = cost_ - search::drive_cost(rule_, wheels_.driven(whole, ends_.before), priced);
+  double left = limit - search::drive_cost(rule_, wheels_.driven(whole, ends_.before), priced);
   for (std::size_t i = 0; i < commands_.size(); ++i) {
     if (i < window.first || i >= window.last) left -= near_[i];
   }
@@ -144,21 +146,20 @@ bool RigShortener::replace(const Window& window) {
   const RigState to{task_.goal, task_.hitch_angles.goal};
   if (!closer_.close(from, whole, to, ends_)) return false;
   if (!task_.checker->rig_is_free(from, wheels_.driven(whole, ends_.before))) return false;
-  const double cost = cost_;
   std::swap(commands_, whole);
   drive();
-  if (wheels_.are_free() || cost_ < cost) return true;
+  if (wheels_.are_free() || cost_ < limit) return true;
   commands_ = std::move(whole);  // the wheels turn in another way without what was left out
   drive();
   return false;
 }
 
-bool RigShortener::step() {
+bool DriveShortener::step() {
   ++idle_;
   if (commands_.empty()) return false;
   const Window window = any_window();
-  trial_.assign(commands_.begin() + static_cast<std::ptrdiff_t>(window.first),
-                commands_.begin() + static_cast<std::ptrdiff_t>(window.last));
+  const std::span<const Segment> old = in(window);
+  trial_.assign(old.begin(), old.end());
   const double kind = uniform01(rng_);
   if (kind < 0.15) split(window);
   if (kind > 0.8) {
@@ -171,7 +172,7 @@ bool RigShortener::step() {
   if (trial_.size() < 2) return false;
   const bool is_closed =
       closer_.close(states_[window.first], trial_, states_[window.last], ends_of(window));
-  const bool is_better = is_closed && replace(window);
+  const bool is_better = is_closed && more_crumbs(window) <= 0 && replace(window, cost_);
   size_ = std::clamp(size_ * (is_better ? 1.3 : 0.99), 0.02, 1.0);
   if (cost_ < progress_cost_ * (1 - progress)) {
     progress_cost_ = cost_;
@@ -180,4 +181,59 @@ bool RigShortener::step() {
   return is_better;
 }
 
-}  // namespace vandplan::rig
+/// How many more segments shorter than a crumb are driven in the trial than in the window.
+int DriveShortener::more_crumbs(const Window& window) const {
+  const auto crumbs = [&](std::span<const Segment> commands) {
+    search::Driven driven = driven_[window.first];
+    int count = 0;
+    for (const Segment& command : commands) {
+      const Obeyed obeyed = wheels_.obey(command, driven);
+      for (const Segment& segment : obeyed.view()) count += std::abs(segment.length) < crumb_;
+    }
+    return count;
+  };
+  return crumbs(trial_) - crumbs(in(window));
+}
+
+/// Joins command `i` and the one before it, or leaves it out, if that leaves no more crumbs.
+bool DriveShortener::drop(std::size_t i, double limit) {
+  const Window window{i - std::min(i, reach), std::min(commands_.size(), i + 1 + reach)};
+  for (const bool joins : {true, false}) {
+    const std::span<const Segment> old = in(window);
+    trial_.assign(old.begin(), old.end());
+    const auto at = trial_.begin() + static_cast<std::ptrdiff_t>(i - window.first);
+    if (joins) {
+      if (at == trial_.begin() || at->length * (at - 1)->length < 0.0) continue;
+      Segment& before = *(at - 1);
+      const double whole = before.length + at->length;
+      before = {std::lerp(before.curvature, at->curvature, at->length / whole), whole};
+    }
+    trial_.erase(at);
+    const bool is_closed = !trial_.empty() && closer_.close(states_[window.first], trial_,
+                                                            states_[window.last], ends_of(window));
+    if (is_closed && more_crumbs(window) <= 0 && replace(window, limit)) return true;
+  }
+  return false;
+}
+
+// The shortest one first, until none can go.
+void DriveShortener::drop_crumbs() {
+  const double limit = (1 + crumb_slack) * cost_;
+  bool dropped = true;
+  while (dropped) {
+    std::vector<std::pair<double, std::size_t>> crumbs;
+    search::Driven driven = ends_.before;
+    for (std::size_t i = 0; i < commands_.size(); ++i) {
+      double shortest = crumb_;
+      for (const Segment& segment : wheels_.obey(commands_[i], driven).view()) {
+        shortest = std::min(shortest, std::abs(segment.length));
+      }
+      if (shortest < crumb_) crumbs.push_back({shortest, i});
+    }
+    std::ranges::sort(crumbs);
+    dropped = std::ranges::any_of(
+        crumbs, [&](const auto& shortest) { return drop(shortest.second, limit); });
+  }
+}
+
+}  // namespace vandplan::commands

@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does the drive of a rig get cheaper without leaving its surroundings?
+// How does a drive get cheaper without leaving its surroundings?
 //
 // Method: docs/algorithms/trailers.md.
 
+#include <span>
 #include <vector>
 
-#include "planners/rig/closer.h"
+#include "planners/commands/closer.h"
 #include "vandplan/random.h"
 #include "vandplan/search.h"
 
-namespace vandplan::rig {
+namespace vandplan::commands {
 
-/// Improves one drive by random trials; a trial is kept only if it is free and cheaper.
-class RigShortener {
+/// Improves one drive by random trials; a trial is kept only if it is free, cheaper and has no more
+/// crumbs.
+class DriveShortener {
  public:
-  /// The task has a vehicle with a trailer; it and the rule outlive the shortener. The commands are
-  /// a free drive from the start of the task to its goal.
-  RigShortener(const Task& task, const search::CostRule& rule, std::vector<Segment> commands,
-               std::uint64_t seed);
+  /// The task and the rule outlive the shortener. The commands are a free drive from the start of
+  /// the task to its goal.
+  DriveShortener(const Task& task, const search::CostRule& rule, std::vector<Segment> commands,
+                 std::uint64_t seed);
 
   /// One trial. True when the drive got cheaper.
   bool step();
 
+  /// Leaves crumbs out, or joins them with what is before them, where the others can make up for
+  /// that and the drive costs at most 1e-4 more than before, in all.
+  void drop_crumbs();
+
   [[nodiscard]] double cost() const { return cost_; }
+  [[nodiscard]] const std::vector<Segment>& commands() const { return commands_; }
   /// The drive, which ends exactly at the goal.
   [[nodiscard]] std::vector<Segment> segments() const {
     return wheels_.driven(commands_, ends_.before);
@@ -46,7 +53,12 @@ class RigShortener {
   [[nodiscard]] double near_cost(const RigState& from, std::span<const Segment> segments,
                                  double cutoff) const;
   [[nodiscard]] WheelEnds ends_of(const Window& window) const;
-  bool replace(const Window& window);
+  bool replace(const Window& window, double limit);
+  [[nodiscard]] std::span<const Segment> in(const Window& window) const {
+    return std::span(commands_).subspan(window.first, window.last - window.first);
+  }
+  [[nodiscard]] int more_crumbs(const Window& window) const;
+  [[nodiscard]] bool drop(std::size_t i, double limit);
   void drive();
 
   const Task& task_;
@@ -54,6 +66,7 @@ class RigShortener {
   Wheels wheels_;
   WheelEnds ends_;
   Closer closer_;
+  double crumb_;
   std::vector<Segment> commands_;
   std::vector<RigState> states_;        // before each command, and the goal
   std::vector<search::Driven> driven_;  // before each command, and at the goal
@@ -67,4 +80,4 @@ class RigShortener {
   std::int64_t checks_ = 0;
 };
 
-}  // namespace vandplan::rig
+}  // namespace vandplan::commands

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/rig/wheels.h"
+#include "planners/commands/wheels.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "vandplan/continuous_steering.h"
 
-namespace vandplan::rig {
+namespace vandplan::commands {
 namespace {
 
 using search::Driven, search::GearSign, search::gear_of;
 
 constexpr double crumb = 1e-9;  // way that is none [m]
+// Of an arc where a drive goes on with a clothoid after a stop, times the root of 1 / rate.
+constexpr double first_arc = 5e-3;
 
 /// Room for the first half of turning the wheels to a curvature, which takes `half` metres: it is
 /// taken from the last command, or driven farther before the gear changes.
@@ -81,6 +83,10 @@ std::vector<Segment> Wheels::commands(std::span<const Segment> segments,
     const Driven after = search::last_driven(segment);
     Segment command{after.curvature, segment.length};
     const bool is_free = result.empty() || may_jump(before, after.gear);
+    if (may_jump(before, after.gear) && segment.curvature_rate != 0.0) {
+      const double length = std::min(first_arc / std::sqrt(rate_), std::abs(segment.length) / 2);
+      result.push_back({segment.curvature, after.gear * length});
+    }
     const double half = is_free ? 0.0 : way(before.curvature, segment.curvature) / 2;
     if (half > crumb) {
       turn_ahead(result, segment.curvature, half, after.gear);
@@ -117,4 +123,4 @@ WheelEnds wheel_ends(const Task& task) {
   return {{0, task.curvatures.start}, task.curvatures.goal};
 }
 
-}  // namespace vandplan::rig
+}  // namespace vandplan::commands

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How is a drive of a rig bent so that it ends exactly where it should?
+// How is a drive bent so that it ends exactly where it should?
 //
 // Method: docs/algorithms/trailers.md.
 
@@ -9,16 +9,16 @@
 #include <span>
 #include <vector>
 
-#include "planners/rig/wheels.h"
+#include "planners/commands/wheels.h"
 #include "vandplan/rig.h"
 
-namespace vandplan::rig {
+namespace vandplan::commands {
 
 /// Changes curvatures and lengths of commands, as little as possible, until they lead from one
 /// state to another. One for each thread: it holds its buffers.
 class Closer {
  public:
-  /// The vehicle has a trailer and outlives the closer.
+  /// The vehicle outlives the closer. Without a trailer hitch angles do not count.
   explicit Closer(const Vehicle& vehicle, Steering steering = Steering::reeds_shepp);
 
   /// Whether the commands now lead from `from` to `to` within 1e-10 m and rad, with every curvature
@@ -56,10 +56,11 @@ class Closer {
   Wheels wheels_;
   double most_curvature_;
   double curvature_unit_, length_unit_;  // changes of these sizes count alike
+  std::size_t conditions_;               // on the end: its pose, and the hitch angle
   std::vector<RigState> states_;
   std::vector<Obeyed> obeyed_;     // at each command
   std::vector<RigState> between_;  // its segments
   std::vector<Column> columns_;
 };
 
-}  // namespace vandplan::rig
+}  // namespace vandplan::commands

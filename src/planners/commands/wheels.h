@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does a rig drive whose wheels turn no faster than they can?
+// What does a vehicle drive whose wheels turn no faster than they can?
 //
 // A drive is a chain of commands: segments without a rate. At each of them the wheels turn to its
 // curvature, as fast as they may, and stay there; its length counts the metres of both. So every
@@ -18,7 +18,7 @@
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
-namespace vandplan::rig {
+namespace vandplan::commands {
 
 /// How the wheels are before the first command of a chain and after the last one.
 struct WheelEnds {
@@ -73,7 +73,11 @@ class Wheels {
   double rate_;  // change of curvature for each metre [1/m^2]
 };
 
+/// Segments shorter than this are crumbs, which no driver drives: a seventieth of the turning
+/// radius, 0.1 m for a truck [m].
+[[nodiscard]] constexpr double crumb_length(double turning_radius) { return turning_radius / 70; }
+
 /// How the wheels of the task are at its start and at its goal.
 [[nodiscard]] WheelEnds wheel_ends(const Task& task);
 
-}  // namespace vandplan::rig
+}  // namespace vandplan::commands
