@@ -25,7 +25,7 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::size_t island_count = 6;
+constexpr std::size_t island_count = 7;
 constexpr int tidy_trials = 1000;
 constexpr int repairs_of_known = 12;              // of a known path that something is in the way of
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
@@ -49,9 +49,10 @@ struct Plan {
 constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64, 160},
                                                    {Work::search_from_start, 2, 64, 64, 160},
                                                    {Work::random_trees, 0, 16, 32, 32},
-                                                   {Work::refine, 0, 0, 256, 96},
+                                                   {Work::refine, 0, 0, 256, 32},
                                                    {Work::bound, 0, 0, 2, 2},
-                                                   {Work::detours, 0, 0, 0, 96}}};
+                                                   {Work::detours, 0, 0, 0, 96},
+                                                   {Work::bend, 0, 0, 0, 192}}};
 
 // Over a whole site: the same islands. A second way, which is nearly the shortest, comes first.
 constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 1, 64, 256, 256},
@@ -59,7 +60,8 @@ constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 
                                                        {Work::random_trees, 0, 16, 0, 0},
                                                        {Work::refine, 0, 0, 256, 256},
                                                        {Work::bound, 0, 0, 4, 1},
-                                                       {Work::detours, 0, 0, 0, 0}}};
+                                                       {Work::detours, 0, 0, 0, 0},
+                                                       {Work::bend, 0, 0, 0, 0}}};
 
 // Where a gap is to be proven, or a route was known: of the islands in the order of `plans`, after
 // how many rounds with a route they join, and their share. Rounds are short, and what mostly proves
@@ -70,10 +72,11 @@ struct GapPlan {
 };
 
 constexpr std::array<GapPlan, island_count> gap_plans = {
-    {{1, 48}, {6, 48}, {6, 16}, {0, 48}, {0, 1}, {6, 48}}};
+    {{1, 48}, {6, 48}, {6, 16}, {0, 48}, {0, 1}, {6, 48}, {0, 24}}};
 constexpr std::int64_t first_raise = 24;  // as `first_round`: boxes take long to make
 constexpr std::size_t bound_island = 4;   // works before each round then
-static_assert(plans[bound_island].work == Work::bound);
+constexpr std::size_t bend_island = 6;
+static_assert(plans[bound_island].work == Work::bound && plans[bend_island].work == Work::bend);
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
@@ -116,12 +119,14 @@ class Run {
   void merge(Slice& slice);
   [[nodiscard]] std::int64_t share_of(std::size_t island) const;
   [[nodiscard]] std::int64_t far_share(Work work, std::int64_t share) const;
+  [[nodiscard]] double least_found() const;
   [[nodiscard]] double lower_bound() const;
   [[nodiscard]] double enough() const;
   void prove();
   [[nodiscard]] std::int64_t raising_steps() const;
   void quicken();
   void offer_to_fastest();
+  [[nodiscard]] std::vector<Segment> bent_segments() const;
   [[nodiscard]] double cost_of_drive(std::span<const Segment> segments,
                                      double clearance_cost) const;
 
@@ -131,6 +136,7 @@ class Run {
   bool is_time_;       // does
   double time_price_;  // of a second, beside the prices [m]
   bool is_far_;        // over a whole site
+  bool bends_;         // routes: the shortest has the wheels turned as far as they go
   int threads_;
   std::optional<double> target_gap_;
   bool is_warm_ = false;  // began with a route along a known path
@@ -140,6 +146,7 @@ class Run {
   int looks_ = 0;  // for walls
   OpenGround open_ground_;
   std::optional<Route> best_;
+  std::optional<BentDrive> bent_;                                // the cheapest
   double noted_cost_ = std::numeric_limits<double>::infinity();  // of the best route,
   std::int64_t noted_at_ = 0;                                    // when it last fell a good deal
   std::optional<Fastest> fastest_;                               // where time is a part of the cost
@@ -156,6 +163,7 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
       is_time_(options.cost.measure == CostMeasure::time),
       time_price_(time_price),
       is_far_(search::FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
+      bends_(!rule_.is_length() && !is_time_ && time_price == 0.0 && !is_far_),
       threads_(options.budget.threads),
       target_gap_(options.budget.target_gap),
       budget_(options.budget),
@@ -164,7 +172,7 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
   const bool is_whole = is_time_ || time_price > 0.0;
   for (std::size_t i = 0; i < island_count; ++i) {
     islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i),
-                          is_whole);
+                          is_whole || bends_);
   }
   if (is_whole) {
     fastest_.emplace(task, rule_, stream_seed(options.budget.seed, island_count),
@@ -207,6 +215,11 @@ void Run::try_along(const Path& known) {
   if (!chain.is_free()) return;
   is_warm_ = true;
   take(chain.route());
+  if (!bends_) return;
+  bent_ = islands_[bend_island].begin_with(known);
+  if (bent_ && bent_->cost < best_->cost) {
+    trace_.push_back({budget_.elapsed(), 0, bent_->cost});
+  }
 }
 
 void Run::offer_to_fastest() {
@@ -239,8 +252,10 @@ bool Run::is_optimal() const {
     return best_ && fastest_->cost() <= lower_bound() * (1 + (is_time_ ? no_time : no_gain));
   }
   return best_ &&
-         best_->cost <= least_cost(open_ground_, rule_, 0.0) * (1 + 1e-12) + open_ground_.leeway;
+         least_found() <= least_cost(open_ground_, rule_, 0.0) * (1 + 1e-12) + open_ground_.leeway;
 }
+
+double Run::least_found() const { return bent_ ? std::min(best_->cost, bent_->cost) : best_->cost; }
 
 double Run::lower_bound() const {
   // Ends that are off may save so much on the way around, too.
@@ -262,7 +277,7 @@ double Run::lower_bound() const {
 double Run::enough() const { return target_gap_ ? (1 + *target_gap_) * lower_bound() : 0.0; }
 
 bool Run::is_good_enough() const {
-  return best_ && target_gap_ && (fastest_ ? fastest_->cost() : best_->cost) <= enough();
+  return best_ && target_gap_ && (fastest_ ? fastest_->cost() : least_found()) <= enough();
 }
 
 // Raises the bound, no further than it takes for the gap that was asked for.
@@ -316,9 +331,10 @@ void Run::merge(Slice& slice) {
     trace_.push_back({time, budget_.iterations() + sample.iteration, sample.cost});
   }
   budget_.spend(slice.iterations);
+  if (slice.drive) bent_ = std::move(slice.drive);
   if (slice.route && (!best_ || slice.route->cost < best_->cost)) best_ = std::move(slice.route);
-  if (best_ && best_->cost < a_good_deal * noted_cost_) {
-    noted_cost_ = best_->cost;
+  if (best_ && least_found() < a_good_deal * noted_cost_) {
+    noted_cost_ = least_found();
     noted_at_ = budget_.iterations();
   }
 }
@@ -331,6 +347,7 @@ void Run::round() {
   std::array<std::int64_t, island_count> wanted{};
   std::int64_t granted = 0;
   for (std::size_t i = 0; i < island_count; ++i) {
+    if (i == bend_island && !bends_) continue;
     if (!islands_[i].has_work() && !(best_ && plans[i].work == Work::refine)) continue;
     if (target_gap_ && i == bound_island) continue;
     wanted[i] = budget_.left(share_of(i), granted);
@@ -346,6 +363,11 @@ void Run::round() {
   });
   if (best_) ++rounds_with_route_;
   for (Slice& slice : slices) merge(slice);  // [8]
+  if (bends_) {
+    for (const Slice& slice : slices) {
+      for (const Route& route : slice.losers) islands_[bend_island].offer(route);
+    }
+  }
   if (fastest_ && best_) {
     offer_to_fastest();
     for (Slice& slice : slices) {
@@ -385,19 +407,29 @@ void Run::tidy(std::uint64_t seed) {
   if (tidied.cost <= open_ground_.shortest * (1 + 1e-9)) best_ = std::move(tidied);
 }
 
+// What is driven at the commands, without crumbs where the curvature is continuous.
+std::vector<Segment> Run::bent_segments() const {
+  commands::DriveShortener drive(task_, rule_, bent_->commands, 0);
+  if (task_.steering != Steering::reeds_shepp) drive.drop_crumbs();
+  return drive.segments();
+}
+
 // Under prices and for those who ask for strokes: the shortest path is what it is.
 void Run::make_drivable(double min_stroke) {
   if (!best_) return;
   const Route& route = fastest_ ? *fastest_->route() : *best_;
-  segments_ = path_of(route).segments;
+  const bool is_bent = bent_ && bent_->cost < route.cost;
+  segments_ = is_bent ? bent_segments() : path_of(route).segments;
   const bool is_continuous = task_.steering != Steering::reeds_shepp;
-  if (min_stroke == 0.0 && (is_continuous || rule_.is_length())) return;
+  if (min_stroke == 0.0 && !is_bent && (is_continuous || rule_.is_length())) return;
   Connector connector(task_, rule_);
-  std::vector<Segment> neat =
-      is_continuous
-          ? path_of(with_strokes(connector, gears_at_ends(task_, rule_), route, min_stroke))
-                .segments
-          : tidied(connector, task_.start, segments_, min_stroke);
+  std::vector<Segment> neat = segments_;
+  if (!is_continuous) {
+    neat = tidied(connector, task_.start, segments_, min_stroke);
+  } else if (min_stroke > 0.0) {
+    const Route legs = is_bent ? legs_along({task_.start, segments_}, task_.goal) : route;
+    neat = path_of(with_strokes(connector, gears_at_ends(task_, rule_), legs, min_stroke)).segments;
+  }
   if (fastest_) {
     const double cost = cost_of_drive(neat, connector.clearance_cost(task_.start, neat));
     if (min_stroke == 0.0 && cost > fastest_->cost() * (1 + no_time)) return;

@@ -30,7 +30,7 @@ Island::Island(Work work, const Task& task, const CostRule& rule, const Bounds& 
                                                                              : Scope::all),
       connector_(task, rule),
       best_cost_(std::numeric_limits<double>::infinity()),
-      detoured_cost_(best_cost_) {}
+      handed_on_cost_(best_cost_) {}
 
 // At the first run: what another island finds before it may make it needless.
 void Island::prepare() {
@@ -51,6 +51,9 @@ void Island::prepare() {
     case Work::detours:  // [6b]
       detours_.emplace(task_, rule, stream_seed(seed_, 0), scope_);
       break;
+    case Work::bend:  // [6d]
+      bender_.emplace(task_, rule, stream_seed(seed_, 0));
+      break;
     case Work::bound:  // [7]
       geodesic_.emplace(task_, best_cost_);
       flood_.emplace(task_);
@@ -65,7 +68,8 @@ std::int64_t Island::solves() const {
 
 std::int64_t Island::checks() const {
   return connector_.checks() + (ladder_ ? ladder_->checks() : 0) +
-         (attempts_ ? attempts_->connector().checks() : 0) + (detours_ ? detours_->checks() : 0);
+         (attempts_ ? attempts_->connector().checks() : 0) + (detours_ ? detours_->checks() : 0) +
+         (bender_ ? bender_->checks() : 0);
 }
 
 std::size_t Island::nodes() const {
@@ -76,8 +80,8 @@ std::size_t Island::nodes() const {
 }
 
 bool Island::has_work() const {
-  return !is_prepared_ || candidate_ || attempts_ || detours_ || (geodesic_ && !bound_is_final_) ||
-         (ladder_ && !ladder_->is_finished());
+  return !is_prepared_ || candidate_ || (bender_ && bender_->has_work()) || attempts_ || detours_ ||
+         (geodesic_ && !bound_is_final_) || (ladder_ && !ladder_->is_finished());
 }
 
 // A route that is far above the best after many trials will not win: what shortening gains falls
@@ -128,6 +132,11 @@ void Island::raise(std::int64_t steps, const Budget& budget) {
 
 // True when it has a route better than all it knew of.
 bool Island::step() {
+  if (bender_) {
+    if (!bender_->step() || bender_->cost() >= best_cost_) return false;
+    best_cost_ = bender_->cost();
+    return true;
+  }
   if (!candidate_) {
     std::optional<Route> route = search();
     if (!route) return false;
@@ -150,6 +159,14 @@ bool Island::step() {
   return won;
 }
 
+std::optional<BentDrive> Island::begin_with(const Path& known) {
+  prepare();
+  bender_->offer(known.segments);
+  if (!bender_->step()) return std::nullopt;
+  best_cost_ = bender_->cost();
+  return bender_->best();
+}
+
 // The refining island goes on with the best route, whoever found it.
 void Island::take_over(const Route& best) {
   if (best.cost >= best_cost_) return;
@@ -163,9 +180,10 @@ Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budg
   losers_.clear();
   if (best != nullptr) take_over(*best);
   if (!is_prepared_ && iterations > 0) prepare();
-  if (detours_ && best != nullptr && best->cost < detoured_cost_) {
-    detoured_cost_ = best->cost;
-    detours_->set_route(*best);
+  if ((detours_ || bender_) && best != nullptr && best->cost < handed_on_cost_) {
+    handed_on_cost_ = best->cost;
+    if (detours_) detours_->set_route(*best);
+    if (bender_) bender_->offer(*best);
   }
   while (slice.iterations < iterations && has_work()) {
     if (slice.iterations % checks_of_time == 0 && budget.is_interrupted()) break;
@@ -176,6 +194,10 @@ Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budg
   }
   slice.losers = std::move(losers_);
   if (slice.improvements.empty()) return slice;
+  if (bender_) {
+    slice.drive = bender_->best();
+    return slice;
+  }
   // Nothing but what won changes the best route.
   slice.route = work_ == Work::refine ? candidate_->route() : offer_;
   best_cost_ = slice.route->cost;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "planners/anytime/bend.h"
 #include "planners/anytime/detours.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/sources.h"
@@ -23,13 +24,15 @@ enum class Work {
   random_trees,
   bound,    ///< prove how short no path can be
   detours,  ///< look for other ways between two places of the best route
+  bend,     ///< make routes cheaper by turning the wheels less
 };
 
 /// What an island did in one round.
 struct Slice {
   std::int64_t iterations = 0;
   std::vector<CostSample> improvements;  // iterations count from the beginning of the slice
-  std::optional<Route> route;            // the one of the last improvement
+  std::optional<Route> route;            // the one of the last improvement,
+  std::optional<BentDrive> drive;        // or what became of one
   std::vector<Route> losers;             // routes that were given up
 };
 
@@ -49,6 +52,14 @@ class Island {
 
   /// Whether there is anything left to try.
   [[nodiscard]] bool has_work() const;
+
+  /// A route that was given up, which may be worth bending.
+  void offer(const Route& route) {
+    if (bender_) bender_->offer(route);
+  }
+  /// What bending goes on from before the first round: a path that need not be free, nor begin and
+  /// end quite where it should. Nothing if it cannot be driven.
+  [[nodiscard]] std::optional<BentDrive> begin_with(const Path& known);
 
   /// What no path is shorter than, as far as it has been proven here [m].
   [[nodiscard]] double shortest() const { return geodesic_ ? geodesic_->bound() : 0.0; }
@@ -86,6 +97,7 @@ class Island {
   std::optional<Ladder> ladder_;
   std::optional<Attempts> attempts_;
   std::optional<Detours> detours_;
+  std::optional<Bender> bender_;
   std::optional<Geodesic> geodesic_;
   std::optional<PoseFlood> flood_;
   bool is_prepared_ = false;
@@ -97,7 +109,7 @@ class Island {
   std::vector<Route> given_up_;         // the last ones, as they were found
   std::optional<Route> offer_;          // a route that has won
   std::int64_t trials_ = 0;             // spent on the candidate
-  double detoured_cost_;                // of the route that detours lead off
+  double handed_on_cost_;               // of the route that detours lead off or that is bent
   std::uint64_t candidates_ = 0;        // so far; each has a seed
 };
 

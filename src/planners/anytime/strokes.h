@@ -15,4 +15,7 @@ namespace vandplan::anytime {
 [[nodiscard]] search::Route with_strokes(search::Connector& connector, const search::Gears& beside,
                                          search::Route route, double least);
 
+/// The path as a route of short legs, which can be steered anew one by one; it ends at `goal`.
+[[nodiscard]] search::Route legs_along(const Path& path, const Pose& goal);
+
 }  // namespace vandplan::anytime

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does a route get cheaper whose words turn the wheels as far as they can?
+//
+// Method: docs/algorithms/anytime.md, "Bending".
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "planners/commands/closer.h"
+#include "planners/commands/shorten_drive.h"
+#include "planners/commands/wheels.h"
+#include "search/route.h"
+
+namespace vandplan::anytime {
+
+using namespace search;
+
+/// What became of a route.
+struct BentDrive {
+  std::vector<Segment> commands;
+  double cost;
+};
+
+/// Takes routes as drives by commands, whose curvatures may be any, and makes the cheapest of them
+/// cheaper: it and another one in turns.
+class Bender {
+ public:
+  /// The vehicle has no trailer. The task and the rule outlive the bender.
+  Bender(const Task& task, const CostRule& rule, std::uint64_t seed);
+
+  /// A route from the start of the task to its goal that may be worth it. One that is like a route
+  /// offered before is left out unless it is much cheaper.
+  void offer(const Route& route);
+  /// The same of a path that need not be free, nor begin and end quite there.
+  void offer(std::vector<Segment> segments);
+
+  /// One trial. True when the cheapest drive got cheaper.
+  bool step();
+  /// Whether there is anything to try.
+  [[nodiscard]] bool has_work() const { return best_ || !waiting_.empty(); }
+
+  /// The cheapest drive so far; `step` was true once.
+  [[nodiscard]] BentDrive best() const { return {best_->commands(), best_->cost()}; }
+  [[nodiscard]] double cost() const { return best_->cost(); }
+  [[nodiscard]] std::int64_t checks() const;
+
+ private:
+  using Drive = std::unique_ptr<commands::DriveShortener>;
+
+  [[nodiscard]] Drive drive_along(std::span<const Segment> segments);
+  bool challenge();
+  [[nodiscard]] bool is_hopeless() const;
+
+  const Task& task_;
+  const CostRule& rule_;
+  commands::Wheels wheels_;
+  commands::WheelEnds ends_;
+  commands::Closer closer_;
+  std::uint64_t seed_;
+  std::uint64_t drives_ = 0;                   // so far; each has a seed
+  std::vector<Route> offered_;                 // the last routes
+  std::vector<std::vector<Segment>> waiting_;  // the next one last
+  Drive best_;
+  Drive challenger_;         // may become cheaper yet
+  std::int64_t trials_ = 0;  // spent on it
+  std::int64_t checks_ = 0;  // of drives that are gone
+  bool is_turn_of_best_ = false;
+};
+
+}  // namespace vandplan::anytime
