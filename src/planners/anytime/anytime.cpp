@@ -44,24 +44,25 @@ struct Plan {
   std::int64_t before;
   std::int64_t after;
   std::int64_t after_with_prices;  // looking for other kinds of path is worth more then
+  std::int64_t after_with_bending;
 };
 
-constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64, 160},
-                                                   {Work::search_from_start, 2, 64, 64, 160},
-                                                   {Work::random_trees, 0, 16, 32, 32},
-                                                   {Work::refine, 0, 0, 256, 32},
-                                                   {Work::bound, 0, 0, 2, 2},
-                                                   {Work::detours, 0, 0, 0, 96},
-                                                   {Work::bend, 0, 0, 0, 192}}};
+constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64, 160, 40},
+                                                   {Work::search_from_start, 2, 64, 64, 160, 40},
+                                                   {Work::random_trees, 0, 16, 32, 32, 8},
+                                                   {Work::refine, 0, 0, 256, 96, 8},
+                                                   {Work::bound, 0, 0, 2, 2, 1},
+                                                   {Work::detours, 0, 0, 0, 96, 24},
+                                                   {Work::bend, 0, 0, 0, 0, 48}}};
 
 // Over a whole site: the same islands. A second way, which is nearly the shortest, comes first.
-constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 1, 64, 256, 256},
-                                                       {Work::search_from_start, 64, 64, 16, 16},
-                                                       {Work::random_trees, 0, 16, 0, 0},
-                                                       {Work::refine, 0, 0, 256, 256},
-                                                       {Work::bound, 0, 0, 4, 1},
-                                                       {Work::detours, 0, 0, 0, 0},
-                                                       {Work::bend, 0, 0, 0, 0}}};
+constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 1, 64, 256, 256, 0},
+                                                       {Work::search_from_start, 64, 64, 16, 16, 0},
+                                                       {Work::random_trees, 0, 16, 0, 0, 0},
+                                                       {Work::refine, 0, 0, 256, 256, 0},
+                                                       {Work::bound, 0, 0, 4, 1, 0},
+                                                       {Work::detours, 0, 0, 0, 0, 0},
+                                                       {Work::bend, 0, 0, 0, 0, 0}}};
 
 // Where a gap is to be proven, or a route was known: of the islands in the order of `plans`, after
 // how many rounds with a route they join, and their share. Rounds are short, and what mostly proves
@@ -80,11 +81,16 @@ static_assert(plans[bound_island].work == Work::bound && plans[bend_island].work
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
+// A trial of bending takes longer, and the first ones bring most.
+std::int64_t growth_with_bending(std::int64_t round) {
+  return std::min<std::int64_t>(1 + round / 2, 64);
+}
 
 constexpr double a_good_deal = 0.999;                   // of the cost
 constexpr std::int64_t unsettled = 4000;                // iterations
 constexpr std::int64_t settled_steps = 4;               // of the bound, for one before
-constexpr std::int64_t settled_steps_with_prices = 16;  // rounds take longer then
+constexpr std::int64_t settled_steps_with_prices = 16;  // rounds take longer then,
+constexpr std::int64_t settled_steps_with_bending = 8;  // but are shorter
 
 constexpr std::int64_t quickening = 192;  // trials of a round
 constexpr double no_time = 1e-12;         // relative
@@ -301,16 +307,22 @@ std::int64_t Run::raising_steps() const {
   if (!best_ || target_gap_) return 0;
   const bool is_settled = budget_.iterations() > 2 * noted_at_ + unsettled;
   if (!is_settled && islands_[bound_island].has_work()) return 0;  // the way around comes first
-  const std::int64_t settled = rule_.is_length() ? settled_steps : settled_steps_with_prices;
+  const std::int64_t settled = rule_.is_length() ? settled_steps
+                               : bends_          ? settled_steps_with_bending
+                                                 : settled_steps_with_prices;
   return share_of(bound_island) * (is_settled ? settled : 1);
 }
 
 std::int64_t Run::share_of(std::size_t island) const {
   const Plan& plan = is_far_ ? far_plans[island] : plans[island];
   if (!best_) return rounds_ < plan.first_round ? 0 : plan.before;
-  const std::int64_t after = rule_.is_length() ? plan.after : plan.after_with_prices;
+  const std::int64_t after = rule_.is_length() ? plan.after
+                             : bends_          ? plan.after_with_bending
+                                               : plan.after_with_prices;
   if (is_far_) return far_share(plan.work, after * growth(rounds_));
-  if (after == 0 || !(target_gap_ || is_warm_)) return after * growth(rounds_);
+  if (after == 0 || !(target_gap_ || is_warm_)) {
+    return after * (bends_ ? growth_with_bending(rounds_) : growth(rounds_));
+  }
   const GapPlan& gap_plan = gap_plans[island];
   return rounds_with_route_ < gap_plan.first_round ? 0 : gap_plan.share * growth(rounds_);
 }
