@@ -53,7 +53,7 @@ constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 6
                                                    {Work::refine, 0, 0, 256, 96, 8},
                                                    {Work::bound, 0, 0, 2, 2, 1},
                                                    {Work::detours, 0, 0, 0, 96, 24},
-                                                   {Work::bend, 0, 0, 0, 0, 48}}};
+                                                   {Work::bend, 0, 0, 24, 0, 48}}};
 
 // Over a whole site: the same islands. A second way, which is nearly the shortest, comes first.
 constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 1, 64, 256, 256, 0},
@@ -142,7 +142,7 @@ class Run {
   bool is_time_;       // does
   double time_price_;  // of a second, beside the prices [m]
   bool is_far_;        // over a whole site
-  bool bends_;         // routes: the shortest has the wheels turned as far as they go
+  bool bends_;         // routes: the shortest of arcs and lines has no use for it
   int threads_;
   std::optional<double> target_gap_;
   bool is_warm_ = false;  // began with a route along a known path
@@ -169,7 +169,8 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
       is_time_(options.cost.measure == CostMeasure::time),
       time_price_(time_price),
       is_far_(search::FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
-      bends_(!rule_.is_length() && !is_time_ && time_price == 0.0 && !is_far_),
+      bends_((!rule_.is_length() || task.steering != Steering::reeds_shepp) && !is_time_ &&
+             time_price == 0.0 && !is_far_),
       threads_(options.budget.threads),
       target_gap_(options.budget.target_gap),
       budget_(options.budget),
@@ -321,7 +322,8 @@ std::int64_t Run::share_of(std::size_t island) const {
                                                : plan.after_with_prices;
   if (is_far_) return far_share(plan.work, after * growth(rounds_));
   if (after == 0 || !(target_gap_ || is_warm_)) {
-    return after * (bends_ ? growth_with_bending(rounds_) : growth(rounds_));
+    const bool has_short_rounds = bends_ && !rule_.is_length();
+    return after * (has_short_rounds ? growth_with_bending(rounds_) : growth(rounds_));
   }
   const GapPlan& gap_plan = gap_plans[island];
   return rounds_with_route_ < gap_plan.first_round ? 0 : gap_plan.share * growth(rounds_);

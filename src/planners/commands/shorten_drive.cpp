@@ -148,7 +148,7 @@ bool DriveShortener::replace(const Window& window, double limit) {
   if (!task_.checker->rig_is_free(from, wheels_.driven(whole, ends_.before))) return false;
   std::swap(commands_, whole);
   drive();
-  if (wheels_.are_free() || cost_ < limit) return true;
+  if (cost_ < limit) return true;
   commands_ = std::move(whole);  // the wheels turn in another way without what was left out
   drive();
   return false;

@@ -34,7 +34,7 @@ class DriveShortener {
   [[nodiscard]] const std::vector<Segment>& commands() const { return commands_; }
   /// The drive, which ends exactly at the goal.
   [[nodiscard]] std::vector<Segment> segments() const {
-    return wheels_.driven(commands_, ends_.before);
+    return merged(wheels_.driven(commands_, ends_.before));
   }
   /// Whether many trials in a row brought next to nothing.
   [[nodiscard]] bool is_stalled() const;

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Drives by commands of vehicles without a trailer: their closing, what makes them cheaper, and
+// which routes are bent.
+#include "planners/anytime/bend.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "support/cases.h"
+#include "support/continuity.h"
+#include "support/draws.h"
+#include "support/problems.h"
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+using anytime::Bender;
+using commands::DriveShortener;
+using search::CostRule, search::Driven, search::Route;
+
+constexpr std::array kinds = {Steering::reeds_shepp, Steering::continuous_between_stops,
+                              Steering::continuous};
+constexpr CostRule priced{.reverse_weight = 2, .gear_change_cost = 5, .curvature_change_cost = 50};
+constexpr double radius = Vehicle{}.min_turning_radius;
+
+Pose end_of(const Path& path) {
+  Pose pose = path.start;
+  for (const Segment& segment : path.segments) pose = advance(pose, segment);
+  return pose;
+}
+
+void expect_same_pose(const Pose& a, const Pose& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(std::remainder(a.heading - b.heading, 2 * std::numbers::pi), 0, tolerance);
+}
+
+double sharpest(std::span<const Segment> segments) {
+  double most = 0.0;
+  for (const Segment& segment : segments) {
+    most = std::max({most, std::abs(segment.curvature),
+                     std::abs(curvature_at(segment, std::abs(segment.length)))});
+  }
+  return most;
+}
+
+auto crumbs(std::span<const Segment> segments) {
+  return std::ranges::count_if(segments, [](const Segment& segment) {
+    return std::abs(segment.length) < commands::crumb_length(radius);
+  });
+}
+
+double price_of(std::span<const Segment> segments) {
+  Driven driven = priced.initial_gear;
+  return drive_cost(priced, segments, driven);
+}
+
+std::vector<Segment> random_commands(int count, Rng& rng) {
+  std::vector<Segment> commands;
+  for (int i = 0; i < count; ++i) {
+    commands.push_back({uniform(-1, 1, rng) / radius, any_sign(uniform(0.2, 8, rng), rng)});
+  }
+  return commands;
+}
+
+/// Straight wheels where drives begin with them.
+commands::WheelEnds begin_of(Steering steering) {
+  return {steering == Steering::continuous ? Driven{0, 0.0} : Driven{}, {}};
+}
+
+/// Where the curvature may not jump it does not.
+void expect_drivable(const Path& path, const Problem& problem, Steering steering) {
+  if (steering != Steering::reeds_shepp) expect_continuous(path, problem, steering);
+}
+
+/// The problem of a drive on open ground, or between walls.
+Problem problem_along(const Path& path, std::vector<Polygon> obstacles = {}) {
+  return problem_of(path.start, end_of(path), std::move(obstacles));
+}
+
+// ---- Commands ----
+
+TEST(CloserLaw, ADriveWithoutATrailerIsBentUntilItEndsThere) {
+  for (const Steering steering : kinds) {
+    const commands::Wheels wheels(Vehicle{}, steering);
+    const Vehicle vehicle;
+    commands::Closer closer(vehicle, steering);
+    int closed = 0, tried = 0;
+    for_each_case(1, 300, [&](Rng& rng) {
+      std::vector<Segment> commands = random_commands(6, rng);
+      const Path first{{uniform(-9, 9, rng), 2, uniform(-3, 3, rng)},
+                       wheels.driven(commands, begin_of(steering).before)};
+      Pose to = end_of(first);
+      to.x += uniform(-0.5, 0.5, rng);
+      to.y += uniform(-0.5, 0.5, rng);
+      to.heading += uniform(-0.1, 0.1, rng);
+      ++tried;
+      if (!closer.close({first.start, 0}, commands, {to, 0}, begin_of(steering))) return;
+      ++closed;
+      const Path path{first.start, wheels.driven(commands, begin_of(steering).before)};
+      expect_same_pose(end_of(path), to, 1e-9);
+      EXPECT_LE(sharpest(path.segments), 1 / radius);
+    });
+    if (!is_sanitized) {
+      EXPECT_GE(closed, 0.9 * tried) << name_of(steering);
+    }
+  }
+}
+
+// At a stop the wheels may be turned somewhere, and turn back at once.
+TEST(Wheels, ACommandComesBeforeAClothoidThatBeginsAtAStop) {
+  const Vehicle vehicle;
+  const double rate = max_curvature_rate(vehicle);
+  const commands::Wheels wheels(vehicle, Steering::continuous_between_stops);
+  for (const double gear : {1.0, -1.0}) {
+    const std::vector<Segment> segments = {
+        {0.1, gear * 0.1 / rate, -rate}, {0, gear * 8}, {-0.05, -gear * 0.05 / rate, rate}};
+    const Path path{{0, 0, 0}, segments};
+    const Path again{{0, 0, 0}, wheels.driven(wheels.commands(segments, {}), {})};
+    expect_same_pose(end_of(again), end_of(path), 0.05);
+    EXPECT_NEAR(again.segments[0].curvature, 0.1, 1e-12);
+  }
+}
+
+// ---- Trials ----
+
+TEST(DriveShortenerLaw, IsNeverDearerNorMoreCrumbly) {
+  for (const Steering steering : kinds) {
+    for_each_case(2, 12, [&](Rng& rng) {
+      const commands::Wheels wheels(Vehicle{}, steering);
+      const std::vector<Segment> commands = random_commands(7, rng);
+      // With `continuous` the wheels are straight at both ends.
+      const bool is_free = steering != Steering::continuous;
+      std::vector<Segment> ended = commands;
+      if (!is_free) ended.push_back({0, std::copysign(4, commands.back().length)});
+      const Path path{{1, 2, uniform(-3, 3, rng)}, wheels.driven(ended, begin_of(steering).before)};
+      const Problem problem = problem_along(path);
+      const Task task = task_of(problem, {}, steering);
+      const commands::WheelEnds ends = commands::wheel_ends(task);
+      commands::Closer closer(task.vehicle, steering);
+      if (!closer.close({task.start, 0}, ended, {task.goal, 0}, ends)) return;
+      DriveShortener shortener(task, priced, ended, rng());
+      double cost = shortener.cost();
+      EXPECT_NEAR(cost, price_of(shortener.segments()), 1e-9);
+      auto count = crumbs(shortener.segments());
+      for (int i = 0; i < 400; ++i) {
+        const bool is_cheaper = shortener.step();
+        EXPECT_EQ(is_cheaper, shortener.cost() < cost);
+        cost = shortener.cost();
+        const auto now = crumbs(shortener.segments());
+        EXPECT_LE(now, count);
+        count = now;
+      }
+      const Path last{task.start, shortener.segments()};
+      EXPECT_NEAR(cost, price_of(last.segments), 1e-9);
+      expect_same_pose(end_of(last), task.goal, 1e-9);
+      expect_drivable(last, problem, steering);
+    });
+  }
+}
+
+TEST(DriveShortener, DropsCrumbs) {
+  const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
+  const std::vector<std::vector<Segment>> crumbly = {
+      {{0.1, 8}, {0.1002, 6}, {-0.05, 9}},            // the wheels turn for some millimetres
+      {{0.1, 8}, {0, 7}, {0.1, 0.005}, {-0.05, -6}},  // a command of next to no length
+      {{0.05, 5}, {0.0501, 6}, {0.0502, 7}, {-0.03, 9}, {0.02, -8}},  // one after another
+  };
+  for (const std::vector<Segment>& commands : crumbly) {
+    const Path path{{0, 0, 0}, wheels.driven(commands, {})};
+    ASSERT_GT(crumbs(path.segments), 0);
+    const Problem problem = problem_along(path);
+    const Task task = task_of(problem, {}, Steering::continuous_between_stops);
+    const CostRule rule{.reverse_weight = 2, .gear_change_cost = 5};
+    DriveShortener shortener(task, rule, commands, 1);
+    const double cost = shortener.cost();
+    shortener.drop_crumbs();
+    EXPECT_EQ(crumbs(shortener.segments()), 0);
+    EXPECT_LE(shortener.cost(), 1.0001 * cost);
+    expect_same_pose(end_of({task.start, shortener.segments()}), task.goal, 1e-9);
+  }
+}
+
+// Where everything else is dearer a crumb stays.
+TEST(DriveShortener, LeavesACrumbWhereItIsWorthIt) {
+  const std::vector<Segment> commands = {{0.1, 8}, {0, 7}, {0.1, 0.05}, {-0.05, -6}};
+  const Path path{{0, 0, 0}, commands};
+  const Pose end = end_of(path);
+  const Problem problem = problem_along(path, {box(end.x - 40, -20, end.x - 39.9, -19.9)});
+  const Task task = task_of(problem, {}, Steering::reeds_shepp);
+  const CostRule rule{.reverse_weight = 1000, .curvature_change_cost = 1e-9};
+  DriveShortener shortener(task, rule, commands, 1);
+  const double cost = shortener.cost();
+  shortener.drop_crumbs();
+  EXPECT_LE(shortener.cost(), 1.0001 * cost);
+}
+
+// ---- Routes ----
+
+/// The best word of words alone, as a route.
+Route word_route(const Task& task) {
+  search::Connector connector(task, priced);
+  Route route{task.start, {{connector.steer(task.start, task.goal).value(), task.goal}}, 0.0};
+  price(connector, route);
+  return route;
+}
+
+TEST(Bender, TurnsTheWheelsLessWhereThatIsCheaper) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {});
+  for (const Steering steering : kinds) {
+    const Task task = task_of(problem, {}, steering);
+    const Route route = word_route(task);
+    Bender bender(task, priced, 1);
+    EXPECT_FALSE(bender.has_work());
+    bender.offer(route);
+    EXPECT_TRUE(bender.step());
+    EXPECT_NEAR(bender.cost(), route.cost, 0.01 * route.cost);
+    for (int i = 0; i < 1000; ++i) (void)bender.step();
+    EXPECT_LT(bender.cost(), 0.9 * route.cost) << name_of(steering);
+    const commands::Wheels wheels(task.vehicle, steering);
+    const Path path{task.start,
+                    wheels.driven(bender.best().commands, commands::wheel_ends(task).before)};
+    EXPECT_LT(sharpest(path.segments), 0.5 / radius);
+    expect_same_pose(end_of(path), task.goal, 1e-9);
+    expect_drivable(path, problem, steering);
+  }
+}
+
+TEST(Bender, KeepsTheCheapestOfAll) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {});
+  const Task task = task_of(problem, {}, Steering::reeds_shepp);
+  const std::vector<Segment> detour = {{0.1, 10 * std::numbers::pi}, {0.1, 10 * std::numbers::pi}};
+  const Route route = word_route(task);
+  Bender bender(task, priced, 1);
+  std::vector<Segment> around = path_of(route).segments;
+  around.insert(around.begin(), detour.begin(), detour.end());
+  bender.offer(around);
+  EXPECT_TRUE(bender.step());
+  const double dear = bender.cost();
+  bender.offer(route);
+  EXPECT_TRUE(bender.step());
+  EXPECT_LT(bender.cost(), dear - 50);
+  const double cheap = bender.cost();
+  bender.offer(around);
+  for (int i = 0; i < 50; ++i) (void)bender.step();
+  EXPECT_LE(bender.cost(), cheap);
+}
+
+TEST(Bender, LeavesOutWhatIsNotFree) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {box(14, 0, 15, 3)});
+  const Task task = task_of(problem, {}, Steering::reeds_shepp);
+  Bender bender(task, priced, 1);
+  bender.offer(word_route(task));
+  EXPECT_TRUE(bender.has_work());
+  EXPECT_FALSE(bender.step());
+  EXPECT_FALSE(bender.has_work());
+}
+
+// A route like one before is no news unless it is much cheaper.
+TEST(Bender, TakesARouteOnce) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {box(14, 0, 15, 3)});
+  const Task task = task_of(problem, {}, Steering::reeds_shepp);
+  Bender bender(task, priced, 1);
+  Route route = word_route(task);
+  bender.offer(route);
+  EXPECT_FALSE(bender.step());
+  route.cost *= 0.99;
+  bender.offer(route);
+  EXPECT_FALSE(bender.has_work());
+  route.cost *= 0.97;
+  bender.offer(route);
+  EXPECT_TRUE(bender.has_work());
+}
+
+// What the default planner makes of it: a lane change of a driver is gentle.
+TEST(Bending, ALaneChangeIsGentle) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {box(-50, 6, 80, 7)});
+  PlanOptions options{.budget = {.max_iterations = 4000}, .cost = driver_style};
+  for (const Steering steering : kinds) {
+    options.steering = steering;
+    const PlanResult result = plan(problem, options);
+    ASSERT_EQ(result.status, PlanStatus::solved);
+    EXPECT_LT(sharpest(result.path->segments), 0.6 / radius) << name_of(steering);
+    EXPECT_TRUE(check_path(problem, *result.path).valid);
+    EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-2 * result.cost);
+  }
+}
+
+}  // namespace
+}  // namespace vandplan
