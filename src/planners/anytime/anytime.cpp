@@ -50,7 +50,7 @@ struct Plan {
 constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64, 160, 40},
                                                    {Work::search_from_start, 2, 64, 64, 160, 40},
                                                    {Work::random_trees, 0, 16, 32, 32, 8},
-                                                   {Work::refine, 0, 0, 256, 96, 8},
+                                                   {Work::refine, 0, 0, 256, 96, 16},
                                                    {Work::bound, 0, 0, 2, 2, 1},
                                                    {Work::detours, 0, 0, 0, 96, 24},
                                                    {Work::bend, 0, 0, 24, 0, 48}}};

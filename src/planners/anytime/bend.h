@@ -40,8 +40,10 @@ class Bender {
 
   /// One trial. True when the cheapest drive got cheaper.
   bool step();
-  /// Whether there is anything to try.
-  [[nodiscard]] bool has_work() const { return best_ || !waiting_.empty(); }
+  /// Whether there is anything to try that many trials did not try in vain.
+  [[nodiscard]] bool has_work() const {
+    return challenger_ || !waiting_.empty() || (best_ && !best_->is_stalled());
+  }
 
   /// The cheapest drive so far; `step` was true once.
   [[nodiscard]] BentDrive best() const { return {best_->commands(), best_->cost()}; }
