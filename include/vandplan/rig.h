@@ -37,7 +37,8 @@ struct RigState {
 [[nodiscard]] double hitch_angle_after(const Vehicle& vehicle, double hitch_angle,
                                        const Segment& segment) noexcept;
 
-/// The state after driving the segment; the hitch angle is in [-pi, pi). Without a trailer it stays.
+/// The state after driving the segment; the hitch angle is in [-pi, pi) and stays without a
+/// trailer.
 [[nodiscard]] RigState advance(const Vehicle& vehicle, const RigState& state,
                                const Segment& segment) noexcept;
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "planners/grown_tree.h"
 #include "planners/commands/closer.h"
+#include "planners/grown_tree.h"
 #include "planners/rig/towed.h"
 #include "support/cases.h"
 #include "support/draws.h"

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "planners/rig/rig_search.h"
 #include "planners/commands/shorten_drive.h"
+#include "planners/rig/rig_search.h"
 #include "planners/rig/towed.h"
 #include "search/enclosure.h"
 #include "vandplan/input_error.h"
@@ -162,7 +162,7 @@ void Run::keep(const std::vector<Segment>& segments, double cost) {
 bool Run::shorten() {
   if (!found_) return !budget_.exhausted();
   DriveShortener shortener(task_, rule_, *std::exchange(found_, std::nullopt),
-                         stream_seed(options_.budget.seed, shortened_++));
+                           stream_seed(options_.budget.seed, shortened_++));
   keep(shortener.segments(), shortener.cost());
   while (!shortener.is_stalled() && !is_good_enough() && budget_.next()) {
     ++trials_;
