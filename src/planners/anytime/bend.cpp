@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_waiting = 6;
 constexpr std::size_t most_offered = 12;
 constexpr double worth_another_try = 0.98;  // of the cost of a route of its kind
-constexpr double hopeless_challenge = 6.0;  // excess over the cheapest drive, times the trials
+constexpr double hopeless_drive = 6.0;      // excess over the cheapest drive, times the trials
 
 }  // namespace
 
@@ -63,7 +63,7 @@ Bender::Drive Bender::drive_along(std::span<const Segment> segments) {
 
 bool Bender::is_hopeless() const {
   const double excess = challenger_->cost() / best_->cost() - 1.0;
-  return challenger_->is_stalled() || excess * static_cast<double>(trials_) > hopeless_challenge;
+  return challenger_->is_stalled() || excess * static_cast<double>(trials_) > hopeless_drive;
 }
 
 /// The challenger becomes the best drive if it is cheaper now.

@@ -19,7 +19,7 @@ using search::Connector, search::gear_of, search::Gears, search::Leg, search::Ro
 constexpr double shares[] = {1.0, 2.0, 4.0, 8.0, 0.5};
 constexpr double worth_it = 0.25;
 constexpr std::size_t legs_beside = 2;  // legs on either side that are steered anew at most
-constexpr std::size_t segments_of_leg = 3;
+constexpr std::size_t segments_of_short_leg = 3;
 
 /// Legs of one gear: [first, last).
 struct LegStroke {
@@ -206,7 +206,7 @@ search::Route legs_along(const Path& path, const Pose& goal) {
   Pose pose = path.start;
   std::span<const Segment> rest = path.segments;
   while (!rest.empty()) {
-    const Piece piece = piece_of(rest.first(std::min(segments_of_leg, rest.size())));
+    const Piece piece = piece_of(rest.first(std::min(segments_of_short_leg, rest.size())));
     rest = rest.subspan(piece.count);
     pose = rest.empty() ? goal : search::end_of(pose, piece);
     route.legs.push_back({piece, pose});

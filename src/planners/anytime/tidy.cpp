@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <span>
 
@@ -62,8 +61,9 @@ double Tidier::cost(const Segments& segments) const {
 }
 
 Pose Tidier::pose_before(std::size_t i) const {
-  return std::accumulate(segments_.begin(), segments_.begin() + static_cast<std::ptrdiff_t>(i),
-                         start_, advance);
+  Pose pose = start_;
+  for (const Segment& segment : std::span(segments_).first(i)) pose = advance(pose, segment);
+  return pose;
 }
 
 bool Tidier::is_free(Pose from, std::span<const Segment> segments) {
