@@ -243,10 +243,12 @@ std::optional<DriveFault> rushed_stop(const SpeedProfile& speeds, const Track& t
   const Vehicle& vehicle = task.vehicle;
   const auto angle = [&](Real curvature) { return std::atan(vehicle.wheelbase * curvature); };
   Real before = task.curvatures.start;
+  const Stretch* last = nullptr;  // that is long enough to be driven
   for (std::size_t i = 0; track.length > 0 && i < track.stretches.size(); ++i) {
     const Stretch& stretch = track.stretches[i];
     if (stretch.length <= least_motion) continue;
-    const bool changes_gear = i > 0 && stretch.direction != track.stretches[i - 1].direction;
+    const bool changes_gear = last != nullptr && stretch.direction != last->direction;
+    last = &stretch;
     const Real turn = std::abs(angle(stretch.curvature) - angle(before));
     before = judge::curvature_at(stretch, stretch.length);
     if (!changes_gear && turn <= steering_slack) continue;

@@ -15,8 +15,8 @@ namespace {
 
 using speed::Cap;
 
-/// What is shorter is driven with the wheels as they are [m].
-constexpr double shortest_turn = 1e-9;
+/// What is shorter, all that follows each other together, is passed over [m]: nobody drives it.
+constexpr double least_motion = 1e-9;
 
 void check_finite(const Path& path) {
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
@@ -35,11 +35,15 @@ class Drive {
   Drive(const Vehicle& vehicle, const speed::MovingStart& start)
       : vehicle_(vehicle), curvature_(start.curvature), speed_(start.speed) {}
 
-  void add(Segment segment) {
+  void add(const Segment& segment) {
     const double length = std::abs(segment.length);
-    if (!(s_ < s_ + length)) return;
-    // Nobody turns wheels for less than that.
-    if (length < shortest_turn) segment = {curvature_, segment.length, 0.0};
+    passed_over_ += length;
+    if (passed_over_ < least_motion || !(s_ < s_ + length)) {
+      since_stop_ += length;
+      s_ += length;
+      return;
+    }
+    passed_over_ = 0.0;
     const double sign = segment.length < 0.0 ? -1.0 : 1.0;
     const bool changes_gear = gear_ != 0.0 && sign != gear_;
     const bool jumps = turn_to(segment.curvature) > ignored_steering_jump;
@@ -115,8 +119,9 @@ class Drive {
   double gear_ = 0.0;         // 1, -1, or 0 before the first segment
   double s_ = 0.0;
   double t_ = 0.0;
-  double stop_ = 0.0;        // where the stretch began [m]
-  double since_stop_ = 0.0;  // its length so far [m]
+  double stop_ = 0.0;         // where the stretch began [m]
+  double since_stop_ = 0.0;   // its length so far [m]
+  double passed_over_ = 0.0;  // of it, since something was driven [m]
 };
 
 }  // namespace

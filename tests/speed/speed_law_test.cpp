@@ -106,7 +106,13 @@ TEST(SpeedLaw, KeepsTheLimitOfJerk) {
 TEST(SpeedLaw, TheJudgeOfDrivesAcceptsIt) {
   for_each_case(9, 500, [](Rng& rng) {
     Path path = any_path(rng);
-    if (chance(0.2, rng)) path.segments.insert(path.segments.begin(), {0.1, 1e-11});
+    // Strokes that nobody drives, alone or some together.
+    for (int strokes = chance(0.5, rng) ? 1 + static_cast<int>(rng() % 3) : 0; strokes > 0;
+         --strokes) {
+      const auto at = static_cast<std::ptrdiff_t>(rng() % (path.segments.size() + 1));
+      path.segments.insert(path.segments.begin() + at,
+                           {uniform(-0.1, 0.1, rng), any_sign(any_size(1e-17, 1e-10, rng), rng)});
+    }
     Vehicle vehicle = any_driver(rng);
     if (chance(0.3, rng)) vehicle.limits.max_acceleration = any_size(0.01, 0.1, rng);
     if (chance(0.7, rng)) vehicle.limits.max_jerk = any_size(0.05, 50, rng);

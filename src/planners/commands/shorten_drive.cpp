@@ -225,7 +225,8 @@ void DriveShortener::drop_crumbs() {
     search::Driven driven = ends_.before;
     for (std::size_t i = 0; i < commands_.size(); ++i) {
       double shortest = crumb_;
-      for (const Segment& segment : wheels_.obey(commands_[i], driven).view()) {
+      const Obeyed obeyed = wheels_.obey(commands_[i], driven);
+      for (const Segment& segment : obeyed.view()) {
         shortest = std::min(shortest, std::abs(segment.length));
       }
       if (shortest < crumb_) crumbs.push_back({shortest, i});
