@@ -13,6 +13,7 @@
 #include <numbers>
 #include <vector>
 
+#include "planners/anytime/fastest.h"
 #include "support/cases.h"
 #include "support/continuity.h"
 #include "support/draws.h"
@@ -206,6 +207,15 @@ TEST(DriveShortener, LeavesACrumbWhereItIsWorthIt) {
 
 // ---- Routes ----
 
+/// A measure that likes wheels that are turned a little all the way.
+double bent_squared(std::span<const Segment> segments) {
+  double sum = 0.0;
+  for (const Segment& segment : segments) {
+    sum += std::abs(segment.length) * (1 + 1e3 * segment.curvature * segment.curvature);
+  }
+  return sum;
+}
+
 /// The best word of words alone, as a route.
 Route word_route(const Task& task) {
   search::Connector connector(task, priced);
@@ -236,6 +246,20 @@ TEST(Bender, TurnsTheWheelsLessWhereThatIsCheaper) {
     EXPECT_LT(sharpest(path.segments), 0.5 / radius);
     expect_same_pose(end_of(path), task.goal, 1e-9);
     expect_drivable(path, problem, steering);
+  }
+}
+
+TEST(Bender, MindsAnotherMeasure) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {});
+  for (const Steering steering : kinds) {
+    const Task task = task_of(problem, {}, steering);
+    Bender bender(task, priced, 1, bent_squared);
+    bender.offer(word_route(task));
+    EXPECT_TRUE(bender.step());
+    const double first = bender.cost();
+    for (int i = 0; i < 1000; ++i) (void)bender.step();
+    EXPECT_LT(bender.cost(), 0.8 * first) << name_of(steering);
+    EXPECT_NEAR(bender.cost(), bent_squared(bender.segments()), 1e-9);
   }
 }
 
@@ -283,6 +307,27 @@ TEST(Bender, TakesARouteOnce) {
   route.cost *= 0.97;
   bender.offer(route);
   EXPECT_TRUE(bender.has_work());
+}
+
+// What is made fast by bending is faster than what words alone can be.
+TEST(Bending, SavesWhatTheMeasureOfDrivesSays) {
+  const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {});
+  const Task task = task_of(problem, {}, Steering::continuous);
+  const auto of_drive = [](std::span<const Segment> segments) { return bent_squared(segments); };
+  const auto of_route = [](const Route& route) { return bent_squared(path_of(route).segments); };
+  anytime::Fastest words(task, priced, 1, of_route);
+  anytime::Fastest drives(task, priced, 1, of_route, of_drive);
+  for (anytime::Fastest* fastest : {&words, &drives}) {
+    EXPECT_TRUE(fastest->offer(word_route(task)));
+    for (int i = 0; i < 1500; ++i) {
+      const double cost = fastest->cost();
+      const bool fell = fastest->step();
+      EXPECT_EQ(fell, fastest->cost() < cost);
+    }
+    EXPECT_NEAR(bent_squared(fastest->segments()), fastest->cost(), 1e-9);
+    expect_continuous({task.start, fastest->segments()}, problem, Steering::continuous);
+  }
+  EXPECT_LT(drives.cost(), 0.95 * words.cost());
 }
 
 // What the default planner makes of it: a lane change of a driver is gentle.

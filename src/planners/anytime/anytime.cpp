@@ -182,12 +182,15 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
                           is_whole || bends_);
   }
   if (is_whole) {
-    fastest_.emplace(task, rule_, stream_seed(options.budget.seed, island_count),
-                     [this](const Route& route) {
-                       double clearance_cost = 0.0;
-                       for (const Leg& leg : route.legs) clearance_cost += leg.clearance_cost;
-                       return cost_of_drive(path_of(route).segments, clearance_cost);
-                     });
+    const auto of_route = [this](const Route& route) {
+      double clearance_cost = 0.0;
+      for (const Leg& leg : route.legs) clearance_cost += leg.clearance_cost;
+      return cost_of_drive(path_of(route).segments, clearance_cost);
+    };
+    Bender::Measure of_drive;  // where the time is all that counts
+    if (is_time_) of_drive = [this](std::span<const Segment> s) { return cost_of_drive(s, 0.0); };
+    fastest_.emplace(task, rule_, stream_seed(options.budget.seed, island_count), of_route,
+                     of_drive);
   }
 }
 
@@ -433,7 +436,7 @@ void Run::make_drivable(double min_stroke) {
   if (!best_) return;
   const Route& route = fastest_ ? *fastest_->route() : *best_;
   const bool is_bent = bent_ && bent_->cost < route.cost;
-  segments_ = is_bent ? bent_segments() : path_of(route).segments;
+  segments_ = fastest_ ? fastest_->segments() : is_bent ? bent_segments() : path_of(route).segments;
   const bool is_continuous = task_.steering != Steering::reeds_shepp;
   if (min_stroke == 0.0 && !is_bent && (is_continuous || rule_.is_length())) return;
   Connector connector(task_, rule_);

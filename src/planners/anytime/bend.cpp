@@ -15,13 +15,14 @@ constexpr double hopeless_drive = 6.0;      // excess over the cheapest drive, t
 
 }  // namespace
 
-Bender::Bender(const Task& task, const CostRule& rule, std::uint64_t seed)
+Bender::Bender(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure)
     : task_(task),
       rule_(rule),
       wheels_(task.vehicle, task.steering),
       ends_(commands::wheel_ends(task)),
       closer_(task.vehicle, task.steering),
-      seed_(seed) {}
+      seed_(seed),
+      measure_(std::move(measure)) {}
 
 void Bender::offer(const Route& route) {
   const double near = task_.vehicle.min_turning_radius;
@@ -58,7 +59,7 @@ Bender::Drive Bender::drive_along(std::span<const Segment> segments) {
   ++checks_;
   if (!task_.checker->is_free(task_.start, wheels_.driven(drive, ends_.before))) return nullptr;
   return std::make_unique<commands::DriveShortener>(task_, rule_, std::move(drive),
-                                                    stream_seed(seed_, drives_++));
+                                                    stream_seed(seed_, drives_++), measure_);
 }
 
 bool Bender::is_hopeless() const {

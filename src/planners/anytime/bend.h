@@ -29,8 +29,11 @@ struct BentDrive {
 /// cheaper: it and another one in turns.
 class Bender {
  public:
-  /// The vehicle has no trailer. The task and the rule outlive the bender.
-  Bender(const Task& task, const CostRule& rule, std::uint64_t seed);
+  using Measure = commands::DriveShortener::Measure;
+
+  /// The vehicle has no trailer. The task and the rule outlive the bender. With a `measure` what is
+  /// cheaper is so by it.
+  Bender(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure = {});
 
   /// A route from the start of the task to its goal that may be worth it. One that is like a route
   /// offered before is left out unless it is much cheaper.
@@ -48,6 +51,7 @@ class Bender {
   /// The cheapest drive so far; `step` was true once.
   [[nodiscard]] BentDrive best() const { return {best_->commands(), best_->cost()}; }
   [[nodiscard]] double cost() const { return best_->cost(); }
+  [[nodiscard]] std::vector<Segment> segments() const { return best_->segments(); }
   [[nodiscard]] std::int64_t checks() const;
 
  private:
@@ -63,6 +67,7 @@ class Bender {
   commands::WheelEnds ends_;
   commands::Closer closer_;
   std::uint64_t seed_;
+  Measure measure_;
   std::uint64_t drives_ = 0;                   // so far; each has a seed
   std::vector<Route> offered_;                 // the last routes
   std::vector<std::vector<Segment>> waiting_;  // the next one last

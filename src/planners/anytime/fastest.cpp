@@ -17,19 +17,28 @@ constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
 constexpr double worth_a_challenge = 1.3;  // of the cost of the cheapest
 constexpr std::size_t most_challengers = 32;
-constexpr double hopeless_challenge = 20;  // over the least cost, times the trials it took
+constexpr std::uint64_t bending_seeds = 1U << 30;  // above those of beginnings
+constexpr double hopeless_challenge = 20;          // over the least cost, times the trials it took
 
 }  // namespace
 
-Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure)
-    : measure_(std::move(measure)), seed_(seed), cost_(std::numeric_limits<double>::infinity()) {
+Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure,
+                 const Bender::Measure& measure_of_drive)
+    : measure_(std::move(measure)),
+      seed_(seed),
+      cost_(std::numeric_limits<double>::infinity()),
+      bent_cost_(cost_) {
   const double given = std::max(std::abs(task.curvatures.start), std::abs(task.curvatures.goal));
   for (const double sharpness : sharpnesses) {
     Task softer = task;
     softer.vehicle.limits.max_curvature_rate = sharpness * max_curvature_rate(task.vehicle);
     // Wheels that turn more slowly may not be turned as far as they are at the ends.
     if (sharpness < 1 && given * continuous_radius(softer.vehicle) > 1) continue;
-    connectors_.emplace_back(tasks_.emplace_back(std::move(softer)), rule);
+    const Task& kept = tasks_.emplace_back(std::move(softer));
+    const Connector& connector = connectors_.emplace_back(kept, rule);
+    if (!measure_of_drive) continue;
+    const std::uint64_t bent_seed = stream_seed(seed, bending_seeds + benders_.size());
+    benders_.emplace_back(kept, connector.rule(), bent_seed, measure_of_drive);
   }
 }
 
@@ -46,6 +55,9 @@ void Fastest::begin_with(const Route& route) {
 
 bool Fastest::offer(Route route) {
   route.cost = measure_(route);
+  if (route.cost < worth_a_challenge * cost_) {
+    for (Bender& bender : benders_) bender.offer(route);
+  }
   if (route.cost >= cost_) {
     if (route.cost < worth_a_challenge * cost_ && challengers_.size() < most_challengers) {
       challengers_.push_back(std::move(route));
@@ -55,7 +67,7 @@ bool Fastest::offer(Route route) {
   cost_ = route.cost;
   route_ = std::move(route);
   begin();
-  return true;
+  return cost_ < bent_cost_;
 }
 
 // Tries what lost by the prices, and may win by the measure.
@@ -67,8 +79,26 @@ void Fastest::challenge() {
   trials_ = 0;
 }
 
+// One trial of the next bender. True when there is a cheaper drive than ever.
+bool Fastest::bend() {
+  const bool is_turn_of_best = bends_ % 2 == 0 && std::isfinite(bent_cost_);
+  const std::size_t i = is_turn_of_best ? best_bender_ : bends_ / 2 % benders_.size();
+  ++bends_;
+  if (!benders_[i].step() || benders_[i].cost() >= cost()) return false;
+  bent_cost_ = benders_[i].cost();
+  best_bender_ = i;
+  return true;
+}
+
+std::vector<Segment> Fastest::segments() const {
+  if (!(bent_cost_ < cost_)) return path_of(*route_).segments;
+  return benders_[best_bender_].segments();
+}
+
 bool Fastest::step() {
   if (!shortener_) return false;
+  is_turn_of_bending_ = !is_turn_of_bending_ && !benders_.empty();
+  if (is_turn_of_bending_) return bend();
   ++trials_;
   const double excess = shortener_->route().cost / cost_ - 1;
   if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless_challenge)) {
@@ -82,7 +112,7 @@ bool Fastest::step() {
   is_challenger_ = false;
   route_ = shortener_->route();
   cost_ = route_->cost;
-  return true;
+  return cost_ < bent_cost_;
 }
 
 std::int64_t Fastest::solves() const {
@@ -94,6 +124,7 @@ std::int64_t Fastest::solves() const {
 std::int64_t Fastest::checks() const {
   std::int64_t sum = 0;
   for (const Connector& connector : connectors_) sum += connector.checks();
+  for (const Bender& bender : benders_) sum += bender.checks();
   return sum;
 }
 

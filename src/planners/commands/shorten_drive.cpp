@@ -18,9 +18,10 @@ constexpr double crumb_slack = 1e-4;  // of the cost: 1 cm of 100 m, less than a
 }  // namespace
 
 DriveShortener::DriveShortener(const Task& task, const search::CostRule& rule,
-                               std::vector<Segment> commands, std::uint64_t seed)
+                               std::vector<Segment> commands, std::uint64_t seed, Measure measure)
     : task_(task),
       rule_(rule),
+      measure_(std::move(measure)),
       wheels_(task.vehicle, task.steering),
       ends_(wheel_ends(task)),
       closer_(task.vehicle, task.steering),
@@ -53,13 +54,15 @@ void DriveShortener::drive() {
     driven_.push_back(driven);
   }
   for (const double near : near_) cost_ += near;
+  if (measure_) cost_ = measure_(segments());
   // So that small errors do not add up.
   states_.back() = {task_.goal, task_.hitch_angles.goal};
 }
 
-/// What being near things adds, at most `cutoff` or something above it.
+/// What being near things adds, at most `cutoff` or something above it; another measure knows.
 double DriveShortener::near_cost(const RigState& from, std::span<const Segment> segments,
                                  double cutoff) const {
+  if (measure_) return 0.0;
   return search::rig_clearance_cost(task_, rule_, from, segments, search::Looks::search, cutoff);
 }
 
@@ -131,15 +134,20 @@ bool DriveShortener::replace(const Window& window, double limit) {
   whole.insert(whole.end(), trial_.begin(), trial_.end());
   whole.insert(whole.end(), commands_.begin() + static_cast<std::ptrdiff_t>(window.last),
                commands_.end());
-  search::Driven priced = rule_.initial_gear;
-  double left = limit - search::drive_cost(rule_, wheels_.driven(whole, ends_.before), priced);
-  for (std::size_t i = 0; i < commands_.size(); ++i) {
-    if (i < window.first || i >= window.last) left -= near_[i];
+  const std::vector<Segment> driven = wheels_.driven(whole, ends_.before);
+  double left = limit;
+  if (!measure_) {
+    search::Driven priced = rule_.initial_gear;
+    left -= search::drive_cost(rule_, driven, priced);
+    for (std::size_t i = 0; i < commands_.size(); ++i) {
+      if (i < window.first || i >= window.last) left -= near_[i];
+    }
   }
   if (!(left > 0.0)) return false;
   checks_ += static_cast<std::int64_t>(trial_.size());
   const std::vector<Segment> segments = wheels_.driven(trial_, driven_[window.first]);
   if (!task_.checker->rig_is_free(states_[window.first], segments)) return false;
+  if (measure_ && !(measure_(driven) < left)) return false;
   if (!(near_cost(states_[window.first], segments, left) < left)) return false;
   whole = wheels_.tidied(whole, ends_.before);
   const RigState from{task_.start, task_.hitch_angles.start};

@@ -5,6 +5,7 @@
 //
 // Method: docs/algorithms/trailers.md.
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,10 +19,13 @@ namespace vandplan::commands {
 /// crumbs.
 class DriveShortener {
  public:
+  /// What a drive costs by another measure than a rule.
+  using Measure = std::function<double(std::span<const Segment>)>;
+
   /// The task and the rule outlive the shortener. The commands are a free drive from the start of
   /// the task to its goal.
   DriveShortener(const Task& task, const search::CostRule& rule, std::vector<Segment> commands,
-                 std::uint64_t seed);
+                 std::uint64_t seed, Measure measure = {});
 
   /// One trial. True when the drive got cheaper.
   bool step();
@@ -63,6 +67,7 @@ class DriveShortener {
 
   const Task& task_;
   const search::CostRule& rule_;
+  Measure measure_;
   Wheels wheels_;
   WheelEnds ends_;
   Closer closer_;
