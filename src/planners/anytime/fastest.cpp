@@ -17,6 +17,7 @@ constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
 constexpr double worth_a_challenge = 1.3;  // of the cost of the cheapest
 constexpr std::size_t most_challengers = 32;
+constexpr int bending_period = 4;                  // trials, one of which bends
 constexpr std::uint64_t bending_seeds = 1U << 30;  // above those of beginnings
 constexpr double hopeless_challenge = 20;          // over the least cost, times the trials it took
 
@@ -97,8 +98,7 @@ std::vector<Segment> Fastest::segments() const {
 
 bool Fastest::step() {
   if (!shortener_) return false;
-  is_turn_of_bending_ = !is_turn_of_bending_ && !benders_.empty();
-  if (is_turn_of_bending_) return bend();
+  if (!benders_.empty() && ++steps_ % bending_period == 0) return bend();
   ++trials_;
   const double excess = shortener_->route().cost / cost_ - 1;
   if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless_challenge)) {

@@ -57,7 +57,7 @@ class Fastest {
   std::size_t bends_ = 0;        // trials of bending so far
   std::size_t best_bender_ = 0;  // whose drive is the cheapest one,
   double bent_cost_;             // and what that costs
-  bool is_turn_of_bending_ = false;
+  int steps_ = 0;
   std::optional<Shortener> shortener_;
   std::vector<Route> challengers_;  // that may get cheaper than the route, the best one last
   bool is_challenger_ = false;      // whom the shortener has
