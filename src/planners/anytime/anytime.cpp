@@ -25,7 +25,10 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::size_t island_count = 7;
+constexpr std::size_t island_count = 13;
+constexpr std::size_t first_relaxed = 7;         // island: from here on of the relaxed task,
+constexpr std::size_t adapt_island = 12;         // but the last one
+constexpr std::int64_t first_relaxed_round = 4;  // of a planner that has a route
 constexpr int tidy_trials = 1000;
 constexpr int repairs_of_known = 12;              // of a known path that something is in the way of
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
@@ -45,24 +48,32 @@ struct Plan {
   std::int64_t after;
   std::int64_t after_with_prices;  // looking for other kinds of path is worth more then
   std::int64_t after_with_bending;
+  std::int64_t beside_relaxed;  // islands
 };
 
-constexpr std::array<Plan, island_count> plans = {{{Work::search_from_goal, 1, 64, 64, 160, 40},
-                                                   {Work::search_from_start, 2, 64, 64, 160, 40},
-                                                   {Work::random_trees, 0, 16, 32, 32, 8},
-                                                   {Work::refine, 0, 0, 256, 96, 16},
-                                                   {Work::bound, 0, 0, 2, 2, 1},
-                                                   {Work::detours, 0, 0, 0, 96, 24},
-                                                   {Work::bend, 0, 0, 24, 0, 48}}};
+constexpr std::array<Plan, island_count> plans = {
+    {{Work::search_from_goal, 1, 64, 64, 160, 40, 24},
+     {Work::search_from_start, 2, 64, 64, 160, 40, 24},
+     {Work::random_trees, 0, 16, 32, 32, 8, 4},
+     {Work::refine, 0, 0, 256, 96, 16, 12},
+     {Work::bound, 0, 0, 2, 2, 1, 1},
+     {Work::detours, 0, 0, 0, 96, 24, 16},
+     {Work::bend, 0, 0, 24, 0, 48, 48},
+     {Work::search_from_goal, 0, 0, 0, 0, 0, 40},
+     {Work::search_from_start, 0, 0, 0, 0, 0, 40},
+     {Work::random_trees, 0, 0, 0, 0, 0, 8},
+     {Work::refine, 0, 0, 0, 0, 0, 16},
+     {Work::detours, 0, 0, 0, 0, 0, 24},
+     {Work::adapt, 0, 0, 0, 0, 0, 16}}};
 
-// Over a whole site: the same islands. A second way, which is nearly the shortest, comes first.
-constexpr std::array<Plan, island_count> far_plans = {{{Work::search_from_goal, 1, 64, 256, 256, 0},
-                                                       {Work::search_from_start, 64, 64, 16, 16, 0},
-                                                       {Work::random_trees, 0, 16, 0, 0, 0},
-                                                       {Work::refine, 0, 0, 256, 256, 0},
-                                                       {Work::bound, 0, 0, 4, 1, 0},
-                                                       {Work::detours, 0, 0, 0, 0, 0},
-                                                       {Work::bend, 0, 0, 0, 0, 0}}};
+// Over a whole site: the first five of these islands, and sometimes detours. A second way, which is
+// nearly the shortest, comes first.
+constexpr std::array<Plan, island_count> far_plans = {
+    {{Work::search_from_goal, 1, 64, 256, 256, 0, 0},
+     {Work::search_from_start, 64, 64, 16, 16, 0, 0},
+     {Work::random_trees, 0, 16, 0, 0, 0, 0},
+     {Work::refine, 0, 0, 256, 256, 0, 0},
+     {Work::bound, 0, 0, 4, 1, 0, 0}}};
 
 // Where a gap is to be proven, or a route was known: of the islands in the order of `plans`, after
 // how many rounds with a route they join, and their share. Rounds are short, and what mostly proves
@@ -77,7 +88,12 @@ constexpr std::array<GapPlan, island_count> gap_plans = {
 constexpr std::int64_t first_raise = 24;  // as `first_round`: boxes take long to make
 constexpr std::size_t bound_island = 4;   // works before each round then
 constexpr std::size_t bend_island = 6;
-static_assert(plans[bound_island].work == Work::bound && plans[bend_island].work == Work::bend);
+static_assert(plans[bound_island].work == Work::bound && plans[bend_island].work == Work::bend &&
+              plans[adapt_island].work == Work::adapt);
+
+constexpr bool is_relaxed(std::size_t island) {
+  return island >= first_relaxed && island != adapt_island;
+}
 
 // Rounds grow with time, so that islands on several threads seldom wait for each other.
 std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
@@ -123,6 +139,10 @@ class Run {
  private:
   void take(Route route);
   void merge(Slice& slice);
+  void relax();
+  void merge_relaxed(Slice& slice);
+  [[nodiscard]] const Route* route_for(std::size_t island) const;
+  [[nodiscard]] bool has_work(std::size_t island) const;
   [[nodiscard]] std::int64_t share_of(std::size_t island) const;
   [[nodiscard]] std::int64_t far_share(Work work, std::int64_t share) const;
   [[nodiscard]] double least_found() const;
@@ -138,11 +158,14 @@ class Run {
 
   const Task& task_;
   CostRule rule_;
-  CostRule prices_;    // of the path, where not only the time counts
-  bool is_time_;       // does
-  double time_price_;  // of a second, beside the prices [m]
-  bool is_far_;        // over a whole site
-  bool bends_;         // routes: the shortest of arcs and lines has no use for it
+  CostRule prices_;              // of the path, where not only the time counts
+  bool is_time_;                 // does
+  double time_price_;            // of a second, beside the prices [m]
+  bool is_far_;                  // over a whole site
+  bool bends_;                   // routes: the shortest of arcs and lines has no use for it
+  std::optional<Task> relaxed_;  // the task of wheels that turn at once, once it helps
+  Bounds region_;                // of samples
+  std::uint64_t seed_;
   int threads_;
   std::optional<double> target_gap_;
   bool is_warm_ = false;  // began with a route along a known path
@@ -152,6 +175,7 @@ class Run {
   int looks_ = 0;  // for walls
   OpenGround open_ground_;
   std::optional<Route> best_;
+  std::optional<Route> relaxed_best_;                            // of the relaxed task
   std::optional<BentDrive> bent_;                                // the cheapest
   double noted_cost_ = std::numeric_limits<double>::infinity();  // of the best route,
   std::int64_t noted_at_ = 0;                                    // when it last fell a good deal
@@ -171,14 +195,15 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
       is_far_(search::FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
       bends_((!rule_.is_length() || task.steering != Steering::reeds_shepp) && !is_time_ &&
              time_price == 0.0 && !is_far_),
+      region_(sampling_region(task, planning::region_of(options))),
+      seed_(options.budget.seed),
       threads_(options.budget.threads),
       target_gap_(options.budget.target_gap),
       budget_(options.budget),
       open_ground_(open_ground(task, rule_)) {
-  const Bounds region = sampling_region(task, planning::region_of(options));
   const bool is_whole = is_time_ || time_price > 0.0;
-  for (std::size_t i = 0; i < island_count; ++i) {
-    islands_.emplace_back(plans[i].work, task, rule_, region, stream_seed(options.budget.seed, i),
+  for (std::size_t i = 0; i < first_relaxed; ++i) {
+    islands_.emplace_back(plans[i].work, task, rule_, region_, stream_seed(seed_, i),
                           is_whole || bends_);
   }
   if (is_whole) {
@@ -189,8 +214,7 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
     };
     Bender::Measure of_drive;  // where the time is all that counts
     if (is_time_) of_drive = [this](std::span<const Segment> s) { return cost_of_drive(s, 0.0); };
-    fastest_.emplace(task, rule_, stream_seed(options.budget.seed, island_count), of_route,
-                     of_drive);
+    fastest_.emplace(task, rule_, stream_seed(seed_, first_relaxed), of_route, of_drive);
   }
 }
 
@@ -321,10 +345,12 @@ std::int64_t Run::share_of(std::size_t island) const {
   const Plan& plan = is_far_ ? far_plans[island] : plans[island];
   if (!best_) return rounds_ < plan.first_round ? 0 : plan.before;
   const std::int64_t after = rule_.is_length() ? plan.after
+                             : relaxed_        ? plan.beside_relaxed
                              : bends_          ? plan.after_with_bending
                                                : plan.after_with_prices;
-  if (is_far_) return far_share(plan.work, after * growth(rounds_));
-  if (after == 0 || !(target_gap_ || is_warm_)) {
+  if (is_far_) return far_share(plans[island].work, after * growth(rounds_));
+  if (after == 0) return 0;
+  if (!(target_gap_ || is_warm_)) {
     const bool has_short_rounds = bends_ && !rule_.is_length();
     return after * (has_short_rounds ? growth_with_bending(rounds_) : growth(rounds_));
   }
@@ -356,34 +382,79 @@ void Run::merge(Slice& slice) {
   }
 }
 
+// [6e] Islands that plan as if the wheels turned at once.
+void Run::relax() {
+  relaxed_ = task_;
+  relaxed_->steering = Steering::reeds_shepp;
+  for (std::size_t i = first_relaxed; i < island_count; ++i) {
+    islands_.emplace_back(plans[i].work, is_relaxed(i) ? *relaxed_ : task_, rule_, region_,
+                          stream_seed(seed_, i), true);
+  }
+}
+
+// Relaxed routes go to those who look for drives along them.
+void Run::merge_relaxed(Slice& slice) {
+  budget_.spend(slice.iterations);
+  std::vector<Route>& found = slice.losers;
+  if (slice.route && (!relaxed_best_ || slice.route->cost < relaxed_best_->cost)) {
+    relaxed_best_ = std::move(slice.route);
+    found.push_back(*relaxed_best_);
+  }
+  for (const Route& route : found) {
+    islands_[adapt_island].offer(route);
+    islands_[bend_island].offer(route);
+  }
+}
+
+// The best one of its task; null if there is none.
+const Route* Run::route_for(std::size_t island) const {
+  const std::optional<Route>& best = is_relaxed(island) ? relaxed_best_ : best_;
+  return best ? &*best : nullptr;
+}
+
+bool Run::has_work(std::size_t island) const {
+  const Work work = plans[island].work;
+  if (work == Work::bend && !bends_) return false;
+  if (work == Work::bound && target_gap_) return false;  // it has worked
+  if (work == Work::refine) return route_for(island) != nullptr;
+  if (work == Work::detours && route_for(island) == nullptr) return false;
+  return islands_[island].has_work();
+}
+
 // Every island works on its own, told only the best route so far; what they bring is merged in a
 // fixed order. So the outcome does not depend on the number of threads.
 void Run::round() {
   if (target_gap_) prove();
   if (is_good_enough()) return;
+  const bool is_continuous = task_.steering != Steering::reeds_shepp;
+  const bool knows_enough = target_gap_ || is_warm_ || rule_.is_length();
+  if (bends_ && is_continuous && !knows_enough && !relaxed_ && best_ &&
+      rounds_ >= first_relaxed_round) {
+    relax();
+  }
   std::array<std::int64_t, island_count> wanted{};
   std::int64_t granted = 0;
-  for (std::size_t i = 0; i < island_count; ++i) {
-    if (i == bend_island && !bends_) continue;
-    if (!islands_[i].has_work() && !(best_ && plans[i].work == Work::refine)) continue;
-    if (target_gap_ && i == bound_island) continue;
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    if (!has_work(i)) continue;
     wanted[i] = budget_.left(share_of(i), granted);
     granted += wanted[i];
   }
   std::array<Slice, island_count> slices;
-  const Route* best = best_ ? &*best_ : nullptr;
   const double good = fastest_ ? 0.0 : enough();
   const std::int64_t steps = raising_steps();
-  parallel_for(island_count, best_ ? threads_ : 1, [&](std::size_t i) {
-    slices[i] = islands_[i].run(wanted[i], best, budget_, good);
+  parallel_for(islands_.size(), best_ ? threads_ : 1, [&](std::size_t i) {
+    slices[i] = islands_[i].run(wanted[i], route_for(i), budget_, is_relaxed(i) ? 0.0 : good);
     if (i == bound_island) islands_[i].raise(steps, budget_);
   });
   if (best_) ++rounds_with_route_;
-  for (Slice& slice : slices) merge(slice);  // [8]
-  if (bends_) {
-    for (const Slice& slice : slices) {
-      for (const Route& route : slice.losers) islands_[bend_island].offer(route);
+  for (std::size_t i = 0; i < islands_.size(); ++i) {  // [8]
+    if (is_relaxed(i)) {
+      merge_relaxed(slices[i]);
+      continue;
     }
+    merge(slices[i]);
+    if (!bends_) continue;
+    for (const Route& route : slices[i].losers) islands_[bend_island].offer(route);
   }
   if (fastest_ && best_) {
     offer_to_fastest();

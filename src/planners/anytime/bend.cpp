@@ -9,9 +9,7 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr std::size_t most_waiting = 6;
-constexpr std::size_t most_offered = 12;
-constexpr double worth_another_try = 0.98;  // of the cost of a route of its kind
-constexpr double hopeless_drive = 6.0;      // excess over the cheapest drive, times the trials
+constexpr double hopeless_drive = 6.0;  // excess over the cheapest drive, times the trials
 
 }  // namespace
 
@@ -25,15 +23,7 @@ Bender::Bender(const Task& task, const CostRule& rule, std::uint64_t seed, Measu
       measure_(std::move(measure)) {}
 
 void Bender::offer(const Route& route) {
-  const double near = task_.vehicle.min_turning_radius;
-  const auto alike = std::ranges::find_if(
-      offered_, [&](const Route& other) { return are_alike(route, other, near); });
-  if (alike != offered_.end()) {
-    if (route.cost > worth_another_try * alike->cost) return;
-    offered_.erase(alike);
-  }
-  if (offered_.size() == most_offered) offered_.erase(offered_.begin());
-  offered_.push_back(route);
+  if (!kinds_.is_new(route, task_.vehicle.min_turning_radius)) return;
   offer(path_of(route).segments);
 }
 

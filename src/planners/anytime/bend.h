@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "planners/anytime/kinds.h"
 #include "planners/commands/closer.h"
 #include "planners/commands/shorten_drive.h"
 #include "planners/commands/wheels.h"
@@ -69,7 +70,7 @@ class Bender {
   std::uint64_t seed_;
   Measure measure_;
   std::uint64_t drives_ = 0;                   // so far; each has a seed
-  std::vector<Route> offered_;                 // the last routes
+  Kinds kinds_;                                // that were offered
   std::vector<std::vector<Segment>> waiting_;  // the next one last
   Drive best_;
   Drive challenger_;         // may become cheaper yet

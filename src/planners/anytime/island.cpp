@@ -54,6 +54,9 @@ void Island::prepare() {
     case Work::bend:  // [6d]
       bender_.emplace(task_, rule, stream_seed(seed_, 0));
       break;
+    case Work::adapt:  // [6f]
+      adapter_.emplace(task_, rule, stream_seed(seed_, 0));
+      break;
     case Work::bound:  // [7]
       geodesic_.emplace(task_, best_cost_);
       flood_.emplace(task_);
@@ -63,13 +66,14 @@ void Island::prepare() {
 
 std::int64_t Island::solves() const {
   return connector_.solves() + (ladder_ ? ladder_->solves() : 0) +
-         (attempts_ ? attempts_->connector().solves() : 0) + (detours_ ? detours_->solves() : 0);
+         (attempts_ ? attempts_->connector().solves() : 0) + (detours_ ? detours_->solves() : 0) +
+         (adapter_ ? adapter_->solves() : 0);
 }
 
 std::int64_t Island::checks() const {
   return connector_.checks() + (ladder_ ? ladder_->checks() : 0) +
          (attempts_ ? attempts_->connector().checks() : 0) + (detours_ ? detours_->checks() : 0) +
-         (bender_ ? bender_->checks() : 0);
+         (bender_ ? bender_->checks() : 0) + (adapter_ ? adapter_->checks() : 0);
 }
 
 std::size_t Island::nodes() const {
@@ -80,7 +84,8 @@ std::size_t Island::nodes() const {
 }
 
 bool Island::has_work() const {
-  return !is_prepared_ || candidate_ || (bender_ && bender_->has_work()) || attempts_ || detours_ ||
+  return !is_prepared_ || candidate_ || (bender_ && bender_->has_work()) ||
+         (adapter_ && adapter_->has_work()) || attempts_ || detours_ ||
          (geodesic_ && !bound_is_final_) || (ladder_ && !ladder_->is_finished());
 }
 
@@ -112,6 +117,8 @@ void Island::give_up() {
 std::optional<Route> Island::search() {
   if (geodesic_) {
     bound_is_final_ = !geodesic_->step();
+  } else if (adapter_) {
+    if (adapter_->step()) return adapter_->route();
   } else if (detours_) {
     if (detours_->step()) return detours_->route();
   } else if (ladder_) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "planners/anytime/adapt.h"
 #include "planners/anytime/bend.h"
 #include "planners/anytime/detours.h"
 #include "planners/anytime/shorten.h"
@@ -25,6 +26,7 @@ enum class Work {
   bound,    ///< prove how short no path can be
   detours,  ///< look for other ways between two places of the best route
   bend,     ///< make routes cheaper by turning the wheels less
+  adapt,    ///< drive routes of wheels that turn at once
 };
 
 /// What an island did in one round.
@@ -55,7 +57,9 @@ class Island {
 
   /// A route that was given up, which may be worth bending.
   void offer(const Route& route) {
+    if (!is_prepared_) prepare();
     if (bender_) bender_->offer(route);
+    if (adapter_) adapter_->offer(route);
   }
   /// What bending goes on from before the first round: a path that need not be free, nor begin and
   /// end quite where it should. Nothing if it cannot be driven.
@@ -98,6 +102,7 @@ class Island {
   std::optional<Attempts> attempts_;
   std::optional<Detours> detours_;
   std::optional<Bender> bender_;
+  std::optional<Adapter> adapter_;
   std::optional<Geodesic> geodesic_;
   std::optional<PoseFlood> flood_;
   bool is_prepared_ = false;
