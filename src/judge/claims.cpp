@@ -12,7 +12,7 @@ namespace vandplan::judge {
 namespace {
 
 constexpr double length_tolerance = 1e-6;  // [m]; of costs for every metre, too
-constexpr double near_tolerance = 1e-3;    // of a cost with something in it for being near things
+constexpr double near_tolerance = 1e-3;    // of a cost where being near things has a price
 constexpr double time_tolerance = 1e-3;    // of a cost that is the time
 constexpr double finely_seen = 1e5;        // up to this length of a way [m]
 constexpr double gap_tolerance = 1e-6;
@@ -71,8 +71,8 @@ std::optional<std::string> false_cost(const Track& track, const Found& found,
   const double cost = cost_of(track, near, stated.rule);
   // What is near is looked at less finely on a longer way.
   const double rough = std::max(1.0, static_cast<double>(track.length) / finely_seen);
-  const double tolerance =
-      length_tolerance * (1 + cost) + (near > 0 ? near_tolerance * rough * cost : 0.0);
+  const double tolerance = length_tolerance * (1 + cost) +
+                           (stated.rule.clearance_weight > 0 ? near_tolerance * rough * cost : 0.0);
   if (!(std::abs(stated.cost - cost) <= tolerance)) {
     return text("the stated cost is %.10g m, the path costs %.10g m", stated.cost, cost);
   }

@@ -9,11 +9,11 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr Real ignored_turn = 1e-6;   // of the wheels at a joint [rad]
-constexpr Real shortest_turn = 1e-9;  // what is shorter is driven with the wheels as they are [m]
-constexpr Real least_places = 200;    // of a stretch
-constexpr Real usual_step = 1e-2;     // from place to place [m]
-constexpr Real most_places = 2e6;     // of a path
+constexpr Real ignored_turn = 1e-6;  // of the wheels at a joint [rad]
+constexpr Real least_motion = 1e-9;  // what is shorter, all together, nobody drives [m]
+constexpr Real least_places = 200;   // of a stretch
+constexpr Real usual_step = 1e-2;    // from place to place [m]
+constexpr Real most_places = 2e6;    // of a path
 
 struct FastPlace {
   Real s = 0;
@@ -71,18 +71,19 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
   Real time = 0;
   Real curvature = start_curvature;  // that the wheels are turned to
   Real direction = 0;
+  Real passed_over = 0;
   for (const Stretch& stretch : track.stretches) {
-    if (stretch.length == 0) continue;
-    const bool turns = stretch.length >= shortest_turn;
+    passed_over += stretch.length;
+    if (passed_over < least_motion) continue;
+    passed_over = 0;
     const Real turn =
-        turns ? std::abs(wheel_angle(vehicle, stretch.curvature) - wheel_angle(vehicle, curvature))
-              : Real{0};
+        std::abs(wheel_angle(vehicle, stretch.curvature) - wheel_angle(vehicle, curvature));
     if (turn > ignored_turn || (direction != 0 && direction != stretch.direction)) {
       time += time_of(places, vehicle.limits);
       if (turn > ignored_turn) time += turn / vehicle.limits.max_steering_rate;
     }
     direction = stretch.direction;
-    if (turns) curvature = curvature_at(stretch, stretch.length);
+    curvature = curvature_at(stretch, stretch.length);
     // Denser near the ends, where the vehicle may come to its speed within a hair's breadth.
     const Real count = std::max(least, std::ceil(stretch.length / step));
     for (Real k = 0; k <= count; ++k) {

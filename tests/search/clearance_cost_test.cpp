@@ -177,10 +177,24 @@ TEST(ClearanceCost, IsWorkedOutAgainByTheJudge) {
     const PathCheck check = check_path(problem, path, {.cost = stated});
     EXPECT_TRUE(check.valid) << check.reason;
     ++judged;
-    stated.cost += near > 0 ? 4e-3 * stated.cost : 1e-3;
+    stated.cost += 4e-3 * stated.cost;
     EXPECT_FALSE(check_path(problem, path, {.cost = stated}).valid);
   });
   EXPECT_GT(judged, cases(600) / 6);
+}
+
+// Where a path grazes the distance that counts, one sees a little where another sees nothing.
+TEST(ClearanceCost, ALittleMoreThanNothingIsAccepted) {
+  const Path ahead{{}, {{0, 100}}};
+  const Problem problem = problem_of_path({.bounds = wide_bounds}, ahead);
+  const auto is_valid = [&](double cost, double weight) {
+    const CostOptions rule{
+        .reverse_weight = 1, .curvature_change_cost = 0, .clearance_weight = weight};
+    return check_path(problem, ahead, {.cost = StatedCost{.cost = cost, .rule = rule}}).valid;
+  };
+  EXPECT_TRUE(is_valid(100.01, 2));
+  EXPECT_FALSE(is_valid(100.2, 2));
+  EXPECT_FALSE(is_valid(100.01, 0));
 }
 
 // A claim that nobody can look at does not keep the judge busy.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "judge/drive_time.h"
+#include "judge/track.h"
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/drive_oracle.h"
@@ -102,17 +104,31 @@ TEST(SpeedLaw, KeepsTheLimitOfJerk) {
   }
 }
 
-// From rest to rest along a line the fastest drive has seven phases.
+/// Puts in strokes that nobody drives, alone or some together, between segments or at the ends.
+void put_in_hairs(Path& path, Rng& rng) {
+  for (int strokes = chance(0.5, rng) ? 1 + static_cast<int>(rng() % 3) : 0; strokes > 0;
+       --strokes) {
+    const auto at = static_cast<std::ptrdiff_t>(rng() % (path.segments.size() + 1));
+    path.segments.insert(path.segments.begin() + at,
+                         {uniform(-0.1, 0.1, rng), any_sign(any_size(1e-17, 1e-10, rng), rng)});
+  }
+}
+
+TEST(SpeedLaw, TheJudgeOfPathsKnowsTheSameTime) {
+  for_each_case(10, 300, [](Rng& rng) {
+    Path path = any_path(rng);
+    put_in_hairs(path, rng);
+    const Vehicle vehicle = any_driver(rng);
+    const double time = judge::drive_time(judge::integrate(path), vehicle, 0);
+    const double found = speed_profile(path, vehicle, {.start_curvature = 0}).duration;
+    EXPECT_NEAR(found, time, 1e-3 * time + 1e-6) << as_code(path);
+  });
+}
+
 TEST(SpeedLaw, TheJudgeOfDrivesAcceptsIt) {
   for_each_case(9, 500, [](Rng& rng) {
     Path path = any_path(rng);
-    // Strokes that nobody drives, alone or some together.
-    for (int strokes = chance(0.5, rng) ? 1 + static_cast<int>(rng() % 3) : 0; strokes > 0;
-         --strokes) {
-      const auto at = static_cast<std::ptrdiff_t>(rng() % (path.segments.size() + 1));
-      path.segments.insert(path.segments.begin() + at,
-                           {uniform(-0.1, 0.1, rng), any_sign(any_size(1e-17, 1e-10, rng), rng)});
-    }
+    put_in_hairs(path, rng);
     Vehicle vehicle = any_driver(rng);
     if (chance(0.3, rng)) vehicle.limits.max_acceleration = any_size(0.01, 0.1, rng);
     if (chance(0.7, rng)) vehicle.limits.max_jerk = any_size(0.05, 50, rng);
@@ -122,6 +138,7 @@ TEST(SpeedLaw, TheJudgeOfDrivesAcceptsIt) {
   });
 }
 
+// From rest to rest along a line the fastest drive has seven phases.
 TEST(SpeedLaw, OnALineNoDriveWithoutJerksIsFaster) {
   for_each_case(8, 100, [](Rng& rng) {
     Path path;
