@@ -29,7 +29,7 @@ constexpr std::size_t island_count = 13;
 constexpr std::size_t first_relaxed = 7;         // island: from here on of the relaxed task,
 constexpr std::size_t adapt_island = 12;         // but the last one
 constexpr std::int64_t first_relaxed_round = 4;  // of a planner that has a route
-constexpr std::int64_t first_adapt_round = 16;   // bending brings more before
+constexpr std::int64_t first_adapt_round = 16;   // between stops; bending brings more before
 constexpr int tidy_trials = 1000;
 constexpr int repairs_of_known = 12;              // of a known path that something is in the way of
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
@@ -417,7 +417,8 @@ bool Run::has_work(std::size_t island) const {
   const Work work = plans[island].work;
   if (work == Work::bend && !bends_) return false;
   if (work == Work::bound && target_gap_) return false;  // it has worked
-  if (work == Work::adapt && rounds_ < first_adapt_round) return false;
+  const bool may_jump = task_.steering == Steering::continuous_between_stops;
+  if (work == Work::adapt && may_jump && rounds_ < first_adapt_round) return false;
   if (work == Work::refine) return route_for(island) != nullptr;
   if (work == Work::detours && route_for(island) == nullptr) return false;
   return islands_[island].has_work();
