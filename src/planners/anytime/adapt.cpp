@@ -7,7 +7,7 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::size_t most_waiting = 4;
+constexpr std::size_t most_relaxed_paths = 4;
 constexpr int most_repairs = 40;
 
 }  // namespace
@@ -17,7 +17,7 @@ Adapter::Adapter(const Task& task, const CostRule& rule, std::uint64_t seed)
 
 void Adapter::offer(const Route& relaxed) {
   if (!kinds_.is_new(relaxed, connector_.radius())) return;
-  if (waiting_.size() == most_waiting) waiting_.erase(waiting_.begin());
+  if (waiting_.size() == most_relaxed_paths) waiting_.erase(waiting_.begin());
   waiting_.push_back(path_of(relaxed));
 }
 
