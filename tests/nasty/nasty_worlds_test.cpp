@@ -17,6 +17,7 @@ namespace {
 
 constexpr int worlds = 500;
 constexpr int worlds_of_rigs = 100;
+constexpr int patient_worlds = 25;
 
 /// A share of the worlds, so that shares can be tried side by side.
 class NastyWorlds : public testing::TestWithParam<int> {};
@@ -48,6 +49,19 @@ TEST_P(NastyWorlds, KeepNoPromiseToARigFromBeingKept) {
     }
   }
   EXPECT_GT(paths, cases(worlds_of_rigs) / 10);
+}
+
+TEST_P(NastyWorlds, KeepNoPromiseFromBeingKeptInTheLongRun) {
+  int paths = 0;
+  for (int i = 0; i < cases(patient_worlds); ++i) {
+    const int seed = GetParam() * patient_worlds + i;
+    const Trial trial = try_world_patiently(static_cast<std::uint64_t>(seed));
+    paths += trial.paths;
+    for (const std::string& fault : trial.faults) {
+      ADD_FAILURE() << fault << "    (nasty_worlds --patient " << seed << " 1)";
+    }
+  }
+  EXPECT_GT(paths, cases(patient_worlds) / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Share, NastyWorlds, testing::Range(0, 4));

@@ -33,8 +33,12 @@ constexpr double longest_written = 300;
 
 class Judgement {
  public:
-  Judgement(Scenario scenario, std::uint64_t seed)
-      : scenario_(std::move(scenario)), rng_(stream_seed(seed, 1)), problem_(made()) {}
+  /// The default planner has so many times the usual iterations.
+  Judgement(Scenario scenario, std::uint64_t seed, int patience)
+      : scenario_(std::move(scenario)),
+        patience_(patience),
+        rng_(stream_seed(seed, 1)),
+        problem_(made()) {}
 
   Trial trial() {
     if (!problem_) return {{}, true, 0};
@@ -81,6 +85,7 @@ class Judgement {
     const bool is_slow = is_rig() && planner.name != default_planner().name;
     options.budget.max_iterations =
         static_cast<std::int64_t>(any_size(30, is_slow ? 60 : 300, rng_));
+    if (planner.name == default_planner().name) *options.budget.max_iterations *= patience_;
     options.budget.seed = rng_();
     if (honours(planner, "region") && chance(0.7, rng_)) options.planner.set("region", "scene");
     if (chance(0.25, rng_)) {
@@ -216,6 +221,7 @@ class Judgement {
 
   Scenario scenario_;
   std::optional<Path> known_;  ///< the first one
+  int patience_;
   Rng rng_;
   std::optional<Problem> problem_;
   TemporaryFolder folder_;
@@ -226,9 +232,9 @@ class Judgement {
   bool proves_none_ = false;
 };
 
-Trial tried(Scenario scenario, std::uint64_t seed) {
+Trial tried(Scenario scenario, std::uint64_t seed, int patience = 1) {
   try {
-    return Judgement(std::move(scenario), seed).trial();
+    return Judgement(std::move(scenario), seed, patience).trial();
   } catch (const std::exception& error) {
     return {{std::string("throws: ") + error.what()}, false, 0};
   }
@@ -237,6 +243,11 @@ Trial tried(Scenario scenario, std::uint64_t seed) {
 }  // namespace
 
 Trial try_world(std::uint64_t seed) { return tried(nasty_world(seed), seed); }
+
+Trial try_world_patiently(std::uint64_t seed) {
+  constexpr int patience = 25;
+  return tried(nasty_world(seed), seed, patience);
+}
 
 Trial try_world_of_a_rig(std::uint64_t seed) { return tried(nasty_world_of_a_rig(seed), seed); }
 

@@ -21,7 +21,10 @@ struct Trial {
 /// judged again, bounds are held against the costs of all, and the checker against naive looks.
 [[nodiscard]] Trial try_world(std::uint64_t seed);
 
-/// The same with a trailer behind the vehicle, by planners that plan for rigs.
+/// The same, where the default planner has the time for all of its steps.
+[[nodiscard]] Trial try_world_patiently(std::uint64_t seed);
+
+/// The same as `try_world` with a trailer behind the vehicle, by planners that plan for rigs.
 [[nodiscard]] Trial try_world_of_a_rig(std::uint64_t seed);
 
 /// The scenario of that world as a file (its map, if it has one, as MAP.yaml and MAP.pgm beside
