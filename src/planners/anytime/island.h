@@ -55,7 +55,7 @@ class Island {
   /// Whether there is anything left to try.
   [[nodiscard]] bool has_work() const;
 
-  /// A route that was given up, which may be worth bending.
+  /// A route that may be worth bending or, of the relaxed task, adapting: what this island does.
   void offer(const Route& route) {
     if (!is_prepared_) prepare();
     if (bender_) bender_->offer(route);
