@@ -66,6 +66,14 @@ void BM_words(benchmark::State& state) {
   }
 }
 
+/// To the end of a clothoid of so many centimetres, from straight to full lock over 3.6 m.
+void BM_advance(benchmark::State& state) {
+  const double length = static_cast<double>(state.range(0)) / 100;
+  const Segment clothoid{0.0, length, 1 / (radius * 3.6)};
+  Pose pose;
+  for (auto _ : state) benchmark::DoNotOptimize(pose = advance(pose, clothoid));
+}
+
 void sizes(benchmark::internal::Benchmark* bench) {
   for (const int ramp : {130, 360}) {
     for (const int reach : {10, 200}) bench->Args({reach, ramp});
@@ -87,6 +95,7 @@ BENCHMARK(BM_continuous<Continuity::throughout, Call::length_of_bent_ends>)
 BENCHMARK(BM_continuous<Continuity::between_stops, Call::length_of_leg>)
     ->Name("leg_length")
     ->Apply(sizes);
+BENCHMARK(BM_advance)->Name("advance")->Arg(100)->Arg(360)->Arg(900);
 BENCHMARK(BM_words)->Name("words")->ArgsProduct({{10, 200}, {130, 360}, {0, 1, 2}});
 
 }  // namespace

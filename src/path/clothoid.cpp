@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/trigonometry.h"
+#include "base/trigonometry_series.h"
+#include "simd/turn_kernels.h"
 
 namespace vandplan::path {
 namespace {
@@ -48,33 +51,79 @@ double panels_of(const Clothoid& clothoid, double begin, double end) {
   return count >= 1 ? count : 1;
 }
 
-/// Gauss-Legendre with eight nodes.
-Way over_panel(const Clothoid& clothoid, double begin, double end) {
-  constexpr std::array<double, 4> nodes = {0x1.77ac94f3c7345p-3, 0x1.0d129583284b4p-1,
-                                           0x1.97e4ab249f41ep-1, 0x1.ebab1cb0acc67p-1};
-  constexpr std::array<double, 4> weights = {0x1.736360b199343p-2, 0x1.413c50a255615p-2,
-                                             0x1.c76fb531d2b96p-3, 0x1.9ea1d04ca0374p-4};
-  const double middle = (begin + end) / 2;
-  const double half = (end - begin) / 2;
-  Way sum;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const base::SinCos before = base::sin_cos(clothoid.turn(middle - half * nodes[i]));
-    const base::SinCos after = base::sin_cos(clothoid.turn(middle + half * nodes[i]));
-    sum.x += weights[i] * (before.cos + after.cos);
-    sum.y += weights[i] * (before.sin + after.sin);
+/// Gauss-Legendre with eight nodes, over one panel after the other: the directions of some panels
+/// at once.
+class Panels {
+ public:
+  explicit Panels(const Clothoid& clothoid) : clothoid_(clothoid) {}
+
+  void add(double begin, double end) {
+    const double middle = (begin + end) / 2;
+    const double half = (end - begin) / 2;
+    halves_[count_] = half;
+    double* const turns = turns_.data() + count_ * simd::turns_of_batch;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      turns[2 * i] = clothoid_.turn(middle - half * nodes[i]);
+      turns[2 * i + 1] = clothoid_.turn(middle + half * nodes[i]);
+    }
+    if (++count_ == most_at_once) flush();
   }
-  return {half * sum.x, half * sum.y};
-}
+
+  [[nodiscard]] Way sum() {
+    flush();
+    return sum_;
+  }
+
+ private:
+  static constexpr std::array<double, 4> nodes = {0x1.77ac94f3c7345p-3, 0x1.0d129583284b4p-1,
+                                                  0x1.97e4ab249f41ep-1, 0x1.ebab1cb0acc67p-1};
+  static constexpr std::array<double, 4> weights = {0x1.736360b199343p-2, 0x1.413c50a255615p-2,
+                                                    0x1.c76fb531d2b96p-3, 0x1.9ea1d04ca0374p-4};
+  static constexpr std::size_t most_at_once = 4;
+  using Numbers = std::array<double, most_at_once * simd::turns_of_batch>;
+
+  void flush() {
+    if (count_ == 0) return;
+    const std::span turns(turns_.data(), count_ * simd::turns_of_batch);
+    Numbers sines, cosines;
+    if (std::ranges::all_of(turns,
+                            [](double t) { return std::abs(t) <= base::series::moderate; })) {
+      simd::sines_and_cosines(turns, sines, cosines);
+    } else {
+      for (std::size_t i = 0; i < turns.size(); ++i) {
+        const auto [sin, cos] = base::sin_cos(turns[i]);
+        sines[i] = sin;
+        cosines[i] = cos;
+      }
+    }
+    for (std::size_t panel = 0; panel < count_; ++panel) {
+      Way way;
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        const std::size_t at = panel * simd::turns_of_batch + 2 * i;
+        way.x += weights[i] * (cosines[at] + cosines[at + 1]);
+        way.y += weights[i] * (sines[at] + sines[at + 1]);
+      }
+      sum_ += {halves_[panel] * way.x, halves_[panel] * way.y};
+    }
+    count_ = 0;
+  }
+
+  const Clothoid& clothoid_;
+  std::size_t count_ = 0;  // panels that wait
+  std::array<double, most_at_once> halves_;
+  Numbers turns_;
+  Way sum_;
+};
 
 Way over_panels(const Clothoid& clothoid, double begin, double end) {
   const double wanted = panels_of(clothoid, begin, end);
   const double count = wanted < most_panels ? wanted : most_panels;
   const double length = (end - begin) / count;
-  Way sum;
+  Panels panels(clothoid);
   for (double i = 0; i < count; ++i) {
-    sum += over_panel(clothoid, begin + i * length, i + 1 < count ? begin + (i + 1) * length : end);
+    panels.add(begin + i * length, i + 1 < count ? begin + (i + 1) * length : end);
   }
-  return sum;
+  return panels.sum();
 }
 
 /// An antiderivative where curvature^2 is large beside the rate: by parts, again and again.

@@ -13,6 +13,7 @@
 
 #include "base/trigonometry_series.h"
 #include "simd/pair_kernels.h"
+#include "simd/turn_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "simd/kernels_highway_pairs.cpp"
@@ -223,6 +224,17 @@ void lengths(const double* from, std::size_t from_step, const double* to, std::s
   std::copy(answers, answers + (count - i), out + i);
 }
 
+/// Batches of eight fill vectors of any size.
+void directions(const double* angles, double* sines, double* cosines, std::size_t count) {
+  const hn::CappedTag<double, turns_of_batch> d;
+  static_assert(turns_of_batch % hn::MaxLanes(d) == 0);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto [sin, cos] = sin_cos(hn::LoadU(d, angles + i));
+    hn::StoreU(sin, d, sines + i);
+    hn::StoreU(cos, d, cosines + i);
+  }
+}
+
 }  // namespace
 }  // namespace vandplan::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -232,6 +244,7 @@ namespace vandplan::simd {
 namespace {
 
 HWY_EXPORT(lengths);
+HWY_EXPORT(directions);
 
 }  // namespace
 
@@ -241,6 +254,11 @@ void exact_lengths(std::span<const double> from, std::span<const double> to, dou
   HWY_DYNAMIC_DISPATCH(lengths)
   (from.data(), from.size() == 3 ? 0 : 1, to.data(), to.size() == 3 ? 0 : 1, radius, out.data(),
    out.size());
+}
+
+void sines_and_cosines(std::span<const double> angles, std::span<double> sines,
+                       std::span<double> cosines) noexcept {
+  HWY_DYNAMIC_DISPATCH(directions)(angles.data(), sines.data(), cosines.data(), angles.size());
 }
 
 }  // namespace vandplan::simd

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Vector kernels of Reeds-Shepp lengths give the bits of the scalar ones, on every target of this
-// machine.
+// Vector kernels of Reeds-Shepp lengths and of directions give the bits of the scalar functions, on
+// every target of this machine.
 
 #include "simd/length_kernels.h"
 #include "vandplan/random.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <vector>
 
+#include "base/trigonometry.h"
+#include "base/trigonometry_series.h"
 #include "simd/pair_kernels.h"
+#include "simd/turn_kernels.h"
 #include "support/pose_pairs.h"
 #include "support/simd_targets.h"
 #include "vandplan/reeds_shepp.h"
@@ -142,6 +149,26 @@ TEST(LengthKernels, VectorsLeaveOutOnlyWhatIsNotForThem) {
   double length = std::numeric_limits<double>::quiet_NaN();
   simd::exact_lengths({&from.x, 3}, {&to.x, 3}, 7.0, {&length, 1});
   EXPECT_EQ(length, reeds_shepp_length(from, to, 7.0));
+}
+
+// Angles of all sizes that are allowed, and beside the multiples of pi/4, where quarters change.
+TEST(TurnKernels, SinesAndCosinesHaveTheBitsOfTheScalarFunction) {
+  on_every_target([](std::size_t batches, Rng& rng) {
+    const std::size_t count = batches * simd::turns_of_batch;
+    std::vector<double> angles(count), sines(count), cosines(count);
+    for (double& angle : angles) {
+      const double eighths = std::round(uniform(-500, 500, rng)) * std::numbers::pi / 4;
+      const double any = std::exp2(uniform(-40, 8.6, rng)) * (rng() % 2 == 0 ? 1 : -1);
+      angle = rng() % 2 == 0 ? eighths + any * 1e-15 : any;
+      angle = std::clamp(angle, -base::series::moderate, base::series::moderate);
+    }
+    simd::sines_and_cosines(angles, sines, cosines);
+    for (std::size_t i = 0; i < count; ++i) {
+      const base::SinCos exact = base::sin_cos(angles[i]);
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(sines[i]), std::bit_cast<std::uint64_t>(exact.sin));
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(cosines[i]), std::bit_cast<std::uint64_t>(exact.cos));
+    }
+  });
 }
 
 }  // namespace
