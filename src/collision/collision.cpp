@@ -74,7 +74,7 @@ double distance_from(const Obstacles& obstacles, const Shape& body, const Placem
   if (obstacles.is_empty()) return most;
   double least = most * most;
   const auto lower = [&](const Sides& sides) {
-    least = std::min(least, squared_distance(body, placement, sides));
+    least = std::min(least, squared_distance(body, placement, sides, least));
     return least == 0;
   };
   const PlacedSegment standing(placement, Segment{});
@@ -116,11 +116,15 @@ Shape shape_of(const auto& part) {
 /// A rigid part of what drives, around the midpoint of its axle.
 struct Body {
   Body(Shape of_body, const Footprint& of_wheels, double margin)
-      : shape(std::move(of_body)), wheels{of_wheels}, discs(shape, margin) {}
+      : shape(std::move(of_body)),
+        wheels{of_wheels},
+        discs(shape, margin),
+        slim(collision::DiscRows(shape).slim) {}
 
   Shape shape;
   Shape wheels;
-  DiscRows discs;  // that cover the shape with the margin wanted
+  DiscRows discs;           // that cover the shape with the margin wanted
+  collision::DiscRow slim;  // that cover it without
 };
 
 /// What hangs on a vehicle.
@@ -208,7 +212,8 @@ struct CollisionChecker::Data {
     if (!is_outside(placement.position)) return 0.0;
     double least = distance_from(ground->walls, standing.shape, placement, most);
     least = distance_from(ground->kerbs, standing.wheels, placement, least);
-    return ground->map ? ground->map->clearance(standing.shape, placement, least, enough) : least;
+    if (!ground->map) return least;
+    return ground->map->clearance({standing.shape, standing.slim}, placement, least, enough);
   }
 
   [[nodiscard]] bool keeps_margin(const PlacedSegment& placed) const noexcept;

@@ -44,31 +44,15 @@ CellBox cells_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, int s
 
 }  // namespace
 
-/// For an edge cell in the way of one segment, in the frame of the cells.
-class GridObstacles::Search {
+/// The edge cells near a body while one segment is driven, in the frame of the cells.
+class GridObstacles::Neighbourhood {
  public:
-  Search(const GridObstacles& grid, const Shape& shape, double margin, const PlacedSegment& placed)
+  Neighbourhood(const GridObstacles& grid, const Shape& shape, double margin,
+                const PlacedSegment& placed)
       : grid_(grid),
         shape_(shape),
         body_{shape.box.rear + margin, shape.box.front + margin, shape.box.half_width + margin},
-        placed_(placed),
-        sweep_(shape.box, placed, margin) {
-    if (!shape.corners.empty()) outline_.emplace(shape.corners, placed, margin);
-  }
-
-  /// [2] Long parts are halved, and left out where they keep outside of the frame.
-  [[nodiscard]] bool finds_any(const Part& part) const {
-    const double length = part.end - part.begin;
-    if (length <= longest_part) return finds_in_pieces(part);
-    const double middle = part.begin + length / 2;
-    const Bounds box = around(middle, length / 2).box();
-    const double side = grid_.side_;
-    if (box.x_max < 0 || box.x_min > grid_.cells_.columns() * side || box.y_max < 0 ||
-        box.y_min > grid_.cells_.rows() * side) {
-      return false;
-    }
-    return finds_any({part.begin, middle}) || finds_any({middle, part.end});
-  }
+        placed_(placed) {}
 
   /// Distance of the body, without its margin, from the nearest edge cell where the segment begins,
   /// no more than the margin [m].
@@ -89,7 +73,6 @@ class GridObstacles::Search {
     return std::sqrt(least);
   }
 
- private:
   /// A rectangle that lies as the footprint does.
   struct Rectangle {
     Point middle;
@@ -170,24 +153,6 @@ class GridObstacles::Search {
             body_.half_width + aside + 2 * end_margin};
   }
 
-  /// So short that the rectangles around them hold little that is not near, or few cells.
-  [[nodiscard]] bool finds_in_pieces(const Part& part) const {
-    const double piece = std::max(longest_piece, 2 * grid_.side_);
-    const double count = std::max(1.0, std::ceil((part.end - part.begin) / piece));
-    const double length = (part.end - part.begin) / count;
-    for (double i = 0; i < count; ++i) {
-      if (finds_in(around(part.begin + (i + 0.5) * length, length / 2))) return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] bool finds_in(const Rectangle& near) const {
-    return any_run(near, [&](const CellBox& run) {
-      const Sides sides = sides_of(square(run));
-      return sweep_.touches(sides) && (!outline_ || outline_->touches(sides));
-    });
-  }
-
   /// [3] Calls `look` for runs of edge cells near the rectangle, until it returns true; through
   /// blocks of cells.
   template <typename Look>
@@ -198,6 +163,18 @@ class GridObstacles::Search {
     });
   }
 
+  [[nodiscard]] Bounds square(const CellBox& run) const {
+    const double side = grid_.side_;
+    return {run.x_min * side, (run.x_max + 1) * side, run.y_min * side, (run.y_max + 1) * side};
+  }
+
+  [[nodiscard]] double side() const { return grid_.side_; }
+  [[nodiscard]] bool is_beside_frame(const Bounds& box) const {
+    return box.x_max < 0 || box.x_min > grid_.cells_.columns() * grid_.side_ || box.y_max < 0 ||
+           box.y_min > grid_.cells_.rows() * grid_.side_;
+  }
+
+ private:
   /// Calls `look` for the cells in the box of blocks near the rectangle, until it returns true.
   template <typename Look>
   [[nodiscard]] bool finds(const BitGrid& blocks, int shift, const CellBox& box,
@@ -209,15 +186,49 @@ class GridObstacles::Search {
                           });
   }
 
-  [[nodiscard]] Bounds square(const CellBox& run) const {
-    const double side = grid_.side_;
-    return {run.x_min * side, (run.x_max + 1) * side, run.y_min * side, (run.y_max + 1) * side};
-  }
-
   const GridObstacles& grid_;
   const Shape& shape_;
   Footprint body_;  // the box around it, with its margin
   const PlacedSegment& placed_;
+};
+
+/// For an edge cell in the way of one segment.
+class GridObstacles::Search {
+ public:
+  Search(const GridObstacles& grid, const Shape& shape, double margin, const PlacedSegment& placed)
+      : cells_(grid, shape, margin, placed), sweep_(shape.box, placed, margin) {
+    if (!shape.corners.empty()) outline_.emplace(shape.corners, placed, margin);
+  }
+
+  /// [2] Long parts are halved, and left out where they keep outside of the frame.
+  [[nodiscard]] bool finds_any(const Part& part) const {
+    const double length = part.end - part.begin;
+    if (length <= longest_part) return finds_in_pieces(part);
+    const double middle = part.begin + length / 2;
+    if (cells_.is_beside_frame(cells_.around(middle, length / 2).box())) return false;
+    return finds_any({part.begin, middle}) || finds_any({middle, part.end});
+  }
+
+ private:
+  /// So short that the rectangles around them hold little that is not near, or few cells.
+  [[nodiscard]] bool finds_in_pieces(const Part& part) const {
+    const double piece = std::max(longest_piece, 2 * cells_.side());
+    const double count = std::max(1.0, std::ceil((part.end - part.begin) / piece));
+    const double length = (part.end - part.begin) / count;
+    for (double i = 0; i < count; ++i) {
+      if (finds_in(cells_.around(part.begin + (i + 0.5) * length, length / 2))) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool finds_in(const Neighbourhood::Rectangle& near) const {
+    return cells_.any_run(near, [&](const CellBox& run) {
+      const Sides sides = sides_of(cells_.square(run));
+      return sweep_.touches(sides) && (!outline_ || outline_->touches(sides));
+    });
+  }
+
+  Neighbourhood cells_;
   Sweep sweep_;
   std::optional<OutlineSweep> outline_ = {};
 };
@@ -292,11 +303,11 @@ bool GridObstacles::is_clear(const Shape& body, double margin, const DiscRows& d
   return true;
 }
 
-double GridObstacles::clearance(const Shape& body, const Placement& placement, double most,
+double GridObstacles::clearance(const CoveredShape& body, const Placement& placement, double most,
                                 double enough) const noexcept {
   const PlacedSegment placed = in_frame(PlacedSegment(placement, Segment{}));
   const auto& [position, heading] = placed.from;
-  const DiscRow row = DiscRows(body).slim;
+  const DiscRow& row = body.slim;
   double nearest = most;
   double proven = most;  // as far as the discs tell
   for (int i = 0; i < row.count; ++i) {
@@ -308,7 +319,7 @@ double GridObstacles::clearance(const Shape& body, const Placement& placement, d
   }
   if (proven >= std::min(most, enough)) return proven;
   if (nearest <= 0) return 0;
-  return Search(*this, body, nearest, placed).distance(nearest);
+  return Neighbourhood(*this, body.shape, nearest, placed).distance(nearest);
 }
 
 DistanceField::Range GridObstacles::distance(const Point& point) const noexcept {

@@ -17,6 +17,12 @@ namespace vandplan::collision {
 
 using geometry::BitGrid, geometry::BlockedCells, geometry::CellBox, geometry::DistanceField;
 
+/// A body, and discs that cover it.
+struct CoveredShape {
+  const Shape& shape;
+  const DiscRow& slim;
+};
+
 /// The blocked cells of a grid as obstacles.
 class GridObstacles {
  public:
@@ -36,7 +42,7 @@ class GridObstacles {
 
   /// Distance of the body from the nearest edge cell, no more than `most` [m]; if it is at least
   /// `enough`, any number from `enough` to it.
-  [[nodiscard]] double clearance(const Shape& body, const Placement& placement, double most,
+  [[nodiscard]] double clearance(const CoveredShape& body, const Placement& placement, double most,
                                  double enough) const noexcept;
 
   /// Between which two numbers the distance of the point from the nearest blocked cell lies [m].
@@ -46,6 +52,7 @@ class GridObstacles {
   [[nodiscard]] bool is_within(const Point& point, double distance) const noexcept;
 
  private:
+  class Neighbourhood;
   class Search;
 
   /// Into the frame of the cells, in metres.

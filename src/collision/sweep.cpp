@@ -74,8 +74,27 @@ Placement after(const Placement& from, const Segment& segment) noexcept {
   return moved(chord * cos, chord * sin, 2 * sin * cos, 1 - 2 * sin * sin);
 }
 
-double squared_distance(const Shape& body, const Placement& placement,
-                        const Sides& sides) noexcept {
+namespace {
+
+/// Of a rectangle and the box around five points, as the vehicle sees them [m^2]: no point of what
+/// they hold is nearer.
+double squared_gap(const Rectangle& body, const std::array<Point, 5>& points) {
+  double left = points[0].x, right = left, low = points[0].y, high = low;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    left = std::min(left, points[i].x);
+    right = std::max(right, points[i].x);
+    low = std::min(low, points[i].y);
+    high = std::max(high, points[i].y);
+  }
+  const double along = std::max({left - body.front, -body.back - right, 0.0});
+  const double aside = std::max({low - body.half_width, -body.half_width - high, 0.0});
+  return along * along + aside * aside;
+}
+
+}  // namespace
+
+double squared_distance(const Shape& body, const Placement& placement, const Sides& sides,
+                        double below) noexcept {
   const Rectangle box{body.box.rear, body.box.front, body.box.half_width};
   const auto& [position, heading] = placement;
   std::array<Point, 5> corners;  // as the vehicle sees them
@@ -83,6 +102,7 @@ double squared_distance(const Shape& body, const Placement& placement,
     const Point to{sides.x[i] - position.x, sides.y[i] - position.y};
     corners[i] = {dot(to, heading), cross(heading, to)};
   }
+  if (squared_gap(box, corners) >= below) return infinity;  // most of them
   double least = infinity;
   for (std::size_t i = 0; i < 4; ++i) {
     const Point& a = corners[i];

@@ -6,6 +6,7 @@
 // In closed form, without steps. Theory and proof: docs/algorithms/collision.md.
 
 #include <array>
+#include <limits>
 
 #include "collision/rectangle.h"
 #include "vandplan/path.h"
@@ -38,9 +39,11 @@ struct Shape {
   Polygon corners = {};  ///< none: the box itself
 };
 
-/// Square of the distance of a body from four sides of a polygon [m^2], 0 if they touch.
-[[nodiscard]] double squared_distance(const Shape& body, const Placement& placement,
-                                      const Sides& sides) noexcept;
+/// Square of the distance of a body from four sides of a polygon, 0 if they touch; infinity if it
+/// is not less than `below` [m^2].
+[[nodiscard]] double squared_distance(
+    const Shape& body, const Placement& placement, const Sides& sides,
+    double below = std::numeric_limits<double>::infinity()) noexcept;
 
 /// How far the footprint is inflated before it is tested [m]: at its start and end, and on the
 /// arcs between. Two sizes, so that rounding opens no gap where they meet.
