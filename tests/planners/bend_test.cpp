@@ -169,6 +169,37 @@ TEST(DriveShortenerLaw, IsNeverDearerNorMoreCrumbly) {
   }
 }
 
+// What is near the commands that a trial left as they were is not looked at again.
+TEST(DriveShortenerLaw, KnowsWhatIsNear) {
+  int compared = 0;
+  const CostRule careful{.gear_change_cost = 5, .clearance_weight = 2, .clearance_distance = 3};
+  for_each_case(9, 20, [&](Rng& rng) {
+    const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
+    std::vector<Segment> commands = random_commands(8, rng);
+    const Path path{{1, 2, 0}, wheels.driven(commands, {})};
+    double top = path.start.y;
+    Pose pose = path.start;
+    for (const Segment& segment : path.segments) {
+      pose = advance(pose, segment);
+      top = std::max(top, pose.y);
+    }
+    const double wall = top + uniform(2, 8, rng);
+    const Problem problem = problem_along(path, {box(-100, wall, 100, wall + 1)});
+    const Task task = task_of(problem, {}, Steering::continuous_between_stops);
+    commands::Closer closer(task.vehicle, task.steering);
+    if (!closer.close({task.start, 0}, commands, {task.goal, 0})) return;
+    if (!task.checker->is_free(task.start, wheels.driven(commands, {}))) return;
+    DriveShortener shortener(task, careful, commands, rng());
+    for (int i = 0; i < 200; ++i) {
+      if (!shortener.step()) continue;
+      const DriveShortener anew(task, careful, shortener.commands(), 0);
+      EXPECT_NEAR(shortener.cost(), anew.cost(), 1e-7);
+      ++compared;
+    }
+  });
+  EXPECT_GT(compared, 20);
+}
+
 TEST(DriveShortener, DropsCrumbs) {
   const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
   const std::vector<std::vector<Segment>> crumbly = {

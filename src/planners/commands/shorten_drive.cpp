@@ -34,10 +34,11 @@ DriveShortener::DriveShortener(const Task& task, const search::CostRule& rule,
 
 bool DriveShortener::is_stalled() const { return idle_ > patience; }
 
-void DriveShortener::drive() {
+/// What is near the first `head` commands and the last `tail` ones is as it was.
+void DriveShortener::drive(std::size_t head, std::size_t tail) {
   states_.assign(1, {task_.start, task_.hitch_angles.start});
   driven_.assign(1, ends_.before);
-  near_.clear();
+  const std::vector<double> known = std::exchange(near_, {});
   cost_ = 0.0;
   search::Driven priced = rule_.initial_gear;
   for (const Segment& command : commands_) {
@@ -45,7 +46,11 @@ void DriveShortener::drive() {
     search::Driven driven = driven_.back();
     const Obeyed obeyed = wheels_.obey(command, driven);
     cost_ += search::drive_cost(rule_, obeyed.view(), priced);
-    near_.push_back(near_cost(state, obeyed.view(), 1e300));
+    const std::size_t i = near_.size();
+    const std::size_t left = commands_.size() - i;
+    near_.push_back(i < head       ? known[i]
+                    : left <= tail ? known[known.size() - left]
+                                   : near_cost(state, obeyed.view(), 1e300));
     for (const Segment& segment : obeyed.view()) {
       state = {advance(state.pose, segment),
                hitch_angle_after(task_.vehicle, state.hitch_angle, segment)};
@@ -154,8 +159,10 @@ bool DriveShortener::replace(const Window& window, double limit) {
   const RigState to{task_.goal, task_.hitch_angles.goal};
   if (!closer_.close(from, whole, to, ends_)) return false;
   if (!task_.checker->rig_is_free(from, wheels_.driven(whole, ends_.before))) return false;
+  const std::size_t tail = commands_.size() - window.last;
+  const bool is_as_long = whole.size() == window.first + trial_.size() + tail;  // none is joined
   std::swap(commands_, whole);
-  drive();
+  drive(is_as_long ? window.first : 0, is_as_long ? tail : 0);
   if (cost_ < limit) return true;
   commands_ = std::move(whole);  // the wheels turn in another way without what was left out
   drive();

@@ -63,7 +63,7 @@ class DriveShortener {
   }
   [[nodiscard]] int more_crumbs(const Window& window) const;
   [[nodiscard]] bool drop(std::size_t i, double limit);
-  void drive();
+  void drive(std::size_t head = 0, std::size_t tail = 0);
 
   const Task& task_;
   const search::CostRule& rule_;
