@@ -59,6 +59,14 @@ TEST(NearCost, CountsTheEndsOfAStretchThatIsFarFromEverythingInItsMiddle) {
   EXPECT_NEAR(judged(obstacles, path), expected, 1e-3 * expected);
 }
 
+// Near in the last decimetre alone, from nothing at its beginning to a tenth: a triangle.
+TEST(NearCost, IsExactWhereAHundredMetresComeNearAWallOnlyAtTheirEnd) {
+  const Path path{{0, 0, 0}, {{0, 100}}};
+  const Vehicle vehicle;
+  const double wall = 100 + vehicle.wheelbase + vehicle.front_overhang + 0.9;
+  EXPECT_NEAR(judged({box(wall, -3, wall + 1, 3)}, path), 2 * 0.1 * 0.1 / 2, 2e-4);
+}
+
 TEST(NearCost, IsNothingFarFromEverything) {
   const Path path{{0, 0, 0}, {{0, 60}}};
   EXPECT_EQ(judged({box(-2, 2.3, 66, 3)}, path), 0.0);

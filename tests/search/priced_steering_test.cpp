@@ -186,6 +186,20 @@ TEST(PricedSteering, TheJudgeAllowsWhatItIsHeldAgainst) {
   }
 }
 
+// A left bend and a right one lead there, but for rounding: the line that would lead there exactly
+// is left out.
+TEST(Words, LackAPartThatIsNoLongerThanRounding) {
+  const Pose bend{2 * radius * std::sin(0.5), 2 * radius * (1 - std::cos(0.5)), 0};
+  for (const double off : {1e-12, 3e-12, 8e-12}) {
+    std::vector<Piece> words;
+    steering::find_words({}, {bend.x + off, bend.y, 0}, radius,
+                         {.longest = 2 * radius, .closing = steering::on_the_way}, words);
+    EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](const Piece& word) {
+      return word.count == 2 && std::abs(word.length - radius) < 1e-11;
+    })) << off;
+  }
+}
+
 TEST(Mended, LengthsComeBack) {
   for_each_case(5, 1000, [](Rng& rng) {
     const Piece word = random_word(rng);
