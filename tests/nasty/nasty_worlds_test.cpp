@@ -3,6 +3,7 @@
 // The library keeps its promises in worlds that nobody looked at.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "nasty/naive_judge.h"
@@ -19,49 +20,42 @@ constexpr int worlds = 500;
 constexpr int worlds_of_rigs = 100;
 constexpr int patient_worlds = 25;
 
-/// A share of the worlds, so that shares can be tried side by side.
+/// What a share of the worlds brought, with a failure for each fault: `command` repeats it.
+struct Share {
+  int paths = 0;
+  int refused = 0;
+
+  Share(int share, int worlds_of_share, Trial (*try_one)(std::uint64_t),
+        const std::string& command) {
+    for (int i = 0; i < cases(worlds_of_share); ++i) {
+      const int seed = share * worlds_of_share + i;
+      const Trial trial = try_one(static_cast<std::uint64_t>(seed));
+      paths += trial.paths;
+      refused += trial.refused;
+      for (const std::string& fault : trial.faults) {
+        ADD_FAILURE() << fault << "    (" << command << ' ' << seed << " 1)";
+      }
+    }
+  }
+};
+
+/// In shares, so that they can be tried side by side.
 class NastyWorlds : public testing::TestWithParam<int> {};
 
 TEST_P(NastyWorlds, KeepNoPromiseFromBeingKept) {
-  int paths = 0;
-  int refused = 0;
-  for (int i = 0; i < cases(worlds); ++i) {
-    const int seed = GetParam() * worlds + i;
-    const Trial trial = try_world(static_cast<std::uint64_t>(seed));
-    paths += trial.paths;
-    refused += trial.refused;
-    for (const std::string& fault : trial.faults) {
-      ADD_FAILURE() << fault << "    (nasty_worlds " << seed << " 1)";
-    }
-  }
-  EXPECT_GT(paths, cases(worlds) / 2);
-  EXPECT_LE(refused, cases(worlds) / 10);
+  const Share share(GetParam(), worlds, try_world, "nasty_worlds");
+  EXPECT_GT(share.paths, cases(worlds) / 2);
+  EXPECT_LE(share.refused, cases(worlds) / 10);
 }
 
 TEST_P(NastyWorlds, KeepNoPromiseToARigFromBeingKept) {
-  int paths = 0;
-  for (int i = 0; i < cases(worlds_of_rigs); ++i) {
-    const int seed = GetParam() * worlds_of_rigs + i;
-    const Trial trial = try_world_of_a_rig(static_cast<std::uint64_t>(seed));
-    paths += trial.paths;
-    for (const std::string& fault : trial.faults) {
-      ADD_FAILURE() << fault << "    (nasty_worlds --rigs " << seed << " 1)";
-    }
-  }
-  EXPECT_GT(paths, cases(worlds_of_rigs) / 10);
+  const Share share(GetParam(), worlds_of_rigs, try_world_of_a_rig, "nasty_worlds --rigs");
+  EXPECT_GT(share.paths, cases(worlds_of_rigs) / 10);
 }
 
 TEST_P(NastyWorlds, KeepNoPromiseFromBeingKeptInTheLongRun) {
-  int paths = 0;
-  for (int i = 0; i < cases(patient_worlds); ++i) {
-    const int seed = GetParam() * patient_worlds + i;
-    const Trial trial = try_world_patiently(static_cast<std::uint64_t>(seed));
-    paths += trial.paths;
-    for (const std::string& fault : trial.faults) {
-      ADD_FAILURE() << fault << "    (nasty_worlds --patient " << seed << " 1)";
-    }
-  }
-  EXPECT_GT(paths, cases(patient_worlds) / 2);
+  const Share share(GetParam(), patient_worlds, try_world_patiently, "nasty_worlds --patient");
+  EXPECT_GT(share.paths, cases(patient_worlds) / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Share, NastyWorlds, testing::Range(0, 4));
