@@ -17,7 +17,15 @@ constexpr double most_weight = 3.0;              // a guide need not mind more,
 constexpr double most_distance = 8.0;            // nor look farther [cells]
 constexpr std::size_t grid_buckets = 16;         // a step and the way to the root add up to 14,
 constexpr std::size_t priced_grid_buckets = 64;  // or 28 and 7
+constexpr std::int64_t looks_of_step = 250'000;  // at cells beside sides
+constexpr double slack = 1e-3;  // of a cell: rounding where a side that is nearly level is crossed
 constexpr double detour = 1.1;  // settled are cells on ways this much longer than the shortest
+
+/// Where the side from `a` to `b` crosses a height; beyond an end, that end.
+double place_at(const Point& a, const Point& b, double height) {
+  if (a.y == b.y) return height < a.y ? a.x : b.x;
+  return a.x + std::clamp((height - a.y) / (b.y - a.y), 0.0, 1.0) * (b.x - a.x);
+}
 
 }  // namespace
 
@@ -30,7 +38,8 @@ double GridDistance::side_of_cells(const Task& task, const Bounds& box, double s
 
 GridDistance::GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
                            const Pose& root, const ClearancePrice& price)
-    : map_(task.world->local().map ? task.checker.get() : nullptr),
+    : ground_(&task.world->local()),
+      map_(ground_->map ? task.checker.get() : nullptr),
       box_(box),
       target_{target.x, target.y},
       price_{std::min(price.weight, most_weight), price.distance},
@@ -50,9 +59,10 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
   }
   mark_border();
   near_ = std::max(disc_ - side_ * std::sqrt(0.5), side_ / 2);
-  mark(task.world->local().obstacles, near_, is_priced() ? disc_ + price_.distance : 0.0);
-  mark(task.world->local().kerbs, side_ / 2, 0.0);  // the rear axle reaches as far
   root_ = cell_of({root.x, root.y});
+}
+
+void GridDistance::begin() {
   const RasterCell to = cell_of(target_);
   costs_[index_of(root_)] = unreached;
   costs_[index_of(to)] = unreached;
@@ -79,35 +89,55 @@ void GridDistance::mark_border() {
   }
 }
 
-// Cells whose centre is so near to a side that no point of them is free for the disc; at least the
-// cells that the side runs through.
-// NOLINTNEXTLINE(readability-function-size): sides, rows and columns
-void GridDistance::mark(const std::vector<Polygon>& polygons, double near, double noted) {
-  const double reach = std::max(near, noted);
-  const auto index = [&](double offset, std::int32_t count) {
-    // In double first: an obstacle may be further away than an integer counts cells.
-    const double cell = std::clamp(std::floor(offset / side_), 0.0, count - 3.0);
-    return static_cast<std::int32_t>(cell) + 1;
-  };
-  for (const Polygon& polygon : polygons) {
-    Point a = polygon.back();
-    for (const Point& b : polygon) {
-      const std::int32_t x_end = index(std::max(a.x, b.x) + reach - box_.x_min, columns_);
-      const std::int32_t y_end = index(std::max(a.y, b.y) + reach - box_.y_min, rows_);
-      for (std::int32_t y = index(std::min(a.y, b.y) - reach - box_.y_min, rows_); y <= y_end;
-           ++y) {
-        for (std::int32_t x = index(std::min(a.x, b.x) - reach - box_.x_min, columns_); x <= x_end;
-             ++x) {
-          const double squared = squared_distance(centre_of({x, y}), a, b);
-          const std::size_t cell = index_of({x, y});
-          if (squared <= near * near) costs_[cell] = blocked;
-          if (noted == 0.0) continue;
-          gaps_[cell] = std::min(gaps_[cell], static_cast<float>(std::sqrt(squared)));
-        }
-      }
-      a = b;
-    }
+bool GridDistance::mark() {
+  const double noted = is_priced() ? disc_ + price_.distance : 0.0;
+  const std::vector<Polygon>& obstacles = ground_->obstacles;
+  for (std::int64_t looks = 0; looks < looks_of_step;) {
+    const bool is_kerb = polygon_ >= obstacles.size();
+    const std::size_t kerb = polygon_ - obstacles.size();
+    if (is_kerb && kerb == ground_->kerbs.size()) return true;
+    const Polygon& polygon = is_kerb ? ground_->kerbs[kerb] : obstacles[polygon_];
+    const Point& a = corner_ == 0 ? polygon.back() : polygon[corner_ - 1];
+    const Point& b = polygon[corner_];
+    // The rear axle reaches as far as a kerb.
+    looks += is_kerb ? mark_side(a, b, side_ / 2, 0.0) : mark_side(a, b, near_, noted);
+    if (++corner_ < polygon.size()) continue;
+    corner_ = 0;
+    ++polygon_;
   }
+  return false;
+}
+
+std::int32_t GridDistance::inner_index(double offset, std::int32_t count) const noexcept {
+  // In double first: an obstacle may be further away than an integer counts cells.
+  const double cell = std::clamp(std::floor(offset / side_), 0.0, count - 3.0);
+  return static_cast<std::int32_t>(cell) + 1;
+}
+
+// Cells whose centre is so near to a side that no point of them is free for the disc; at least the
+// cells that the side runs through. In a row only what is near to the part of the side beside it.
+std::int64_t GridDistance::mark_side(const Point& a, const Point& b, double near, double noted) {
+  const double reach = std::max(near, noted) + side_ * slack;
+  std::int64_t looks = 0;
+  const std::int32_t y_end = inner_index(std::max(a.y, b.y) + reach - box_.y_min, rows_);
+  for (std::int32_t y = inner_index(std::min(a.y, b.y) - reach - box_.y_min, rows_); y <= y_end;
+       ++y) {
+    const double middle = centre_of({0, y}).y;
+    const double one = place_at(a, b, middle - reach);
+    const double other = place_at(a, b, middle + reach);
+    const std::int32_t x_end = inner_index(std::max(one, other) + reach - box_.x_min, columns_);
+    const std::int32_t x_begin = inner_index(std::min(one, other) - reach - box_.x_min, columns_);
+    for (std::int32_t x = x_begin; x <= x_end; ++x) {
+      const std::size_t cell = index_of({x, y});
+      if (noted == 0.0 && costs_[cell] == blocked) continue;
+      const double squared = squared_distance(centre_of({x, y}), a, b);
+      if (squared <= near * near) costs_[cell] = blocked;
+      if (noted == 0.0) continue;
+      gaps_[cell] = std::min(gaps_[cell], static_cast<float>(std::sqrt(squared)));
+    }
+    looks += x_end - x_begin + 1;
+  }
+  return looks;
 }
 
 // When it is first reached: most cells of a large map never are.
@@ -149,6 +179,11 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t
 
 // A* with a bucket per rank.
 bool GridDistance::step() {
+  if (!is_marked_) {
+    if (!mark()) return true;
+    is_marked_ = true;
+    begin();
+  }
   std::size_t empty = 0;
   for (int settled = 0; settled < 64 && front_ <= last_;) {
     std::vector<RasterCell>& bucket = buckets_[static_cast<std::size_t>(front_) % buckets_.size()];

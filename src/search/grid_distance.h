@@ -25,13 +25,14 @@ class GridDistance final : public Guide {
   /// The side of the cells that cover `box` [m]: `side` vehicle widths, in large boxes more.
   [[nodiscard]] static double side_of_cells(const Task& task, const Bounds& box, double side);
 
-  /// Covers `box` with cells of `side` vehicle widths, in large boxes of more; obstacles are
-  /// marked, distances are not computed yet. With a price they are what driving costs a disc as
+  /// Covers `box` with cells of `side` vehicle widths, in large boxes of more; nothing is computed
+  /// yet, and the task's world outlives the grid. With a price they are what driving costs a disc as
   /// wide as the vehicle, wherever in a cell that is least; kerbs cost nothing.
   GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
                const Pose& root, const ClearancePrice& price = {});
 
-  /// Settles the next cells, some microseconds of work. False when there is no more to do.
+  /// Marks the next obstacles, some milliseconds of work at most, or settles the next cells, some
+  /// microseconds. False when there is no more to do.
   bool step() override;
 
   /// Whether a way between target and root was found.
@@ -47,15 +48,21 @@ class GridDistance final : public Guide {
   void mark_border();
   [[nodiscard]] Point centre_of(const RasterCell& cell) const noexcept;
   [[nodiscard]] bool is_blocked_by_map(const RasterCell& cell) const;
-  /// Blocks the cells that are near to a side of a polygon, and notes how far others are up to
-  /// `noted` [m].
-  void mark(const std::vector<Polygon>& polygons, double near, double noted);
+  /// Goes on with the sides of obstacles and kerbs; true when all are marked.
+  bool mark();
+  /// Blocks the cells that are near to a side, and notes how far others are up to `noted` [m].
+  /// Returns at how many it looked.
+  std::int64_t mark_side(const Point& a, const Point& b, double near, double noted);
+  void begin();
+  /// The cell, of `count` inside of the border, that a place falls into; beside them the nearest.
+  [[nodiscard]] std::int32_t inner_index(double offset, std::int32_t count) const noexcept;
   [[nodiscard]] bool is_priced() const noexcept { return price_.weight > 0.0; }
   [[nodiscard]] double price_at(const RasterCell& cell) const;
   /// By a step from a cell that `cost` and `length` lead to.
   void reach(const RasterCell& cell, std::int32_t cost, std::int32_t length, std::int32_t step);
   [[nodiscard]] std::size_t index_of(const RasterCell& cell) const noexcept;
 
+  const Surroundings* ground_;
   const CollisionChecker* map_;  // null without a map
   Bounds box_;
   Point target_;
@@ -69,9 +76,12 @@ class GridDistance final : public Guide {
   std::vector<float> gaps_;            // with a price: from the centre to the nearest side [m],
   std::vector<std::int32_t> lengths_;  // and how long the way is, in fifths of a cell
   std::vector<std::vector<RasterCell>> buckets_;
+  std::size_t polygon_ = 0;  // an obstacle, or behind them a kerb: what is marked next,
+  std::size_t corner_ = 0;   // from the side that ends there
+  bool is_marked_ = false;
   std::int32_t front_ = 0;  // cost and distance to the root of what is settled next
   std::int32_t last_;       // of `front_`
-  RasterCell root_{};
+  RasterCell root_;
   bool reached_ = false;  // the root
 };
 

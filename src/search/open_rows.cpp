@@ -15,7 +15,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-9;  // of distances from the map [m]; of a stretch, relative
 constexpr std::size_t most_bands = 1024;
-constexpr double most_stretch = 1.02;  // for the sake of a wider disc
+constexpr double most_bands_of_side = 4;  // on average
+constexpr double most_stretch = 1.02;     // for the sake of a wider disc
 
 /// Adds to [low, high] the places on the line at height `y` that are within `near` of a point.
 void add_disc(const Point& p, double y, double near, double& low, double& high) {
@@ -143,7 +144,16 @@ std::size_t OpenRows::band_of(double y) const noexcept {
 }
 
 void OpenRows::sort_into_bands() {
-  if (box_.y_max > box_.y_min) bands_ = std::clamp<std::size_t>(sides_.size() / 8, 1, most_bands);
+  const double height = box_.y_max - box_.y_min;
+  if (height > 0.0) {
+    double sum = 0.0;  // of the heights of all sides, within the box
+    for (const Side& side : sides_) {
+      sum += std::max(0.0, std::min(side.y_max, box_.y_max) - std::max(side.y_min, box_.y_min));
+    }
+    const double count = static_cast<double>(sides_.size());
+    const double most = sum > 0.0 ? most_bands_of_side * count * height / sum : count;
+    bands_ = static_cast<std::size_t>(std::clamp(std::min(most, count / 8), 1.0, 0.0 + most_bands));
+  }
   band_begins_.assign(bands_ + 1, 0);
   for (const Side& side : sides_) {
     for (std::size_t i = band_of(side.y_min); i <= band_of(side.y_max); ++i) ++band_begins_[i];

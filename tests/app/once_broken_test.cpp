@@ -98,6 +98,7 @@ TEST_F(OnceBroken, AStarOfAHundredThousandCorners) {
   }
   write_content(scenario_, yard() + "  - [" + corners + "]\n");
   expect_a_sound_result({"--max-iterations", "300"});
+  expect_a_sound_result({"--time", "0.05"});
 }
 
 }  // namespace

@@ -238,6 +238,67 @@ TEST(GridDistance, GoesAroundAWallAndIsNearTheTruth) {
   EXPECT_NEAR(guide.at(500, 0), 470.0, 1e-9);  // outside: Euclid
 }
 
+/// The same polygon with nine more corners on each side.
+Polygon with_more_corners(const Polygon& polygon) {
+  Polygon result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[(i + 1) % polygon.size()];
+    for (int k = 0; k < 10; ++k) {
+      result.push_back({a.x + (b.x - a.x) * k / 10, a.y + (b.y - a.y) * k / 10});
+    }
+  }
+  return result;
+}
+
+// Long sides in any direction, and short ones: a side is near to few of the cells of its box.
+TEST(GridDistance, MindsNotInHowManySidesAnOutlineIsGiven) {
+  for_each_case(9, 200, [](Rng& rng) {
+    std::vector<Polygon> few, many;
+    for (int i = 0; i < 4; ++i) {
+      const auto corner = [&] { return Point{uniform(-25, 25, rng), uniform(-25, 25, rng)}; };
+      few.push_back({corner(), corner(), corner()});
+      many.push_back(with_more_corners(few.back()));
+    }
+    const Pose start = uniform_pose({-30, 30, -30, 30}, rng);
+    const Pose goal = uniform_pose({-30, 30, -30, 30}, rng);
+    const double weight = rng() % 2 == 0 ? 0.0 : 2.0;
+    const auto guide_among = [&](const std::vector<Polygon>& obstacles) {
+      const Problem problem = problem_of(start, goal, obstacles);
+      GridDistance guide(problem.task(), {-40, 40, -40, 40}, 0.25, goal, start, {weight, 1.0});
+      while (guide.step()) {
+      }
+      return guide;
+    };
+    const GridDistance one = guide_among(few);
+    const GridDistance other = guide_among(many);
+    EXPECT_EQ(one.is_connected(), other.is_connected());
+    for (int i = 0; i < 100; ++i) {
+      const Pose place = uniform_pose({-40, 40, -40, 40}, rng);
+      ASSERT_NEAR(one.at(place.x, place.y), other.at(place.x, place.y), weight == 0.0 ? 0.0 : 0.3)
+          << as_code(few);
+    }
+  });
+}
+
+// A step is short, so that a budget of time is kept: a star of so many sides takes many.
+TEST(GridDistance, MarksAFewSidesAtATime) {
+  const auto steps_beside_a_star = [](int corners) {
+    Polygon star;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * pi * i / corners;
+      const double radius = i % 2 == 0 ? 1 : 20;
+      star.push_back({radius * std::cos(angle), 50 + radius * std::sin(angle)});
+    }
+    const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {star}, {-80, 80, -80, 80});
+    GridDistance guide(problem.task(), {-80, 80, -80, 80}, 0.25, problem.goal(), problem.start());
+    int steps = 0;
+    while (guide.step()) ++steps;
+    return steps;
+  };
+  EXPECT_GT(steps_beside_a_star(20'000), steps_beside_a_star(200) + 5);
+}
+
 // Between two walls as far apart as the vehicle is wide, or around them in the open.
 TEST(GridDistance, WithAPriceItKeepsAwayFromWalls) {
   const Problem problem =
