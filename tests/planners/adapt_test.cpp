@@ -127,5 +127,35 @@ TEST(Adapter, WorksOnAnIsland) {
   }
 }
 
+/// A bus, and walls with a gap each that it has to get through one after the other.
+Problem problem_with_gates() {
+  const Vehicle bus{.wheelbase = 6,
+                    .front_overhang = 2.7,
+                    .rear_overhang = 3.3,
+                    .width = 2.55,
+                    .min_turning_radius = 8.5};
+  std::vector<Polygon> walls = {box(-50, 40, 50, 41), box(-50, -41, 50, -40)};
+  double x = -30;
+  for (const double gate : {-2.0, 9.6, 15.6, -10.6}) {
+    walls.push_back(box(x, -40, x + 1, gate));
+    walls.push_back(box(x, gate + 4.6, x + 1, 40));
+    x += 20;
+  }
+  return problem_of({-45, 2.4, 3.14159265}, {40, 6.6, 1.57079633}, walls, {-65, 65, -56, 56}, bus);
+}
+
+// Searches for wheels that may not turn at once find a way that costs nearly twice as much.
+TEST(Anytime, AdaptsTheWaysThroughGatesOfWheelsThatTurnAtOnce) {
+  const Problem problem = problem_with_gates();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const auto cost_with = [&](Steering steering) {
+      PlanOptions options{.cost = driver_style, .steering = steering};
+      options.budget = {.max_iterations = 4000, .seed = seed};
+      return plan(problem, options).cost;
+    };
+    EXPECT_LT(cost_with(Steering::continuous), 1.1 * cost_with(Steering::reeds_shepp)) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace vandplan
