@@ -145,8 +145,6 @@ std::optional<PlannerAnswer> settled(const Task& task) {
   }
   if (!task.moving.empty()) return std::nullopt;  // somebody may come by
   if (first_angle != last_angle) return std::nullopt;
-  const auto [first, last] = task.curvatures;
-  if (task.steering == Steering::continuous && first != last) return std::nullopt;
   const double radius = task.vehicle.min_turning_radius;
   if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
   answer.status = PlanStatus::solved;

@@ -80,6 +80,17 @@ TEST(ContinuousPlanning, KeepsTheCurvaturesOfStartAndGoal) {
   });
 }
 
+// Standing still does not turn the wheels, and a whole loop back to the start may.
+TEST(ContinuousPlanning, DrivesRoundToAGoalThatIsTheStartWithOtherCurvature) {
+  const Problem open = problem_of({}, {}, {});
+  const Problem problem =
+      make_problem(open.world(), open.vehicle(), open.start(), open.goal(), {0.05, -0.05});
+  const PlanResult result = plan(problem, iterations(100, Steering::continuous, shortest_style));
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_GT(length(*result.path), 1.0);
+  expect_continuous(*result.path, problem, Steering::continuous);
+}
+
 TEST(ContinuousPlanning, TreesOfTheThesisSteerSo) {
   const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -8, 16, 8)});
   for (const Steering steering : both_kinds) {
