@@ -90,6 +90,25 @@ TEST(ClearanceCost, BesideAWallIsInProportionToWhatIsMissing) {
               10 * 3 * 2 * 0.75, 1e-9);
 }
 
+// All along a little near to a wall at the side, and at last to one in front: what is missing from
+// the distance grows from nothing to a decimetre there.
+TEST(ClearanceCost, IsExactWhereAWallAheadBeginsToCount) {
+  const Vehicle vehicle;
+  const double beside = careful.clearance_distance - 1e-3;
+  for (const double length : {10.03, 10.07, 10.11, 10.16}) {
+    const double front = length + vehicle.wheelbase + vehicle.front_overhang;
+    const double ahead = front + careful.clearance_distance - 0.1;
+    const Path path{{}, {{0, length}}};
+    const Problem problem = problem_of(path.start, end_pose(path),
+                                       {box(-20, half_width + beside, ahead, half_width + 2),
+                                        box(ahead, -3, ahead + 1, half_width + 2)});
+    const double missing = 1e-3 * (length - 0.1 + 1e-3) + (0.1 * 0.1 - 1e-6) / 2;
+    EXPECT_NEAR(price_of(problem, careful, path, Looks::answer),
+                careful.clearance_weight * missing / careful.clearance_distance, 2e-5)
+        << length;
+  }
+}
+
 TEST(ClearanceCost, OfAKerbIsThatOfTheWheels) {
   const Path ahead{{}, {{0, 10}}};
   const Vehicle narrow_track{.track_width = 2.15};
