@@ -26,8 +26,8 @@ class GridDistance final : public Guide {
   [[nodiscard]] static double side_of_cells(const Task& task, const Bounds& box, double side);
 
   /// Covers `box` with cells of `side` vehicle widths, in large boxes of more; nothing is computed
-  /// yet, and the task's world outlives the grid. With a price they are what driving costs a disc as
-  /// wide as the vehicle, wherever in a cell that is least; kerbs cost nothing.
+  /// yet, and the task's world outlives the grid. With a price they are what driving costs a disc
+  /// as wide as the vehicle, wherever in a cell that is least; kerbs cost nothing.
   GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
                const Pose& root, const ClearancePrice& price = {});
 
