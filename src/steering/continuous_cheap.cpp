@@ -117,21 +117,19 @@ class CheapWords {
  private:
   void look_at(std::size_t i, int gear_changes) {
     const WordTask& task = tasks_[i].task;
-    const MeanFrame near = folded(task.frame);
-    const WordFrame frame = word_frame(near);
-    const double shortest =
-        reeds_shepp_formulas::shortest(Circles(near, {frame.s, frame.c})).arcs.length;
+    const double shortest = task.sharp.arcs.length;
     // What a word drives back is part of what was wound.
     const double spare = task.windings.length() * std::max(prices_.forward, prices_.reverse);
-    const double line = gear_changes == 0 && is_line(near) ? near.x : 0.0;
+    const bool is_straight = gear_changes == 0 && is_line(folded(task.frame));
+    const double line = is_straight ? task.folded.x : 0.0;
     bounds_.push_back({shortest, spare, line});
     if (line > 0.0) {
-      const TaskImage image{i, unfolding(task.frame), frame};
+      const TaskImage image{i, unfolding(task.frame), task.folded};
       const auto pricing = pricing_of(image, Formula::lsl);
       const Stops stops = seen_by(image.made, task.stops);
       if (pricing) add_known(image, *pricing, {Formula::lsl, stops, {0, line, 0}, 0, line});
     }
-    for_each_image(task.frame, gear_changes,
+    for_each_image(task, gear_changes,
                    [&](const Kind& kind, const WordFrame& f, const Symmetry& made) {
                      const TaskImage image{i, made, f};
                      const auto pricing = pricing_of(image, kind.formula);
@@ -188,7 +186,7 @@ class CheapWords {
   [[nodiscard]] std::optional<SolvedWord> solved(const CheapWord& word) const {
     const TaskBounds& bounds = bounds_[word.image.task];
     const double left = cutoff_ + bounds.spare - word.pricing.changes;
-    const Patience quick{12, left / word.pricing.cheapest};
+    const Patience quick{12, 4, left / word.pricing.cheapest};
     const Stops stops = seen_by(word.image.made, tasks_[word.image.task].task.stops);
     auto found = solver_.solve(word.formula, stops, word.image.frame, word.sharp, quick);
     if (!found && word.has_circles) {

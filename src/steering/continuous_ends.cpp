@@ -81,12 +81,21 @@ struct End {
   Segment segment;  ///< from the start on, or from the goal back
 };
 
-std::array<End, 2> ends_of(const Pose& pose, double curvature, double sharpness) {
+/// In either gear.
+std::array<End, 2> ends_of(const Pose& pose, double curvature, const SharpTurns& turns) {
+  const double length = std::abs(curvature) * turns.ramp();
+  const double rate = curvature > 0 ? -turns.sharpness() : turns.sharpness();
+  const Turned wound = turns.turn(length, Ends::stands_after).reversed();
+  const double turn = curvature > 0 ? wound.angle : -wound.angle;
+  const double aside = curvature > 0 ? wound.y : -wound.y;
+  const auto [sin, cos] = base::sin_cos(pose.heading);
   std::array<End, 2> ends;
   for (std::size_t i = 0; i < 2; ++i) {
-    const double length = (i == 0 ? 1 : -1) * std::abs(curvature) / sharpness;
-    const Segment segment{curvature, length, curvature > 0 ? -sharpness : sharpness};
-    ends[i] = {length == 0 ? pose : advance(pose, segment), segment};
+    const double gear = i == 0 ? 1 : -1;
+    const double ahead = gear * wound.x;
+    ends[i] = {{pose.x + ahead * cos - aside * sin, pose.y + ahead * sin + aside * cos,
+                pose.heading + gear * turn},
+               {curvature, gear * length, rate}};
   }
   return ends;
 }
@@ -102,22 +111,28 @@ struct Combinations {
   std::size_t count = 0;
 };
 
-Combinations combinations_of(const WordSolver& solver, const EndsTask& task, const Stops& stops) {
-  const double sharpness = solver.turns().sharpness();
+/// `direct`: from pose to pose as if the wheels were straight there.
+Combinations combinations_of(const WordSolver& solver, const EndsTask& task, const Stops& stops,
+                             const WordTask& direct) {
+  Combinations all;
+  if (task.start_curvature == 0 && task.goal_curvature == 0) {
+    all.tasks[0] = direct;
+    all.tasks[0].stops = stops;
+    all.count = 1;
+    return all;
+  }
   const double k0 = task.start_curvature;
   const double k1 = task.goal_curvature;
-  const auto starts = ends_of(task.from, k0, sharpness);
-  const auto goals = ends_of(task.to, k1, sharpness);
+  const auto starts = ends_of(task.from, k0, solver.turns());
+  const auto goals = ends_of(task.to, k1, solver.turns());
   const auto sign = [](double v) { return v < 0 ? -1.0 : 1.0; };
-  Combinations all;
   for (std::size_t i = 0; i < (k0 == 0 ? 1U : 2U); ++i) {
     for (std::size_t j = 0; j < (k1 == 0 ? 1U : 2U); ++j) {
       const Segment& first = starts[i].segment;
       const Segment& back = goals[j].segment;
-      all.tasks[all.count] = {mean_frame(starts[i].pose, goals[j].pose, 1),
-                              {{-sign(first.length), sign(k0), std::abs(first.length)},
-                               {sign(back.length), sign(k1), std::abs(back.length)}},
-                              stops};
+      const Windings windings{{-sign(first.length), sign(k0), std::abs(first.length)},
+                              {sign(back.length), sign(k1), std::abs(back.length)}};
+      all.tasks[all.count] = {mean_frame(starts[i].pose, goals[j].pose, 1), windings, stops};
       all.around[all.count++] = {first, {0, -back.length, -back.curvature_rate}};
     }
   }
@@ -177,10 +192,9 @@ struct Answer {
   std::optional<FoundWord> word;
 };
 
-double least_possible(const MeanFrame& f) {
-  return reeds_shepp_formulas::shortest(
-             Circles({std::abs(f.x), std::abs(f.y), std::abs(f.half_turn)}))
-      .arcs.length;
+/// No path is shorter than that of Reeds and Shepp, but for rounding.
+WordTask direct_task(const EndsTask& task) {
+  return {mean_frame(task.from, task.to, 1), {}, task.stops};
 }
 
 /// The least that the quick search finds, if that is no longer than the cutoff.
@@ -225,9 +239,9 @@ struct Solution {
   Answer answer;
 };
 
-/// `least`: what no path is shorter than.
-Solution solution_of(const WordSolver& solver, const EndsTask& task, double least) {
-  Solution solution{combinations_of(solver, task, task.stops), {}};
+Solution solution_of(const WordSolver& solver, const EndsTask& task, const WordTask& direct) {
+  const double least = direct.sharp.arcs.length;
+  Solution solution{combinations_of(solver, task, task.stops, direct), {}};
   const double cutoff = task.cutoff * (1 + 1e-9) + 1e-12;  // rounding is no reason to pass over
   solution.answer = answer_of(solver, solution.combinations, least, cutoff);
   // Jumps nearly always help. Where the path is much longer than any has to be, look without.
@@ -238,7 +252,7 @@ Solution solution_of(const WordSolver& solver, const EndsTask& task, double leas
   const auto fewer = with_fewer(task.stops);
   for (std::size_t i = 0; i < fewer.size(); ++i) {
     if (i > 0 && fewer[i] == task.stops) break;
-    const Combinations other = combinations_of(solver, task, fewer[i]);
+    const Combinations other = combinations_of(solver, task, fewer[i], direct);
     const Answer answer =
         i == 0 ? answer_of(solver, other, least, cutoff) : quick_answer(solver, other, cutoff);
     if (answer.length < solution.answer.length) solution = {other, answer};
@@ -246,24 +260,19 @@ Solution solution_of(const WordSolver& solver, const EndsTask& task, double leas
   return solution;
 }
 
-/// No path is shorter than that of Reeds and Shepp, but for rounding.
-double reeds_shepp_bound(const EndsTask& task) {
-  return least_possible(mean_frame(task.from, task.to, 1));
-}
-
 }  // namespace
 
 std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task) {
-  const auto [combinations, answer] = solution_of(solver, task, reeds_shepp_bound(task));
+  const auto [combinations, answer] = solution_of(solver, task, direct_task(task));
   if (answer.length > task.cutoff) return std::nullopt;
   return answer.word ? driven(solver, combinations, answer.which, *answer.word)
                      : without_word(solver, combinations, answer.which);
 }
 
 double least_length(const WordSolver& solver, const EndsTask& task) {
-  const double least = reeds_shepp_bound(task);
-  if (least > task.cutoff * (1 + 1e-9) + 1e-12) return infinite;
-  const double length = solution_of(solver, task, least).answer.length;
+  const WordTask direct = direct_task(task);
+  if (direct.sharp.arcs.length > task.cutoff * (1 + 1e-9) + 1e-12) return infinite;
+  const double length = solution_of(solver, task, direct).answer.length;
   return length > task.cutoff ? infinite : length;
 }
 
@@ -272,7 +281,7 @@ std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task) 
   const auto take = [&](const UnitPath& path) {
     if (path.length <= task.cutoff) paths.push_back(path);
   };
-  const Combinations all = combinations_of(solver, task, task.stops);
+  const Combinations all = combinations_of(solver, task, task.stops, direct_task(task));
   for (std::size_t i = 0; i < all.count; ++i) {
     WordTask words = all.tasks[i];
     take(without_word(solver, all, i));
@@ -310,8 +319,8 @@ void for_cheap_paths(const WordSolver& solver, std::span<const PricedEnds> tasks
   std::vector<Combinations> all;
   double dearest = cutoff;
   for (const PricedEnds& ends : tasks) {
-    const Combinations& made =
-        all.emplace_back(combinations_of(solver, ends.task, ends.task.stops));
+    const Combinations& made = all.emplace_back(
+        combinations_of(solver, ends.task, ends.task.stops, direct_task(ends.task)));
     for (std::size_t i = 0; i < made.count; ++i) {
       if (is_nothing(made.tasks[i].frame)) {
         const bool changes = made.around[i].first.length * made.around[i].last.length < 0;

@@ -50,6 +50,12 @@ std::optional<SolvedWord> solved(const WordSolver& solver, const Kind& kind, con
 
 }  // namespace
 
+WordTask::WordTask(const MeanFrame& between, const Windings& around, const Stops& at) noexcept
+    : frame(between), windings(around), stops(at), folded(word_frame(families::folded(between))) {
+  const auto& [x, y, a, s, c] = folded;
+  sharp = reeds_shepp_formulas::shortest(Circles({x, y, a}, {s, c}));
+}
+
 double saved(const WordSolver& solver, const FoundWord& found, const Windings& windings) noexcept {
   constexpr double rounding = 1e-12;
   const auto saves = [&](bool at_start, const Winding& winding) {
@@ -74,7 +80,7 @@ double saved(const WordSolver& solver, const FoundWord& found, const Windings& w
 
 std::vector<FoundWord> all_words(const WordSolver& solver, const WordTask& task) {
   std::vector<FoundWord> words;
-  for_each_image(task.frame, any_gear_changes,
+  for_each_image(task, any_gear_changes,
                  [&](const Kind& kind, const WordFrame& image, const Symmetry& made) {
                    const auto word = solved(solver, kind, image, seen_by(made, task.stops));
                    if (word) words.push_back({*word, made});

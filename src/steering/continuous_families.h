@@ -35,9 +35,14 @@ struct Windings {
 
 /// Two poses and what is driven before and after.
 struct WordTask {
+  WordTask() = default;
+  WordTask(const MeanFrame& between, const Windings& around, const Stops& at) noexcept;
+
   MeanFrame frame;
   Windings windings;
   Stops stops;
+  WordFrame folded{};                      ///< the frame with positive signs
+  reeds_shepp_formulas::Solution sharp{};  ///< the shortest word if the wheels took no time
 };
 
 /// How much shorter a word in the frame of its task is for what it drives back.

@@ -98,13 +98,6 @@ inline bool may_drive_back(const Step& step, const Symmetry& symmetry, const Win
          (symmetry.swaps_gears() ? -step.gear : step.gear) == winding.gear;
 }
 
-inline bool may_drive_back(Formula formula, const Symmetry& symmetry, bool at_start,
-                           const Winding& winding) {
-  const Steps& steps = steps_of(formula);
-  return may_drive_back(steps.list[at_start == symmetry.swaps_ends() ? steps.count - 1 : 0],
-                        symmetry, winding);
-}
-
 /// Whether the goal is straight ahead but for rounding, by so much that turns would be no shorter.
 inline bool is_line(const MeanFrame& f) {
   constexpr double noise = 1e-13;
@@ -132,9 +125,8 @@ inline constexpr int any_gear_changes = -1;
 
 /// Calls `visit` with the kinds that have so many gear changes, each in all its symmetries.
 template <typename Visit>
-void for_each_image(const MeanFrame& task, int gear_changes, Visit visit) {
-  const WordFrame frame = word_frame(folded(task));
-  const Symmetry undo = unfolding(task);
+void for_each_image(const WordTask& task, int gear_changes, Visit visit) {
+  const Symmetry undo = unfolding(task.frame);
   for (const Kind& kind : kinds) {
     if (gear_changes != any_gear_changes &&
         gear_changes_of(steps_of(kind.formula)) != gear_changes) {
@@ -144,7 +136,7 @@ void for_each_image(const MeanFrame& task, int gear_changes, Visit visit) {
       const Symmetry symmetry{(i & 4U) != 0, (i & 2U) != 0, (i & 1U) != 0};
       const auto& [x, y, half_turn] = symmetry;
       if ((x && kind.own.x) || (y && kind.own.y) || (half_turn && kind.own.half_turn)) continue;
-      visit(kind, image_of(frame, symmetry), both(undo, symmetry));
+      visit(kind, image_of(task.folded, symmetry), both(undo, symmetry));
     }
   }
 }

@@ -2,99 +2,28 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <utility>
 
+#include "steering/continuous_bounds.h"
 #include "steering/continuous_families.h"
 #include "steering/continuous_kinds.h"
+#include "steering/continuous_shortlists.h"
 
 namespace vandplan::steering {
 namespace {
 
 using namespace families;
+using shortlists::List, shortlists::Rows;
 
-/// By how many ramps a first or last turn may be shorter than nothing, for the quick search to look
-/// at its word (measured, see the document).
-struct Slack {
-  double rolls, stands;  ///< there, at the start or the goal
-  [[nodiscard]] double where(bool it_stands) const { return it_stands ? stands : rolls; }
-};
-
-/// A word that the quick search looks at.
-struct Likely {
-  std::size_t kind;
-  Symmetry symmetry;
-  Slack first, last;
-};
-
-/// Where the curvature never jumps, or at both ends and inside.
-constexpr std::array<Likely, 10> likely_words = {{
-    {0, none, {0.3, 0.02}, {0.3, 0.02}},
-    {1, none, {0.4, 0.02}, {0.4, 0.02}},
-    {6, none, {0.5, 0.02}, {0.5, 0.02}},
-    {7, none, {0.5, 0.02}, {0.5, 0.02}},
-    {2, none, {0.2, 0.0}, {0.2, 0.0}},
-    {2, in_x, {1.0, 0.0}, {1.0, 0.0}},
-    {3, none, {0.7, 0.0}, {0.7, 0.6}},
-    {4, none, {0.8, 0.6}, {0.8, 0.6}},
-    {5, none, {0.2, 0.02}, {0.2, 0.02}},
-    {8, none, {0.2, 0.02}, {0.2, 0.02}},
-}};
-
-/// On a leg.
-constexpr std::array<Likely, 16> likely_legs = {{
-    {0, none, {0.02, 0.02}, {0.05, 0.02}},
-    {1, none, {0.02, 0.02}, {0.02, 0.02}},
-    {6, none, {0.25, 0.02}, {0.12, 0.1}},
-    {7, none, {0.27, 0.02}, {0.02, 0.02}},
-    {2, none, {0.27, 0.06}, {0.2, 0.06}},
-    {2, in_x, {0.3, 0.3}, {0.27, 0.2}},
-    {3, none, {0.3, 0.05}, {0.55, 0.55}},
-    {4, none, {0.6, 0.7}, {0.65, 0.5}},
-    {5, none, {0.2, 0.06}, {0.22, 0.1}},
-    {8, none, {0.05, 0.1}, {0.12, 0.02}},
-    {3, in_half_turn, {0.25, 0.3}, {0.0, 0.0}},
-    {3, in_x, {0.0, 0.0}, {0.5, 0.0}},
-    {4, in_half_turn, {0.2, 0.5}, {0.0, 0.0}},
-    {4, {false, true, true}, {0.15, 0.05}, {0.0, 0.0}},
-    {5, in_x, {0.0, 0.0}, {0.0, 0.0}},
-    {5, {true, true, false}, {0.0, 0.0}, {0.0, 0.0}},
-}};
-
-/// An image of a word that may be shortest where it drives a winding back, and only there
-/// (measured, see the document).
-struct Saving {
-  std::size_t kind;
-  Symmetry symmetry;
-};
-
-constexpr double quick_steering = 0.6;  ///< the longest ramp for which that was measured
-constexpr std::array<Saving, 19> saving_images = {{
-    {0, {true, true, true}},
-    {1, in_x},
-    {2, {true, false, true}},
-    {2, {false, true, true}},
-    {2, {true, true, true}},
-    {3, in_x},
-    {3, in_half_turn},
-    {3, {true, false, true}},
-    {3, {false, true, true}},
-    {4, in_half_turn},
-    {4, {false, true, true}},
-    {5, in_x},
-    {6, in_x},
-    {6, in_half_turn},
-    {6, {true, false, true}},
-    {6, {false, true, true}},
-    {7, {false, true, true}},
-    {7, {true, true, true}},
-    {8, in_x},
-}};
-
-std::span<const Likely> likely_with(const Stops& stops) {
-  return is_leg(stops) ? std::span<const Likely>(likely_legs) : likely_words;
+const List& list_with(const Stops& stops) {
+  if (is_leg(stops)) return shortlists::leg_list;
+  return stops.inside ? shortlists::standing_list : shortlists::rolling_list;
 }
 
 /// Whether the angle of an arrow is from -low to a quarter turn and a little or, of a word of three
@@ -106,13 +35,28 @@ bool is_likely(const Arrow& arrow, double low, double high, bool is_three_arcs) 
   return arrow.re >= 0 || is_three_arcs || arrow.re * arrow.re <= high * high * squared;
 }
 
+/// How a word of the folded frame has to begin (or end) so that it drives a winding back, and how
+/// much it saves by that.
+struct Back {
+  shortlists::Way way;
+  double saved;
+};
+
+Back back_of(const Winding& winding, const Symmetry& undo) {
+  if (winding.length <= 0) return {shortlists::no_way, 0};
+  return {shortlists::way_of(winding.gear, winding.side) ^ shortlists::flips_of(undo),
+          2 * winding.length};
+}
+
 /// A task, with what the search asks of it again and again.
 struct View {
   const WordTask* task;
-  Symmetry undo;      ///< from the folded frame
-  WordFrame frame;    ///< the folded one
-  double most_saved;  ///< by any word
-  double least;       ///< no path of a word is shorter, less what it saves
+  Symmetry undo;  ///< from the folded frame
+  Back first, last;
+  double least;  ///< no path of a word is shorter, less what it saves
+
+  /// By any word.
+  [[nodiscard]] double most_saved() const { return first.saved + last.saved; }
 };
 
 /// A word of a task as a symmetry of its folded frame makes it.
@@ -120,30 +64,36 @@ struct Image {
   const View* view;
   Symmetry symmetry;
   WordFrame frame;
+  double first_saves, last_saves;  ///< no such word saves more by its first and by its last step
+
+  [[nodiscard]] double most_saved() const { return first_saves + last_saves; }
 
   [[nodiscard]] Symmetry made() const { return both(view->undo, symmetry); }
   [[nodiscard]] Stops stops() const { return seen_by(made(), view->task->stops); }
 };
 
+/// An image of a word of a kind; `frame` is that of `seen`, a symmetry of the folded frame.
+inline Image image_of(const View& view, const Kind& kind, const Symmetry& seen,
+                      const WordFrame& frame, const Symmetry& symmetry) {
+  const Symmetry made = both(seen, symmetry);
+  Image image{&view, made, families::image_of(frame, symmetry), 0, 0};
+  if (view.most_saved() > 0) {
+    const auto [first, last] = shortlists::ways_of(kind, made);
+    image.first_saves = first == view.first.way ? view.first.saved : 0;
+    image.last_saves = last == view.last.way ? view.last.saved : 0;
+    if (made.swaps_ends()) std::swap(image.first_saves, image.last_saves);
+  }
+  return image;
+}
+
 /// A word that Newton's method has to find.
 struct Open {
   Formula formula;
   Image image;
-  Arcs guess;
-  Arcs circles;  ///< a second guess, on a leg: the arcs of the word at full lock
-  bool has_circles;
-  double most_saved;  ///< no word of the image saves more
-  double bound;       ///< no path of the word is much shorter, less what it may save
+  Arcs guess, second_guess;
+  bool has_second;
+  double bound;  ///< its path is not much shorter
 };
-
-/// What the arcs of a word add up to; nearly a whole turn is a little less than none.
-double signed_length(const Steps& steps, const Arcs& arcs) {
-  const auto turned = [](double arc) { return arc > full_turn - 1 ? arc - full_turn : arc; };
-  const double parts[] = {turned(arcs.first), arcs.inner, arcs.line, turned(arcs.last)};
-  double sum = 0;
-  for (std::size_t i = 0; i < steps.count; ++i) sum += parts[steps.list[i].part];
-  return sum;
-}
 
 /// The quick search for the least word.
 class Search {
@@ -152,102 +102,154 @@ class Search {
       : solver_(solver),
         tasks_(tasks),
         stops_(tasks[0].stops),
+        list_(list_with(stops_)),
         ramp_(solver.turns().ramp()),
+        is_quick_(ramp_ <= shortlists::longest_ramp),
         joints_{Joints(solver.turns(), stops_), Joints(solver.turns(), stops_.swapped())},
         high_(std::min(1.0, 0.4 + 1.6 * ramp_)),
         best_(cutoff) {}
 
   std::optional<LeastWord> run() {
-    for (std::size_t i = 0; i < tasks_.size(); ++i) {
-      views_[i] = view_of(tasks_[i]);
-      if (views_[i].least - views_[i].most_saved < best_) look_at_likely(views_[i]);
+    std::array<View, 4> views;
+    std::array<double, 4> order;
+    std::size_t count = 0;
+    for (const WordTask& task : tasks_) {  // those that promise most are the first
+      const View view = view_of(task);
+      const double promise = view.least - image_of_sharp(view).most_saved();
+      std::size_t i = count++;
+      for (; i > 0 && order[i - 1] > promise; --i) {
+        views[i] = views[i - 1];
+        order[i] = order[i - 1];
+      }
+      views[i] = view;
+      order[i] = promise;
     }
-    for (std::size_t i = 0; i < tasks_.size(); ++i) look_at_saving(views_[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (views[i].least - views[i].most_saved() < best_) look_at(views[i]);
+      if (is_quick_) solve_open();  // elsewhere the first guesses are worse
+    }
     solve_open();
     return least_;
   }
 
  private:
-  static View view_of(const WordTask& task) {
-    const MeanFrame near = folded(task.frame);
-    const WordFrame frame = word_frame(near);
-    const double wound = task.windings.length();
-    const double least =
-        wound > 0
-            ? reeds_shepp_formulas::shortest(Circles(near, {frame.s, frame.c})).arcs.length + wound
-            : 0;
-    return {&task, unfolding(task.frame), frame, 2 * wound, least};
+  [[nodiscard]] View view_of(const WordTask& task) const {
+    const auto& [start, goal] = task.windings;
+    const Symmetry undo = unfolding(task.frame);
+    View view{&task, undo, back_of(start, undo), back_of(goal, undo), 0};
+    if (undo.swaps_ends()) std::swap(view.first, view.last);
+    view.least = task.windings.length() + task.sharp.arcs.length;
+    if (!stops_.inside && is_quick_) view.least += bounds::least_added(task.sharp, ramp_);
+    return view;
   }
 
-  void look_at_likely(const View& view) {
-    constexpr Symmetry all{true, true, true};
-    const MeanFrame near{view.frame.x, view.frame.y, view.frame.a};
-    const Image image{&view, none, view.frame};
+  /// The word of Reeds and Shepp.
+  static Image image_of_sharp(const View& view) {
+    const auto kind = static_cast<std::size_t>(view.task->sharp.formula);
+    return image_of(view, kinds[kind], none, view.task->folded, none);
+  }
+
+  void look_at(const View& view) {
+    const WordFrame& folded = view.task->folded;
+    const MeanFrame near{folded.x, folded.y, folded.a};
     if (is_line(near)) {
-      consider(SolvedWord{Formula::lsl, image.stops(), {0, near.x, 0}, 0, near.x}, image);
+      const Image line = image_of(view, kinds[0], none, folded, none);
+      consider(SolvedWord{Formula::lsl, line.stops(), {0, near.x, 0}, 0, near.x}, line);
     }
-    look_at_likely_images(image);
-    if (near.x * near.x + near.y * near.y < 9 * ramp_ * ramp_) look_at_short(image);
+    look_at_rows(view);
+    if (near.x * near.x + near.y * near.y < 9 * ramp_ * ramp_) look_at_short(view);
     // Where the headings are opposite the other way round is as good.
     const double half = std::numbers::pi / 2;
     if (near.half_turn > half - 0.05 - 0.6 * ramp_) {
-      const MeanFrame other{near.x, near.y, 2 * half - near.half_turn};
-      look_at_likely_images({&view, all, word_frame(other)});
+      look_at_other_way(view, word_frame({near.x, near.y, 2 * half - near.half_turn}));
+    }
+    if (!is_quick_ && view.most_saved() > 0) look_at_all_that_save(view);
+  }
+
+  /// The rows that are worth a look where the word of Reeds and Shepp is what it is.
+  [[nodiscard]] Rows worth_a_look(const View& view) const {
+    if (!is_quick_) return list_.likely;
+    const reeds_shepp_formulas::Solution& sharp = view.task->sharp;
+    const auto formula = static_cast<std::size_t>(sharp.formula);
+    const bool is_on_border = bounds::is_on_border(sharp);
+    const Rows first = list_.first_way[view.first.way];
+    const Rows last = list_.last_way[view.last.way];
+    // What saves nothing, or at one end only, has to be shorter than the best all the same.
+    Rows saving = first & last;
+    if (view.least - view.first.saved < best_) saving |= first;
+    if (view.least - view.last.saved < best_) saving |= last;
+    const Rows others = view.least < best_ ? ~(first | last) : 0;
+    return is_on_border ? saving | (others & list_.likely)
+                        : (saving & list_.saving[formula]) | (others & list_.here[formula]);
+  }
+
+  void look_at_rows(const View& view) {
+    const WordFrame& folded = view.task->folded;
+    Rows rows = worth_a_look(view);
+    const double most = 4 * (joints_[0].stop + joints_[0].reach);
+    if (folded.x * folded.x + folded.y * folded.y > most * most) rows &= ~list_.arcs;
+    for (; rows != 0; rows &= rows - 1) {
+      const auto& row = list_.rows[static_cast<std::size_t>(std::countr_zero(rows))];
+      look_at_row(row, image_of(view, kinds[row.kind], none, folded, row.symmetry));
     }
   }
 
-  void look_at_likely_images(const Image& image) {
-    for (const Likely& trial : likely_with(stops_)) {
-      const Image seen = seen_in(image, trial.symmetry);
-      const Stops stops = seen.stops();
-      const double first = ramp_ * trial.first.where(stops.start);
-      const double last = ramp_ * trial.last.where(stops.goal);
-      look_at(kinds[trial.kind], seen, first, last);
+  void look_at_other_way(const View& view, const WordFrame& frame) {
+    constexpr Symmetry all{true, true, true};
+    for (Rows rows = worth_a_look(view) & list_.likely; rows != 0; rows &= rows - 1) {
+      const auto& row = list_.rows[static_cast<std::size_t>(std::countr_zero(rows))];
+      look_at_row(row, image_of(view, kinds[row.kind], all, frame, row.symmetry));
     }
+  }
+
+  void look_at_row(const shortlists::Likely& row, const Image& image) {
+    const Stops stops = image.stops();
+    look_at(kinds[row.kind], image, ramp_ * row.first.where(stops.start),
+            ramp_ * row.last.where(stops.goal));
   }
 
   /// A line between small turns, where it is too short for the circles of turns to full lock.
-  void look_at_short(const Image& image) {
-    const auto& [x, y, a, s, c] = image.frame;
-    add_open(kinds[0], image, std::nullopt);
-    if (Circles({x, y, a}, {s, c}).lr >= 0) add_open(kinds[1], image, std::nullopt);
+  void look_at_short(const View& view) {
+    const Rows rows = worth_a_look(view);
+    const WordFrame& folded = view.task->folded;
+    const auto& [x, y, a, s, c] = folded;
+    if ((rows & 1) != 0) {
+      add_sharp(kinds[0], image_of(view, kinds[0], none, folded, none), std::nullopt);
+    }
+    if ((rows & 2) != 0 && Circles({x, y, a}, {s, c}).lr >= 0) {
+      add_sharp(kinds[1], image_of(view, kinds[1], none, folded, none), std::nullopt);
+    }
   }
 
-  /// The other words that drive a winding back.
-  void look_at_saving(const View& view) {
-    if (view.most_saved <= 0) return;
-    if (ramp_ <= quick_steering) {
-      for (const auto& [kind, symmetry] : saving_images) look_at_saving(view, kind, symmetry);
-      return;
-    }
-    for (std::size_t kind = 0; kind < 9; ++kind) {
-      for (unsigned i = 1; i < 8; ++i) {
-        const Symmetry symmetry{(i & 1) != 0, (i & 2) != 0, (i & 4) != 0};
-        const Symmetry& own = kinds[kind].own;
-        const bool is_own =
-            (symmetry.x && own.x) || (symmetry.y && own.y) || (symmetry.half_turn && own.half_turn);
-        if (!is_own) look_at_saving(view, kind, symmetry);
+  /// For steering so slow that the lists were not measured for it.
+  void look_at_all_that_save(const View& view) {
+    const WordFrame& folded = view.task->folded;
+    for (std::size_t i = 0; i < 9; ++i) {
+      for (unsigned bits = 1; bits < 8; ++bits) {
+        const Symmetry symmetry{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
+        const Symmetry& own = kinds[i].own;
+        if ((symmetry.x && own.x) || (symmetry.y && own.y) ||
+            (symmetry.half_turn && own.half_turn)) {
+          continue;
+        }
+        const Image image = image_of(view, kinds[i], none, folded, symmetry);
+        if (image.most_saved() > 0) look_at(kinds[i], image, ramp_ / 2, ramp_ / 2);
       }
     }
   }
 
-  void look_at_saving(const View& view, std::size_t kind, const Symmetry& symmetry) {
-    const Image image{&view, symmetry, image_of(view.frame, symmetry)};
-    const double most = may_save(kinds[kind].formula, image);
-    if (most <= 0 || view.least - most >= best_) return;
-    look_at(kinds[kind], image, ramp_ / 2, ramp_ / 2);
-  }
-
-  static Image seen_in(const Image& image, const Symmetry& symmetry) {
-    return {image.view, both(image.symmetry, symmetry), image_of(image.frame, symmetry)};
-  }
-
   void look_at(const Kind& kind, const Image& image, double low_first, double low_last) {
+    if (image.view->least - image.most_saved() >= best_) return;
     const Joints& joints = joints_[image.made().swaps_ends() ? 1 : 0];
     const CircleWord circles = circles::word_of(kind.formula, image.frame, joints);
+    const bool is_near_circles = !stops_.inside && is_quick_;
+    if (!circles.exact || circles.line < (is_near_circles ? -1.05 : -2) * ramp_) return;
+    if (is_near_circles && circles.line > 3 * ramp_) {  // which moves the turns but little
+      low_first = std::min(low_first, 0.01 * ramp_);
+      low_last = std::min(low_last, 0.01 * ramp_);
+    }
     const bool is_three_arcs = kind.formula == Formula::l_r_l;
-    if (!circles.exact || circles.line < -2 * ramp_ ||
-        !is_likely(circles.first, low_first, high_, is_three_arcs) ||
+    if (!is_likely(circles.first, low_first, high_, is_three_arcs) ||
         !is_likely(circles.last, low_last, high_, is_three_arcs)) {
       return;
     }
@@ -255,69 +257,117 @@ class Search {
     const auto word = solver_.at_full_lock(kind.formula, image.stops(), arcs);
     if (word) {
       consider(*word, image);
-      return;
+    } else if (stops_.inside) {
+      add_sharp(kind, image, arcs);
+    } else if (!is_near_circles || is_tiny(image.frame)) {
+      add_sharp(kind, image, std::nullopt);
+    } else {
+      add_near_circles(kind.formula, image, arcs);
     }
-    add_open(kind, image, is_leg(stops_) ? std::optional(arcs) : std::nullopt);
   }
 
-  void add_open(const Kind& kind, const Image& image, const std::optional<Arcs>& circles) {
+  /// Whether the goal is so near that no circle to full lock tells anything.
+  [[nodiscard]] bool is_tiny(const WordFrame& f) const {
+    return f.x * f.x + f.y * f.y < 0.01 * ramp_ * ramp_;
+  }
+
+  /// A word between straight wheels is near its circles.
+  void add_near_circles(Formula formula, const Image& image, const Arcs& arcs) {
+    const double length = bounds::length_near(formula, arcs, ramp_);
+    Open* open = opened(formula, image, length, std::min(arcs.first, arcs.last));
+    if (open != nullptr) open->guess = guess_near(formula, arcs);
+  }
+
+  /// A word about as long as that of Reeds and Shepp.
+  void add_sharp(const Kind& kind, const Image& image, const std::optional<Arcs>& circles) {
     const auto& [x, y, a, s, c] = image.frame;
     Arcs sharp = in_one_turn(kind.arcs(Circles({x, y, a}, {s, c})));
     const Steps& steps = steps_of(kind.formula);
-    double bound = driven_length(steps, sharp);
-    if (image.view->most_saved > 0) {
-      bound = signed_length(steps, sharp);
-      if (circles) bound = std::min(bound, signed_length(steps, *circles));
+    double length = driven_length(steps, sharp);
+    if (image.view->most_saved() > 0) {
+      length = bounds::signed_length(steps, sharp);
+      if (circles) length = std::min(length, bounds::signed_length(steps, *circles));
     }
+    Open* open = opened(kind.formula, image, length, std::min(sharp.first, sharp.last));
+    if (open == nullptr) return;
+    sharp.line -= 2 * solver_.turns().centre().x;
+    open->guess = open->second_guess = sharp;
+    if (!circles) return;
+    const bool is_poor = std::min({circles->first, circles->inner, circles->last}) < 0;
+    open->has_second = is_leg(stops_) && (is_poor || !is_quick_);
+    (is_quick_ ? open->guess : open->second_guess) = guess_near(kind.formula, *circles);
+  }
+
+  /// The arcs of circles to begin with. From next to nothing a turn beside another moves badly.
+  [[nodiscard]] Arcs guess_near(Formula formula, Arcs arcs) const {
+    if (shape_of(formula, stops_).has_line) return arcs;
+    const double least = 0.1 * ramp_;
+    arcs.first = std::max(arcs.first, least);
+    arcs.inner = std::max(arcs.inner, least);
+    arcs.last = std::max(arcs.last, least);
+    return arcs;
+  }
+
+  /// One more open word, which is not much shorter than `length`, less what it may save; nothing if
+  /// that is too long already.
+  Open* opened(Formula formula, const Image& image, double length, double least_arc) {
     // Where an end vanishes, the step beside it may save as much as any.
     constexpr double vanishes = 1e-6;
-    const bool is_known = std::min(sharp.first, sharp.last) > vanishes;
-    const double most_saved = is_known ? may_save(kind.formula, image) : image.view->most_saved;
-    const double least = image.view->task->windings.length() + bound - most_saved;
-    if (least >= best_ || count_ == open_.size()) return;
-    sharp.line -= 2 * solver_.turns().centre().x;
-    open_[count_++] = {kind.formula,        image,      sharp, circles.value_or(Arcs{}),
-                       circles.has_value(), most_saved, least};
+    const View& view = *image.view;
+    const double most_saved = least_arc > vanishes ? image.most_saved() : view.most_saved();
+    const double bound = view.task->windings.length() + length - most_saved;
+    if (bound >= best_ || count_ == open_.size()) return nullptr;
+    Open& open = open_[count_++];
+    open.formula = formula;
+    open.image = image;
+    open.has_second = false;
+    open.bound = bound;
+    return &open;
   }
 
-  /// No word of the image saves more.
-  [[nodiscard]] static double may_save(Formula formula, const Image& image) {
-    if (image.view->most_saved <= 0) return 0;
-    const Symmetry made = image.made();
-    const auto& [start, goal] = image.view->task->windings;
-    return (may_drive_back(formula, made, true, start) ? 2 * start.length : 0) +
-           (may_drive_back(formula, made, false, goal) ? 2 * goal.length : 0);
-  }
-
-  /// The open words in the order of their bounds, as long as one may be shorter.
+  /// The open words in the order of their bounds, as long as one may be shorter; then none is left.
   void solve_open() {
     constexpr double same = 1e-9;  // bounds so near are equal: the word that was asked first
-    for (std::size_t n = count_; n > 0; --n) {
+    const std::size_t words = std::exchange(count_, 0);
+    for (std::size_t n = words; n > 0; --n) {
       std::size_t next = 0;
-      for (std::size_t i = 1; i < count_; ++i) {
+      for (std::size_t i = 1; i < words; ++i) {
         if (open_[i].bound < open_[next].bound - same) next = i;
       }
       Open& open = open_[next];
       if (open.bound >= best_) return;
-      const Stops stops = open.image.stops();
-      const Patience quick{12, best_ - open.image.view->task->windings.length() + open.most_saved};
-      auto word = solver_.solve(open.formula, stops, open.image.frame, open.guess, quick);
-      if (!word && open.has_circles) {
-        word = solver_.solve(open.formula, stops, open.image.frame, open.circles, quick);
-      }
+      const auto word = solved(open);
       if (word) consider(*word, open.image);
       open.bound = std::numeric_limits<double>::infinity();
     }
+  }
+
+  [[nodiscard]] std::optional<SolvedWord> solved(const Open& open) const {
+    const auto& [view, symmetry, frame, first_saves, last_saves] = open.image;
+    // So long is a turn that drives a winding back: its clothoids are as long as that.
+    const double part = stops_.inside ? 0.5 : 1;
+    const Patience quick{12,
+                         is_quick_ ? 4 : 12,
+                         best_ - view->task->windings.length(),
+                         {first_saves, part * first_saves},
+                         {last_saves, part * last_saves},
+                         view->most_saved()};
+    const Stops stops = open.image.stops();
+    const auto word = solver_.solve(open.formula, stops, frame, open.guess, quick);
+    if (word || !open.has_second) return word;
+    return solver_.solve(open.formula, stops, frame, open.second_guess, quick);
   }
 
   void consider(const SolvedWord& word, const Image& image) {
     constexpr double tie = 1e-13;  // then the word that was asked first
     const View& view = *image.view;
     const Windings& windings = view.task->windings;
-    const double longest = windings.length() + word.length;
-    if (longest - view.most_saved >= best_) return;
+    const bool begins_and_ends = word.lengths[0] != 0 && word.lengths[2] != 0;
+    const double most_saved = begins_and_ends ? image.most_saved() : view.most_saved();
+    double length = windings.length() + word.length;
+    if (length - most_saved >= best_) return;
     const FoundWord found{word, image.made()};
-    const double length = view.most_saved > 0 ? longest - saved(solver_, found, windings) : longest;
+    if (most_saved > 0) length -= saved(solver_, found, windings);
     if (length >= best_ * (1 - tie)) return;
     best_ = length;
     least_ = {static_cast<std::size_t>(view.task - tasks_.data()), found, length};
@@ -326,11 +376,12 @@ class Search {
   const WordSolver& solver_;
   std::span<const WordTask> tasks_;
   Stops stops_;
+  const List& list_;
   double ramp_;
+  bool is_quick_;                 ///< so much that the lists were measured for it
   std::array<Joints, 2> joints_;  ///< for words from the start, and from the goal
   double high_;
   double best_;
-  std::array<View, 4> views_;
   std::optional<LeastWord> least_;
   std::array<Open, 160> open_;
   std::size_t count_ = 0;

@@ -13,15 +13,18 @@ namespace {
 
 constexpr double series_reach = 3;  // radians; beyond, terms cancel
 constexpr std::size_t series_terms = 14;
+constexpr double small_square = 0.3 * 0.3;  // of radians; up to there few terms reach the last bit
+
+using Coefficients = std::array<double, series_terms>;
 
 /// 1 / ((2n)! (4n + 1)) and 1 / ((2n + 1)! (4n + 3)) with alternating signs: the integral of
 /// exp(i a t^2) for t from 0 to 1 is the sum of a^2n times the first plus i a^(2n + 1) the second.
-struct Series {
-  std::array<double, series_terms> re{}, im{};
+struct ClothoidSeries {
+  Coefficients re{}, im{};
 };
 
-constexpr Series fresnel_series() {
-  Series series;
+constexpr ClothoidSeries clothoid_series() {
+  ClothoidSeries series;
   double factorial = 1;  // of 2n
   for (std::size_t n = 0; n < series_terms; ++n) {
     const double sign = n % 2 == 0 ? 1 : -1;
@@ -33,26 +36,51 @@ constexpr Series fresnel_series() {
   return series;
 }
 
-constexpr Series series = fresnel_series();
+/// w(2n) / (2n)! with alternating signs, w(m) the integral of (1 - t^2)^m for t from 0 to 1: that
+/// of cos(a (1 - t^2)), the chord of two clothoids of length 1/2 that turn by a each, is the sum of
+/// a^2n times that. `slope`: the derivative by the length while a is as its square.
+struct ChordSeries {
+  Coefficients chord{}, slope{};
+};
+
+constexpr ChordSeries chord_series() {
+  ChordSeries series;
+  double weight = 1;  // w(2n) / (2n)!
+  for (std::size_t n = 0; n < series_terms; ++n) {
+    const double k = static_cast<double>(n);
+    series.chord[n] = n % 2 == 0 ? weight : -weight;
+    series.slope[n] = (4 * k + 1) * series.chord[n];
+    weight *= 4 / ((4 * k + 3) * (4 * k + 5));
+  }
+  return series;
+}
+
+/// The first terms in the square of a small angle, in an order in which few have to wait.
+double small_sum(const Coefficients& c, double z) {
+  const double z2 = z * z;
+  return (c[0] + z * c[1]) + z2 * ((c[2] + z * c[3]) + z2 * ((c[4] + z * c[5]) + z2 * c[6]));
+}
+
+/// The sum of a series in the square of an angle up to `series_reach`.
+double sum_of(const Coefficients& c, double z) {
+  if (z <= small_square) return small_sum(c, z);
+  double sum = 0;
+  for (std::size_t n = series_terms; n-- > 0;) sum = sum * z + c[n];
+  return sum;
+}
+
+constexpr Coefficients sine = {1, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800,
+                               0};
+constexpr Coefficients cosine = {1,           -1.0 / 2,       1.0 / 24,       -1.0 / 720,
+                                 1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600};
+constexpr ClothoidSeries clothoids = clothoid_series();
+constexpr ChordSeries chords = chord_series();
 
 /// Sine and cosine, fast where the angle is small, as it is on clothoids.
 inline base::SinCos sin_cos_of_ramp(double angle) {
-  if (!(std::abs(angle) <= 0.3)) return base::sin_cos(angle);
   const double z = angle * angle;
-  const double sin =
-      angle - angle * z *
-                  (1.0 / 6 -
-                   z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880 - z * (1.0 / 39916800)))));
-  const double cos =
-      1 - z * (1.0 / 2 -
-               z * (1.0 / 24 -
-                    z * (1.0 / 720 - z * (1.0 / 40320 - z * (1.0 / 3628800 - z / 479001600)))));
-  return {sin, cos};
-}
-
-/// How many terms of the series reach the last bit for angles up to `angle`.
-constexpr std::size_t terms_for(double angle) {
-  return angle < 0.1 ? 5 : angle < 0.5 ? 7 : angle < 1.3 ? 9 : series_terms;
+  if (!(z <= small_square)) return base::sin_cos(angle);
+  return {angle * small_sum(sine, z), small_sum(cosine, z)};
 }
 
 }  // namespace
@@ -86,16 +114,21 @@ SharpTurns::Point SharpTurns::clothoid(double length) const noexcept {
     return {end.x, end.y};
   }
   const double square = angle * angle;
-  std::size_t n = terms_for(angle);
-  double re = 0, im = 0;
-  while (n-- > 0) {
-    re = re * square + series.re[n];
-    im = im * square + series.im[n];
-  }
-  return {length * re, length * angle * im};
+  return {length * sum_of(clothoids.re, square), length * angle * sum_of(clothoids.im, square)};
 }
 
-Turned SharpTurns::rolling(double length) const noexcept {
+[[gnu::always_inline]] inline SharpTurns::Chord SharpTurns::chord(
+    double length, double half_angle, const base::SinCos& half) const noexcept {
+  const double square = half_angle * half_angle;
+  if (square <= series_reach * series_reach) {
+    return {length * sum_of(chords.chord, square), sum_of(chords.slope, square)};
+  }
+  const Point end = clothoid(length / 2);
+  const double across = end.y * half.cos - end.x * half.sin;
+  return {2 * (end.x * half.cos + end.y * half.sin), 1 + sharpness_ * length / 2 * across};
+}
+
+[[gnu::always_inline]] inline Turned SharpTurns::rolling(double length) const noexcept {
   if (length >= 2 * ramp_) {
     // From the centre of the circle to either end.
     const double angle = length - ramp_;
@@ -104,25 +137,22 @@ Turned SharpTurns::rolling(double length) const noexcept {
     const double dy = -sin * centre_x_ + cos * centre_y_;
     return {centre_x_ - dx, centre_y_ - dy, dy, -dx, angle, 1, sin, cos};
   }
-  const double half = length / 2;
-  const Point end = clothoid(half);
-  const double angle = sharpness_ * half * half / 2;  // of either half
-  const auto [sin, cos] = sin_cos_of_ramp(angle);
-  const double along = end.x * cos + end.y * sin;
-  const double across = end.y * cos - end.x * sin;
-  const double slope = 1 + sharpness_ * half * across;  // of 2 * along by the length
-  const double bend = sharpness_ * half / 2;            // of the angle of half of it
-  return {2 * along * cos,
-          2 * along * sin,
-          slope * cos - 2 * along * sin * bend,
-          slope * sin + 2 * along * cos * bend,
+  const double bend = sharpness_ * length / 4;  // of the angle of half of it, by the length
+  const double angle = bend * length / 2;       // of either half
+  const base::SinCos half = sin_cos_of_ramp(angle);
+  const auto [way, slope] = chord(length, angle, half);
+  const auto [sin, cos] = half;
+  return {way * cos,
+          way * sin,
+          slope * cos - way * sin * bend,
+          slope * sin + way * cos * bend,
           2 * angle,
           2 * bend,
           2 * sin * cos,
           1 - 2 * sin * sin};
 }
 
-Turned SharpTurns::to_stop(double length) const noexcept {
+[[gnu::always_inline]] inline Turned SharpTurns::to_stop(double length) const noexcept {
   if (length >= ramp_) {
     const double angle = length - ramp_ / 2;
     const auto [sin, cos] = base::sin_cos(angle);
@@ -135,21 +165,15 @@ Turned SharpTurns::to_stop(double length) const noexcept {
   return {end.x, end.y, cos, sin, angle, sharpness_ * length, sin, cos};
 }
 
-Turned SharpTurns::from_stop(double length) const noexcept {
-  // The way back of `to_stop`.
-  Turned t = to_stop(length);
-  const double sin = t.slope_y, cos = t.slope_x;
-  const double x = cos * t.x + sin * t.y;
-  const double y = sin * t.x - cos * t.y;
-  t.x = x;
-  t.y = y;
-  t.slope_x = 1 - t.angle_slope * y;
-  t.slope_y = t.angle_slope * x;
-  return t;
+Turned Turned::reversed() const noexcept {
+  const double back_x = slope_x * x + slope_y * y;
+  const double back_y = slope_y * x - slope_x * y;
+  return {back_x, back_y, 1 - angle_slope * back_y, angle_slope * back_x, angle, angle_slope,
+          sin,    cos};
 }
 
 Turned SharpTurns::turn(double length, Ends ends) const noexcept {
-  if (ends == Ends::stands_before) return from_stop(length);
+  if (ends == Ends::stands_before) return to_stop(length).reversed();
   if (ends == Ends::stands_after) return to_stop(length);
   const double size = std::abs(length);
   Turned t;

@@ -8,6 +8,8 @@
 
 #include <array>
 
+#include "base/trigonometry.h"
+
 namespace vandplan::steering {
 
 /// How the curvature is at either end of a turn: 0, or free because the vehicle stands there.
@@ -32,6 +34,10 @@ struct Turned {
   double slope_x = 0.0, slope_y = 0.0;  ///< its derivative by the length
   double angle = 0.0, angle_slope = 0.0;
   double sin = 0.0, cos = 1.0;  ///< of the angle
+
+  /// Of a turn that ends in the direction of `slope`: the same driven the other way round, from its
+  /// end, as a turn to the left driven forward.
+  [[nodiscard]] Turned reversed() const noexcept;
 };
 
 /// The sharpest turns of all lengths: the curvature rises as fast as it may, stays at full lock if
@@ -78,8 +84,13 @@ class SharpTurns {
   [[nodiscard]] Point clothoid(double length) const noexcept;
 
  private:
+  struct Chord {
+    double way, slope;  ///< and its derivative by the length
+  };
+  /// Of two clothoids of `length` >= 0 together that turn by `half_angle` each.
+  [[nodiscard]] Chord chord(double length, double half_angle,
+                            const base::SinCos& half) const noexcept;
   [[nodiscard]] Turned rolling(double length) const noexcept;
-  [[nodiscard]] Turned from_stop(double length) const noexcept;
   [[nodiscard]] Turned to_stop(double length) const noexcept;
 
   double sharpness_;

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 #include "base/trigonometry.h"
 
@@ -54,77 +52,6 @@ Shape made_shape(const Steps& steps, const Stops& stops) {
                  shape.may_cut_last ? -1.0 : 0.0};
   return shape;
 }
-
-/// Where a word of certain lengths leads, and how that changes with the three lengths.
-struct Led {
-  std::array<double, 3> end{};                   ///< x, y, heading
-  std::array<std::array<double, 3>, 3> slope{};  ///< [length][x, y, heading]
-};
-
-Led led(const SharpTurns& turns, const Shape& shape, double sin, double cos,
-        const std::array<double, 3>& lengths, double quarter) {
-  struct Done {
-    double x, y;              // after the step
-    double dx, dy, dheading;  // by its length
-    std::size_t of;           // which of the lengths, 3: none
-  };
-  std::array<Done, 5> done;
-  const Steps& steps = shape.steps;
-  double x = 0, y = 0, turned = 0;
-  for (std::size_t i = 0; i < steps.count; ++i) {
-    const Step& step = steps.list[i];
-    const std::size_t of = shape.length_of[i];
-    const double length = of == 3 ? quarter : lengths[of];
-    const double g = step.gear;
-    if (step.part == 2 && (length >= 0 || !shape.may_dip)) {
-      x += length * g * cos;
-      y += length * g * sin;
-      done[i] = {x, y, g * cos, g * sin, 0, of};
-      continue;
-    }
-    const Turned t = turns.turn(length, shape.ends[i]);
-    const double s = step.part == 2 ? steps.list[i - 1].turn : step.turn;
-    const double sense = g * s;
-    x += g * cos * t.x - s * sin * t.y;
-    y += g * sin * t.x + s * cos * t.y;
-    turned += sense * t.angle;
-    done[i] = {x,
-               y,
-               g * cos * t.slope_x - s * sin * t.slope_y,
-               g * sin * t.slope_x + s * cos * t.slope_y,
-               sense * t.angle_slope,
-               of};
-    const double next = cos * t.cos - sin * sense * t.sin;
-    sin = sin * t.cos + cos * sense * t.sin;
-    cos = next;
-  }
-  Led result;
-  result.end = {x, y, turned};
-  for (std::size_t i = 0; i < steps.count; ++i) {
-    const Done& d = done[i];
-    if (d.of == 3) continue;
-    auto& slope = result.slope[d.of];
-    slope[0] += d.dx - d.dheading * (y - d.y);
-    slope[1] += d.dy + d.dheading * (x - d.x);
-    slope[2] += d.dheading;
-  }
-  return result;
-}
-
-using Vector = std::array<double, 3>;
-
-/// A step of a turn that never reaches full lock: its angle, as the square of its length, is what
-/// changes nearly evenly beside a line.
-double by_angle(double length, double change) {
-  const double square = length * (length + 2 * change);
-  if (length < 0) return square > 0 ? -std::sqrt(square) : std::sqrt(-square);
-  return square > 0 ? std::sqrt(square) : -std::sqrt(-square);
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 template <typename Word>
 auto& length_of(Word& word, std::size_t step) {
@@ -179,6 +106,9 @@ const Shape& shape_of(Formula formula, const Stops& stops) noexcept {
   const std::size_t j = (stops.start ? 4U : 0U) + (stops.inside ? 2U : 0U) + (stops.goal ? 1U : 0U);
   return shapes[static_cast<std::size_t>(formula)][j];
 }
+
+WordSolver::WordSolver(const SharpTurns& turns) noexcept
+    : turns_(turns), small_step_(1e-8 / std::sqrt(1 + turns.sharpness())) {}
 
 double WordSolver::radius_of(double angle) const noexcept {
   const double bounded = std::clamp(angle, 1e-12, std::numbers::pi);
@@ -236,112 +166,6 @@ std::optional<SolvedWord> WordSolver::solve(Formula formula, const Stops& stops,
   if (!close(word, frame, turn, patience) || !is_drivable(word)) return std::nullopt;
   leave_out_crumbs(word, frame, turn);
   return word;
-}
-
-void WordSolver::leave_out_crumbs(SolvedWord& word, const WordFrame& frame,
-                                  double turn) const noexcept {
-  constexpr double crumb = 1e-6;  // turns so short turn by next to nothing
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (word.lengths[i] == 0 || std::abs(word.lengths[i]) > crumb) continue;
-    SolvedWord rest = word;
-    rest.lengths[i] = 0;
-    if (close_without(i, rest, frame, turn) && is_drivable(rest)) word = rest;
-  }
-}
-
-bool WordSolver::close_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
-                               double turn) const noexcept {
-  constexpr int most_steps = 4;
-  constexpr double exact = 1e-12;  // a crumb beside a little curvature is no more than that
-  const Shape& shape = shape_of(word.formula, word.stops);
-  const double size = 1 + std::abs(frame.x) + std::abs(frame.y);
-  const std::size_t i = (part + 1) % 3;
-  const std::size_t j = (part + 2) % 3;
-  for (int step = 0; step < most_steps; ++step) {
-    const Led there = led(turns_, shape, -frame.s, frame.c, word.lengths, word.quarter);
-    const Vector miss{frame.x - there.end[0], frame.y - there.end[1], turn - there.end[2]};
-    const double error = std::max({std::abs(miss[0]), std::abs(miss[1]), std::abs(miss[2])});
-    if (error <= exact * size) return true;
-    // Three equations for two lengths: least squares.
-    const Vector& a = there.slope[i];
-    const Vector& b = there.slope[j];
-    const Vector normal = cross(a, b);
-    const double square = dot(normal, normal);
-    word.lengths[i] += dot(cross(miss, b), normal) / square;
-    word.lengths[j] += dot(cross(a, miss), normal) / square;
-    if (!(std::abs(word.lengths[i]) + std::abs(word.lengths[j]) < 1e100)) return false;
-  }
-  return false;
-}
-
-bool WordSolver::is_hopeless(const SolvedWord& word, double moved, double longest) const noexcept {
-  // Both measured: with less room, words are lost.
-  constexpr double near = 0.3;  // of a turn or its clothoid; the next steps are far smaller
-  constexpr double room = 2;    // steps
-  const Shape& shape = shape_of(word.formula, word.stops);
-  const double ramp = turns_.ramp();
-  const double inner = shape.has_line ? 0 : std::abs(word.lengths[1]);
-  const double turn = std::max({std::abs(word.lengths[0]), inner, std::abs(word.lengths[2])});
-  if (moved > near * std::min(turn, ramp)) return false;
-  double length = shape.quarters * word.quarter;
-  for (std::size_t i = 0; i < 3; ++i) {
-    length += shape.counts[i] * word.lengths[i];
-    const double least = shape.least[i] * ramp - 1e-6;  // by so much noise is taken away later
-    if (word.lengths[i] + 2 * room * moved < least) return true;
-  }
-  return length - room * moved > longest + 1e-9;
-}
-
-bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
-                       const Patience& patience) const noexcept {
-  const Shape& shape = shape_of(word.formula, word.stops);
-  const double size = 1 + std::abs(frame.x) + std::abs(frame.y);
-  // A step so small misses by no more than its square, times how fast the curvature changes.
-  const double small_step = 1e-8 / std::sqrt(1 + turns_.sharpness());
-  const bool gives_up = patience.longest < std::numeric_limits<double>::infinity();
-  double best = std::numeric_limits<double>::infinity();
-  std::array<double, 3> best_lengths{};
-  for (int step = 0; step < patience.most_steps; ++step) {
-    const Led there = led(turns_, shape, -frame.s, frame.c, word.lengths, word.quarter);
-    const Vector miss{frame.x - there.end[0], frame.y - there.end[1], turn - there.end[2]};
-    const double error = std::max({std::abs(miss[0]), std::abs(miss[1]), std::abs(miss[2])});
-    if (!(error < 1e100)) return false;
-    if (error < best) {
-      best = error;
-      best_lengths = word.lengths;
-    } else if (best <= 1e-13 * size) {
-      break;
-    }
-    const auto& [a, b, c] = there.slope;
-    const Vector bc = cross(b, c);
-    const double det = dot(a, bc);
-    if (det == 0) break;
-    const Vector change{dot(miss, bc) / det, dot(miss, cross(c, a)) / det,
-                        dot(miss, cross(a, b)) / det};
-    double largest = 0, part = 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      largest = std::max(largest, std::abs(change[i]));
-      if (i == 1 && shape.has_line) continue;
-      const double limit = 0.5 * turns_.ramp() + std::abs(word.lengths[i]);
-      if (std::abs(change[i]) * part > limit) part = limit / std::abs(change[i]);
-    }
-    double moved = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      double& length = word.lengths[i];
-      const double next = length + part * change[i];
-      const bool is_small = largest > small_step && shape.has_line && i != 1 &&
-                            std::abs(length) < turns_.ramp() / 2 &&
-                            std::abs(change[i]) > 0.1 * std::abs(length);
-      const double last =
-          std::exchange(length, is_small ? by_angle(length, part * change[i]) : next);
-      moved = std::max(moved, std::abs(length - last));
-    }
-    if (gives_up && part == 1 && is_hopeless(word, moved, patience.longest)) return false;
-    // No step at all from far away: the lengths cannot lead there.
-    if (largest <= small_step) return error <= 1e-6 * size;
-  }
-  word.lengths = best_lengths;
-  return best <= 1e-13 * size;
 }
 
 bool WordSolver::is_drivable(SolvedWord& word) const noexcept {

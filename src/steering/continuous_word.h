@@ -59,18 +59,27 @@ struct UnitSegments {
   void add(const Segment& segment) noexcept;
 };
 
+/// By how much longer a word may be if its first (or last) step has a length.
+struct Bonus {
+  double longer = 0.0;
+  double least_length = 0.0;
+};
+
 /// How long Newton's method goes on.
 struct Patience {
   int most_steps;
-  /// Longer words are of no use. If this is finite it gives up as well where a part seems to become
-  /// less than nothing.
+  int most_limited = most_steps;  ///< so many steps may be shorter than they should
+  /// Longer words are of no use, but for their bonus. If this is finite it gives up as well where a
+  /// part seems to become less than nothing.
   double longest = std::numeric_limits<double>::infinity();
+  Bonus first{}, last{};
+  double if_one_vanishes = 0.0;  ///< the bonus if the first or last step does
 };
 
 /// The word of a formula between the poses of a frame that is near the guess, if there is one.
 class WordSolver {
  public:
-  explicit WordSolver(const SharpTurns& turns) noexcept : turns_(turns) {}
+  explicit WordSolver(const SharpTurns& turns) noexcept;
 
   [[nodiscard]] const SharpTurns& turns() const noexcept { return turns_; }
 
@@ -81,7 +90,7 @@ class WordSolver {
       const reeds_shepp_formulas::Arcs& arcs) const noexcept;
 
   /// The word of a formula that is near the guess, if there is one and Newton's method finds it.
-  /// It gives up where the word would be longer than `longest`.
+  /// It gives up where the word would be too long.
   [[nodiscard]] std::optional<SolvedWord> solve(reeds_shepp_formulas::Formula formula,
                                                 const Stops& stops, const WordFrame& frame,
                                                 const reeds_shepp_formulas::Arcs& guess,
@@ -112,9 +121,13 @@ class WordSolver {
   [[nodiscard]] bool close_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
                                    double turn) const noexcept;
 
+  /// Changes the lengths by a part of what Newton's method says; returns by how much at most.
+  double move(SolvedWord& word, const Shape& shape, const std::array<double, 3>& change,
+              double part) const noexcept;
+
   /// Whether the lengths, which were last moved by so much, seem to become none of use.
-  [[nodiscard]] bool is_hopeless(const SolvedWord& word, double moved,
-                                 double longest) const noexcept;
+  [[nodiscard]] bool is_hopeless(const SolvedWord& word, const Shape& shape, double moved,
+                                 const Patience& patience) const noexcept;
 
   /// Whether no part is driven backwards; works out the length.
   [[nodiscard]] bool is_drivable(SolvedWord& word) const noexcept;
@@ -123,6 +136,8 @@ class WordSolver {
   [[nodiscard]] bool jumps_at_stops(const SolvedWord& word) const noexcept;
 
   SharpTurns turns_;
+  /// A step so small misses by no more than its square, times how fast the curvature changes.
+  double small_step_;
 };
 
 }  // namespace vandplan::steering

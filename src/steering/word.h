@@ -41,21 +41,22 @@ constexpr Steps steps_from(std::string_view text) {
   return steps;
 }
 
+inline constexpr Steps all_steps[] = {
+    steps_from("L+S+L+"),      // 8.1
+    steps_from("L+S+R+"),      // 8.2
+    steps_from("L+R-L+"),      // 8.3
+    steps_from("R-L+R+"),      // 8.4
+    steps_from("L-R-L+R+"),    // 8.7
+    steps_from("R-L+R+L-"),    // 8.8
+    steps_from("R-L+S+R+"),    // 8.9
+    steps_from("R-L+S+L+"),    // 8.10
+    steps_from("R-L+S+R+L-"),  // 8.11
+    steps_from("L+R+L+"),      // Dubins
+    steps_from("R-L+R+"),      // 8.4 with a wide inner arc
+};
+
 inline const Steps& steps_of(reeds_shepp_formulas::Formula formula) {
-  static constexpr Steps steps[] = {
-      steps_from("L+S+L+"),      // 8.1
-      steps_from("L+S+R+"),      // 8.2
-      steps_from("L+R-L+"),      // 8.3
-      steps_from("R-L+R+"),      // 8.4
-      steps_from("L-R-L+R+"),    // 8.7
-      steps_from("R-L+R+L-"),    // 8.8
-      steps_from("R-L+S+R+"),    // 8.9
-      steps_from("R-L+S+L+"),    // 8.10
-      steps_from("R-L+S+R+L-"),  // 8.11
-      steps_from("L+R+L+"),      // Dubins
-      steps_from("R-L+R+"),      // 8.4 with a wide inner arc
-  };
-  return steps[static_cast<std::size_t>(formula)];
+  return all_steps[static_cast<std::size_t>(formula)];
 }
 
 /// Which signs of the mean frame change; each change maps paths onto paths.
@@ -74,9 +75,9 @@ struct Symmetry {
     }
     return p;
   }
-  [[nodiscard]] bool swaps_gears() const { return x; }
-  [[nodiscard]] bool swaps_sides() const { return x != half_turn; }
-  [[nodiscard]] bool swaps_ends() const { return (x != y) != half_turn; }
+  [[nodiscard]] constexpr bool swaps_gears() const { return x; }
+  [[nodiscard]] constexpr bool swaps_sides() const { return x != half_turn; }
+  [[nodiscard]] constexpr bool swaps_ends() const { return (x != y) != half_turn; }
 };
 
 /// A word at `radius` [m] as `symmetry` makes it; parts of no length are left out.

@@ -48,7 +48,7 @@ TEST(ContinuousWord, IsTheSameWhereLongerOnesAreOfNoUse) {
     const DrawnWord drawn = drawn_word(rng);
     const auto word = drawn.solve({12});
     if (!word) return;
-    const auto same = drawn.solve({12, word->length * uniform(1, 1.2, rng)});
+    const auto same = drawn.solve({12, 4, word->length * uniform(1, 1.2, rng)});
     ++found;
     lost += same ? 0 : 1;
     if (same) {
@@ -66,7 +66,7 @@ TEST(ContinuousWord, IsSeldomSolvedToItsEndWhereItIsOfNoUse) {
     const auto word = drawn.solve({12});
     if (!word) return;
     ++found;
-    solved += drawn.solve({12, word->length * 0.7}) ? 1 : 0;
+    solved += drawn.solve({12, 4, word->length * 0.7}) ? 1 : 0;
   });
   EXPECT_LE(solved, found / 10);
 }

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Newton's method for the three lengths of a word.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "steering/continuous_word.h"
+
+namespace vandplan::steering {
+namespace {
+
+using reeds_shepp_formulas::Formula;
+using Vector = std::array<double, 3>;
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Where a word of certain lengths misses the goal, and how its end changes with each length: x, y,
+/// heading.
+struct Miss {
+  Vector by{};
+  std::array<Vector, 3> slope{};
+
+  [[nodiscard]] double largest() const {
+    return std::max({std::abs(by[0]), std::abs(by[1]), std::abs(by[2])});
+  }
+};
+
+/// The steps of a word that turn, as they are driven, and its line.
+struct Driven {
+  Turned first, inner, next_inner, last;
+  Turned dip;  ///< instead of a line of less than nothing between turns to the same side
+  double line;
+  bool dips;
+};
+
+/// A word as far as it is driven.
+struct Chain {
+  double x = 0, y = 0, sin, cos, turned = 0;
+};
+
+/// Where a step ends, and how its own end changes with its length.
+struct After {
+  double x, y;
+  Vector slope;
+};
+
+/// The length of each step of a formula: 0 to 2, 3 for a quarter turn.
+constexpr std::size_t length_index(const Steps& steps, std::size_t i) {
+  const std::size_t part = steps.list[i].part;
+  const bool has_line = steps.list[1].part == 2 || steps.list[2].part == 2;
+  return part == 0 ? 0 : part == 3 ? 2 : part == 1 && has_line ? 3 : 1;
+}
+
+inline After turn(Chain& c, const Turned& t, double gear, double side) {
+  const double ahead = gear * t.x, aside = side * t.y;
+  c.x += c.cos * ahead - c.sin * aside;
+  c.y += c.sin * ahead + c.cos * aside;
+  const double sense = gear * side;
+  c.turned += sense * t.angle;
+  const double slope_ahead = gear * t.slope_x, slope_aside = side * t.slope_y;
+  const After after{c.x,
+                    c.y,
+                    {c.cos * slope_ahead - c.sin * slope_aside,
+                     c.sin * slope_ahead + c.cos * slope_aside, sense * t.angle_slope}};
+  const double turn_sin = sense * t.sin;
+  const double next = c.cos * t.cos - c.sin * turn_sin;
+  c.sin = c.sin * t.cos + c.cos * turn_sin;
+  c.cos = next;
+  return after;
+}
+
+inline After line(Chain& c, double length, double gear) {
+  const double x = gear * c.cos, y = gear * c.sin;
+  c.x += length * x;
+  c.y += length * y;
+  return {c.x, c.y, {x, y, 0}};
+}
+
+template <Formula formula, std::size_t i>
+inline After drive(Chain& c, const Driven& d) {
+  constexpr const Steps& steps = all_steps[static_cast<std::size_t>(formula)];
+  constexpr Step step = steps.list[i];
+  if constexpr (step.part == 0) return turn(c, d.first, step.gear, step.turn);
+  if constexpr (step.part == 3) return turn(c, d.last, step.gear, step.turn);
+  if constexpr (step.part == 2) {
+    return d.dips ? turn(c, d.dip, step.gear, steps.list[i - 1].turn) : line(c, d.line, step.gear);
+  }
+  if constexpr (step.part == 1) {
+    return turn(c, i == 1 ? d.inner : d.next_inner, step.gear, step.turn);
+  }
+}
+
+/// All steps of a formula, from where and to where a frame says.
+template <Formula formula, std::size_t... i>
+Miss miss_of_steps(const Driven& d, const WordFrame& frame, double turn,
+                   std::index_sequence<i...> /*all*/) {
+  constexpr const Steps& steps = all_steps[static_cast<std::size_t>(formula)];
+  Chain c{.sin = -frame.s, .cos = frame.c};
+  const std::array<After, sizeof...(i)> all{drive<formula, i>(c, d)...};
+  Miss miss{{frame.x - c.x, frame.y - c.y, turn - c.turned}, {}};
+  const auto add = [&](const After& after, std::size_t of) {
+    if (of == 3) return;
+    const double bend = after.slope[2];  // all that comes after a turn swings with it
+    miss.slope[of][0] += after.slope[0] - bend * (c.y - after.y);
+    miss.slope[of][1] += after.slope[1] + bend * (c.x - after.x);
+    miss.slope[of][2] += bend;
+  };
+  (add(all[i], length_index(steps, i)), ...);
+  return miss;
+}
+
+template <Formula formula>
+Miss miss_of(const Driven& d, const WordFrame& frame, double turn) {
+  constexpr std::size_t count = all_steps[static_cast<std::size_t>(formula)].count;
+  return miss_of_steps<formula>(d, frame, turn, std::make_index_sequence<count>());
+}
+
+using MissOf = Miss (*)(const Driven&, const WordFrame&, double);
+
+constexpr std::array<MissOf, 11> miss_of_formula = {
+    miss_of<Formula::lsl>,   miss_of<Formula::lsr>,       miss_of<Formula::l_r_l>,
+    miss_of<Formula::r_lr>,  miss_of<Formula::lr_lr>,     miss_of<Formula::r_lr_l>,
+    miss_of<Formula::r_lsr>, miss_of<Formula::r_lsl>,     miss_of<Formula::r_lsr_l>,
+    miss_of<Formula::lrl>,   miss_of<Formula::r_lr_wide>,
+};
+
+/// The equations that the lengths of a word solve.
+class Equations {
+ public:
+  /// The heading has to change by `turn`.
+  Equations(const SharpTurns& turns, const SolvedWord& word, const WordFrame& frame, double turn)
+      : turns_(turns),
+        shape_(shape_of(word.formula, word.stops)),
+        frame_(frame),
+        turn_(turn),
+        miss_(miss_of_formula[static_cast<std::size_t>(word.formula)]) {
+    if (shape_.quarters > 0) quarter_ = turns_.turn(word.quarter, shape_.ends[1]);
+    if (shape_.quarters > 1) next_quarter_ = turns_.turn(word.quarter, shape_.ends[3]);
+  }
+
+  [[nodiscard]] const Shape& shape() const { return shape_; }
+
+  /// A miss is small beside it.
+  [[nodiscard]] double size() const { return 1 + std::abs(frame_.x) + std::abs(frame_.y); }
+
+  [[nodiscard]] Miss miss(const Vector& lengths) const {
+    const std::size_t last = shape_.steps.count - 1;
+    const bool has_line = shape_.has_line;
+    const bool dips = shape_.may_dip && lengths[1] < 0;
+    const Driven driven{
+        turns_.turn(lengths[0], shape_.ends[0]),
+        has_line ? quarter_ : turns_.turn(lengths[1], shape_.ends[1]),
+        last < 3 || has_line ? next_quarter_ : turns_.turn(lengths[1], shape_.ends[2]),
+        turns_.turn(lengths[2], shape_.ends[last]),
+        dips ? turns_.turn(lengths[1], Ends::rolling) : Turned{},
+        lengths[1],
+        dips};
+    return miss_(driven, frame_, turn_);
+  }
+
+ private:
+  const SharpTurns& turns_;
+  const Shape& shape_;
+  const WordFrame& frame_;
+  double turn_;
+  MissOf miss_;
+  Turned quarter_, next_quarter_;
+};
+
+/// The change of the lengths by which the miss would vanish if it were linear; nothing if there is
+/// none.
+std::optional<Vector> newton_step(const Miss& miss) {
+  const auto& [a, b, c] = miss.slope;
+  const Vector bc = cross(b, c);
+  const double det = dot(a, bc);
+  if (det == 0) return std::nullopt;
+  const double scale = 1 / det;
+  return Vector{dot(miss.by, bc) * scale, dot(miss.by, cross(c, a)) * scale,
+                dot(miss.by, cross(a, b)) * scale};
+}
+
+/// What of the miss is left by a change of the lengths, if it were linear: no more than rounding,
+/// unless the equations are nearly dependent.
+double left_by(const Miss& miss, const Vector& change) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& [a, b, c] = miss.slope;
+    const double moved = change[0] * a[i] + change[1] * b[i] + change[2] * c[i];
+    most = std::max(most, std::abs(miss.by[i] - moved));
+  }
+  return most;
+}
+
+/// A step of a turn that never reaches full lock: its angle, as the square of its length, is what
+/// changes nearly evenly beside a line.
+double by_angle(double length, double change) {
+  const double square = length * (length + 2 * change);
+  if (length < 0) return square > 0 ? -std::sqrt(square) : std::sqrt(-square);
+  return square > 0 ? std::sqrt(square) : -std::sqrt(-square);
+}
+
+}  // namespace
+
+void WordSolver::leave_out_crumbs(SolvedWord& word, const WordFrame& frame,
+                                  double turn) const noexcept {
+  constexpr double crumb = 1e-6;  // turns so short turn by next to nothing
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (word.lengths[i] == 0 || std::abs(word.lengths[i]) > crumb) continue;
+    SolvedWord rest = word;
+    rest.lengths[i] = 0;
+    if (close_without(i, rest, frame, turn) && is_drivable(rest)) word = rest;
+  }
+}
+
+bool WordSolver::close_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
+                               double turn) const noexcept {
+  constexpr int most_steps = 4;
+  constexpr double exact = 1e-12;  // a crumb beside a little curvature is no more than that
+  const Equations equations(turns_, word, frame, turn);
+  const std::size_t i = (part + 1) % 3;
+  const std::size_t j = (part + 2) % 3;
+  for (int step = 0; step < most_steps; ++step) {
+    const Miss miss = equations.miss(word.lengths);
+    if (miss.largest() <= exact * equations.size()) return true;
+    // Three equations for two lengths: least squares.
+    const Vector& a = miss.slope[i];
+    const Vector& b = miss.slope[j];
+    const Vector normal = cross(a, b);
+    const double square = dot(normal, normal);
+    word.lengths[i] += dot(cross(miss.by, b), normal) / square;
+    word.lengths[j] += dot(cross(a, miss.by), normal) / square;
+    if (!(std::abs(word.lengths[i]) + std::abs(word.lengths[j]) < 1e100)) return false;
+  }
+  return false;
+}
+
+bool WordSolver::is_hopeless(const SolvedWord& word, const Shape& shape, double moved,
+                             const Patience& patience) const noexcept {
+  // Both measured: with less room, words are lost.
+  constexpr double near = 0.3;  // of a turn or its clothoid; the next steps are far smaller
+  constexpr double room = 2;    // steps
+  const double ramp = turns_.ramp();
+  const double inner = shape.has_line ? 0 : std::abs(word.lengths[1]);
+  const double turn = std::max({std::abs(word.lengths[0]), inner, std::abs(word.lengths[2])});
+  if (moved > near * std::min(turn, ramp)) return false;
+  double length = shape.quarters * word.quarter;
+  for (std::size_t i = 0; i < 3; ++i) {
+    length += shape.counts[i] * word.lengths[i];
+    const double least = shape.least[i] * ramp - 1e-6;  // by so much noise is taken away later
+    if (word.lengths[i] + 2 * room * moved < least) return true;
+  }
+  double bonus = 0;
+  const double at_most = 2 * room * moved;
+  if (word.lengths[0] + at_most >= patience.first.least_length) bonus += patience.first.longer;
+  if (word.lengths[2] + at_most >= patience.last.least_length) bonus += patience.last.longer;
+  const bool may_vanish = std::min(word.lengths[0], word.lengths[2]) - at_most < 1e-6;
+  if (may_vanish) bonus = std::max(bonus, patience.if_one_vanishes);
+  return length - room * moved > patience.longest + bonus + 1e-9;
+}
+
+double WordSolver::move(SolvedWord& word, const Shape& shape, const std::array<double, 3>& change,
+                        double part) const noexcept {
+  double moved = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double& length = word.lengths[i];
+    const bool is_small = shape.has_line && i != 1 && std::abs(length) < turns_.ramp() / 2 &&
+                          std::abs(change[i]) > 0.1 * std::abs(length);
+    const double next = is_small ? by_angle(length, part * change[i]) : length + part * change[i];
+    moved = std::max(moved, std::abs(next - std::exchange(length, next)));
+  }
+  return moved;
+}
+
+bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
+                       const Patience& patience) const noexcept {
+  const Equations equations(turns_, word, frame, turn);
+  const Shape& shape = equations.shape();
+  const double rounding = 1e-13 * equations.size();
+  const bool gives_up = patience.longest < std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity();
+  Vector best_lengths{};
+  for (int step = 0; step < patience.most_steps; ++step) {
+    const Miss miss = equations.miss(word.lengths);
+    const double error = miss.largest();
+    if (!(error < 1e100)) return false;
+    if (error < best) {
+      best = error;
+      best_lengths = word.lengths;
+    } else if (best <= rounding) {
+      break;
+    }
+    const auto change = newton_step(miss);
+    if (!change) break;
+    double largest = 0, part = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double size = std::abs((*change)[i]);
+      largest = std::max(largest, size);
+      if (i == 1 && shape.has_line) continue;
+      const double limit = 0.5 * turns_.ramp() + std::abs(word.lengths[i]);
+      if (size * part > limit) part = limit / size;
+    }
+    if (largest <= small_step_) {
+      // No step at all from far away: the lengths cannot lead there.
+      if (error > 1e-6 * equations.size()) return false;
+      if (left_by(miss, *change) <= rounding) {
+        for (std::size_t i = 0; i < 3; ++i) word.lengths[i] += (*change)[i];
+        return !gives_up || !is_hopeless(word, shape, largest, patience);
+      }
+    }
+    const double moved = move(word, shape, *change, part);
+    if (gives_up &&
+        (part < 1 ? step >= patience.most_limited : is_hopeless(word, shape, moved, patience))) {
+      return false;
+    }
+  }
+  word.lengths = best_lengths;
+  return best <= rounding;
+}
+
+}  // namespace vandplan::steering
