@@ -109,12 +109,15 @@ struct Combinations {
   };
   std::array<Around, 4> around;
   std::size_t count = 0;
+  Looked looked;  ///< for a word of them
 };
 
 /// `direct`: from pose to pose as if the wheels were straight there.
 Combinations combinations_of(const WordSolver& solver, const EndsTask& task, const Stops& stops,
                              const WordTask& direct) {
   Combinations all;
+  const bool is_near = direct.sharp.arcs.length < solver.turns().ramp();
+  all.looked = is_near ? Looked::many : Looked::likely;
   if (task.start_curvature == 0 && task.goal_curvature == 0) {
     all.tasks[0] = direct;
     all.tasks[0].stops = stops;
@@ -204,8 +207,8 @@ Answer quick_answer(const WordSolver& solver, const Combinations& all, double cu
     const double wound = all.tasks[i].windings.length();
     if (is_nothing(all.tasks[i].frame) && wound < answer.length) answer = {wound, i, std::nullopt};
   }
-  const auto least =
-      least_word(solver, {all.tasks.data(), all.count}, std::min(answer.length, cutoff));
+  const auto least = least_word(solver, {all.tasks.data(), all.count},
+                                std::min(answer.length, cutoff), all.looked);
   if (least) answer = {least->length, least->task, least->found};
   return answer;
 }

@@ -59,9 +59,14 @@ struct LeastWord {
   double length = 0.0;  ///< of both windings and the word, less what it saves
 };
 
+/// Which words are looked at for the least one: those that are likely to be it, or many more where
+/// poses are so near to each other that the word of Reeds and Shepp tells little.
+enum class Looked { likely, many };
+
 /// The least of all words for at most four tasks of the same stops, if one is below `cutoff`.
 [[nodiscard]] std::optional<LeastWord> least_word(const WordSolver& solver,
-                                                  std::span<const WordTask> tasks, double cutoff);
+                                                  std::span<const WordTask> tasks, double cutoff,
+                                                  Looked looked);
 
 /// What driving a word costs, in turning radii.
 struct GearPrices {

@@ -98,13 +98,13 @@ struct Open {
 /// The quick search for the least word.
 class Search {
  public:
-  Search(const WordSolver& solver, std::span<const WordTask> tasks, double cutoff)
+  Search(const WordSolver& solver, std::span<const WordTask> tasks, double cutoff, Looked looked)
       : solver_(solver),
         tasks_(tasks),
         stops_(tasks[0].stops),
         list_(list_with(stops_)),
         ramp_(solver.turns().ramp()),
-        is_quick_(ramp_ <= shortlists::longest_ramp),
+        is_quick_(looked == Looked::likely && ramp_ <= shortlists::longest_ramp),
         joints_{Joints(solver.turns(), stops_), Joints(solver.turns(), stops_.swapped())},
         high_(std::min(1.0, 0.4 + 1.6 * ramp_)),
         best_(cutoff) {}
@@ -378,7 +378,7 @@ class Search {
   Stops stops_;
   const List& list_;
   double ramp_;
-  bool is_quick_;                 ///< so much that the lists were measured for it
+  bool is_quick_;                 ///< looks at what the lists say, which were measured for it
   std::array<Joints, 2> joints_;  ///< for words from the start, and from the goal
   double high_;
   double best_;
@@ -390,8 +390,8 @@ class Search {
 }  // namespace
 
 std::optional<LeastWord> least_word(const WordSolver& solver, std::span<const WordTask> tasks,
-                                    double cutoff) {
-  return Search(solver, tasks, cutoff).run();
+                                    double cutoff, Looked looked) {
+  return Search(solver, tasks, cutoff, looked).run();
 }
 
 }  // namespace vandplan::steering
