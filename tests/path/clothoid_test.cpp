@@ -126,6 +126,15 @@ TEST(ClothoidLaw, TheWayBackLeadsBack) {
   });
 }
 
+// The last metres, where the wheels get straight, come after a thousand radians.
+TEST(Clothoid, ASpiralOfHundredsOfTurnsUnwinds) {
+  const Pose centre = advance({}, {0.0, 200.0, 0.05});
+  const Pose back = advance(centre, {10.0, -200.0, -0.05});
+  EXPECT_NEAR(back.x, 0, 1e-9);
+  EXPECT_NEAR(back.y, 0, 1e-9);
+  EXPECT_NEAR(back.heading, 0, 1e-9);
+}
+
 TEST(ClothoidLaw, PrefixAndSuffixAreTheWhole) {
   for_each_case(5, 10000, [&](Rng& rng) {
     Piece piece;
