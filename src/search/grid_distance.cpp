@@ -21,12 +21,6 @@ constexpr std::int64_t looks_of_step = 250'000;  // at cells beside sides
 constexpr double slack = 1e-3;  // of a cell: rounding where a side that is nearly level is crossed
 constexpr double detour = 1.1;  // settled are cells on ways this much longer than the shortest
 
-/// Where the side from `a` to `b` crosses a height; beyond an end, that end.
-double place_at(const Point& a, const Point& b, double height) {
-  if (a.y == b.y) return height < a.y ? a.x : b.x;
-  return a.x + std::clamp((height - a.y) / (b.y - a.y), 0.0, 1.0) * (b.x - a.x);
-}
-
 }  // namespace
 
 double GridDistance::side_of_cells(const Task& task, const Bounds& box, double side) {

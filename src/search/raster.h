@@ -42,4 +42,10 @@ inline constexpr std::int32_t diagonal_cost = 7;
   return dx * dx + dy * dy;
 }
 
+/// Where the side from `a` to `b` crosses a height; beyond an end, that end.
+[[nodiscard]] inline double place_at(const Point& a, const Point& b, double height) noexcept {
+  if (a.y == b.y) return height < a.y ? a.x : b.x;
+  return a.x + std::clamp((height - a.y) / (b.y - a.y), 0.0, 1.0) * (b.x - a.x);
+}
+
 }  // namespace vandplan::search

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/room.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vandplan::search {
+namespace {
+
+constexpr double cells_of_width = 4.0;  // of the vehicle
+constexpr double most_cells = 160'000.0;
+// From disc to disc, in their radii: halfway between two the body is as much wider than they are as
+// it is narrower beside their middles.
+constexpr double spacing = 1.4;
+constexpr std::int64_t looks_of_step = 2000;  // at cells beside sides
+
+}  // namespace
+
+Room::Room(const Task& task, const Bounds& box, double most)
+    : ground_(&task.world->local()),
+      map_(ground_->map ? task.checker.get() : nullptr),
+      box_(box),
+      margin_(task.least_margin),
+      is_trusted_(ground_->kerbs.empty() && task.vehicle.outline.empty()) {
+  const Footprint body = footprint(task.vehicle);
+  const double reach = std::hypot((body.front + body.rear) / 2, body.half_width);
+  middle_ = static_cast<float>((body.front - body.rear) / 2);
+  reach_ = static_cast<float>(reach + margin_);
+  const double width = box.x_max - box.x_min;
+  const double height = box.y_max - box.y_min;
+  side_ = std::max({task.vehicle.width / cells_of_width, std::sqrt(width * height / most_cells),
+                    std::max(width, height) / most_cells});
+  per_side_ = static_cast<float>(1 / side_);
+  most_ = static_cast<float>(most + side_);
+  furthest_ = most + side_ + margin_ + reach;
+  columns_ = static_cast<std::int32_t>(width / side_) + 2;
+  rows_ = static_cast<std::int32_t>(height / side_) + 2;
+  distances_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
+                    static_cast<float>(furthest_));
+  for (const Point& corner : body_outline(task.vehicle)) {
+    discs_.push_back(
+        {static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(margin_)});
+  }
+  if (!task.vehicle.outline.empty()) {
+    discs_.push_back({0.0F, 0.0F, static_cast<float>(inner_radius(task.vehicle) + margin_)});
+    return;
+  }
+  const double length = body.rear + body.front;
+  const double inner = std::min(body.half_width, length / 2);
+  const double most_apart = spacing * inner;
+  const int gaps = std::max(1, static_cast<int>(std::ceil((length - 2 * inner) / most_apart)));
+  const double apart = (length - 2 * inner) / gaps;
+  const double radius = (inner + std::hypot(inner, apart / 2)) / 2;
+  for (int i = 0; i <= gaps; ++i) {
+    discs_.push_back({static_cast<float>(inner - body.rear + i * apart), 0.0F,
+                      static_cast<float>(radius + margin_)});
+  }
+}
+
+std::int32_t Room::column_of(double x) const noexcept {
+  return static_cast<std::int32_t>(std::clamp((x - box_.x_min) / side_, 0.0, columns_ - 1.0));
+}
+
+std::int32_t Room::row_of(double y) const noexcept {
+  return static_cast<std::int32_t>(std::clamp((y - box_.y_min) / side_, 0.0, rows_ - 1.0));
+}
+
+/// Notes how far the side is. Returns at how many cells it looked.
+std::int64_t Room::mark(const Point& a, const Point& b) {
+  std::int64_t looks = 1;
+  const std::int32_t last_row = row_of(std::max(a.y, b.y) + furthest_);
+  for (std::int32_t row = row_of(std::min(a.y, b.y) - furthest_); row <= last_row; ++row) {
+    const double y = box_.y_min + (row + 0.5) * side_;
+    const double one = place_at(a, b, y - furthest_);
+    const double other = place_at(a, b, y + furthest_);
+    const std::int32_t last = column_of(std::max(one, other) + furthest_);
+    for (std::int32_t column = column_of(std::min(one, other) - furthest_); column <= last;
+         ++column) {
+      const Point centre{box_.x_min + (column + 0.5) * side_, y};
+      float& distance = distances_[static_cast<std::size_t>(row * columns_ + column)];
+      distance = std::min(distance, static_cast<float>(std::sqrt(squared_distance(centre, a, b))));
+      ++looks;
+    }
+  }
+  return looks;
+}
+
+void Room::mark_map_row() {
+  const double y = box_.y_min + (map_row_ + 0.5) * side_;
+  for (std::int32_t column = 0; column < columns_; ++column) {
+    const auto range = map_->map_distance({box_.x_min + (column + 0.5) * side_, y});
+    float& distance = distances_[static_cast<std::size_t>(map_row_ * columns_ + column)];
+    distance = std::min(distance, static_cast<float>(range.most));
+  }
+  ++map_row_;
+}
+
+bool Room::step() {
+  const std::vector<Polygon>& obstacles = ground_->obstacles;
+  for (std::int64_t looks = 0; looks < looks_of_step && polygon_ < obstacles.size();) {
+    const Polygon& polygon = obstacles[polygon_];
+    looks += mark(corner_ == 0 ? polygon.back() : polygon[corner_ - 1], polygon[corner_]);
+    if (++corner_ < polygon.size()) continue;
+    corner_ = 0;
+    ++polygon_;
+  }
+  if (polygon_ < obstacles.size()) return true;
+  if (map_ == nullptr || map_row_ == rows_) return false;
+  mark_map_row();
+  return true;
+}
+
+float Room::distance(float x, float y) const noexcept {
+  const float column = (x - static_cast<float>(box_.x_min)) * per_side_ - 0.5F;
+  const float row = (y - static_cast<float>(box_.y_min)) * per_side_ - 0.5F;
+  const bool is_inside = column >= 0.0F && row >= 0.0F &&
+                         column < static_cast<float>(columns_ - 1) &&
+                         row < static_cast<float>(rows_ - 1);
+  if (!is_inside) return static_cast<float>(furthest_);
+  const auto i = static_cast<std::int32_t>(column);
+  const auto j = static_cast<std::int32_t>(row);
+  const float right = column - static_cast<float>(i);
+  const float up = row - static_cast<float>(j);
+  const float* at = distances_.data() + j * columns_ + i;
+  const float below = at[0] + right * (at[1] - at[0]);
+  const float above = at[columns_] + right * (at[columns_ + 1] - at[columns_]);
+  return below + up * (above - below);
+}
+
+float Room::clearance(float x, float y, float cos, float sin) const noexcept {
+  float least = most_;
+  const float around = distance(x + cos * middle_, y + sin * middle_);
+  if (around - reach_ >= least) return least;
+  for (const Disc& disc : discs_) {
+    const float d =
+        distance(x + cos * disc.ahead - sin * disc.aside, y + sin * disc.ahead + cos * disc.aside);
+    least = std::min(least, d - disc.radius);
+  }
+  return least;
+}
+
+}  // namespace vandplan::search
