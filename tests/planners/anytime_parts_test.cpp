@@ -12,6 +12,7 @@
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
 #include "planners/anytime/shorten.h"
+#include "planners/anytime/survey.h"
 #include "planners/anytime/trees.h"
 #include "search/grid_distance.h"
 #include "vandplan/path_check.h"
@@ -24,6 +25,7 @@ using anytime::Detours;
 using anytime::Lattice;
 using anytime::Rotation;
 using anytime::Shortener;
+using anytime::Survey;
 using anytime::TwoTrees;
 using search::Connector;
 using search::CostRule;
@@ -187,6 +189,89 @@ TEST(Detours, CutsThatOnlyRoundingTellsApartHaveNothingBetweenThem) {
     }
   }
   EXPECT_GT(found, 0);
+}
+
+/// The routes of so many looks around, while ways that cost little more than `cutoff` count.
+std::vector<Route> survey(const Problem& problem, const CostRule& rule, double cutoff,
+                          int steps = 4000) {
+  Survey survey(problem.task(), rule);
+  survey.set_cutoff(cutoff);
+  std::vector<Route> routes;
+  for (int i = 0; i < steps; ++i) {
+    if (survey.step()) routes.push_back(survey.route());
+  }
+  return routes;
+}
+
+TEST(Survey, EveryRouteIsValid) {
+  int found = 0;
+  for_each_case(11, 40, [&](Rng& rng) {
+    const Problem problem = random_problem(rng);
+    const CostRule& rule = rules[1];
+    const std::vector<Route> routes = survey(problem, rule, 300.0);
+    for (const Route& route : routes) {
+      expect_valid(problem, rule, route);
+      Pose pose = route.start;
+      for (const search::Leg& leg : route.legs) {
+        pose = search::end_of(pose, leg.piece);
+        EXPECT_NEAR(std::hypot(pose.x - leg.end.x, pose.y - leg.end.y), 0.0, 1e-9);
+        pose = leg.end;
+      }
+      EXPECT_EQ(pose, problem.goal());
+    }
+    found += routes.empty() ? 0 : 1;
+  });
+  EXPECT_GT(found, 0.8 * cases(40));
+}
+
+TEST(Survey, FindsTheWaysOnBothSidesOfAnObstacle) {
+  const Problem problem = problem_of({-30, 0, 0}, {30, 0, 0}, {box(-5, -12, 5, 12)});
+  bool left = false, right = false;
+  for (const Route& route : survey(problem, rules[1], 100.0)) {
+    const Path path = path_of(route);
+    for (double s = 0.0; s < length(path); s += 0.5) {
+      const Pose pose = pose_at(path, s);
+      if (std::abs(pose.x) > 5) continue;
+      (pose.y > 0 ? left : right) = true;
+    }
+  }
+  EXPECT_TRUE(left);
+  EXPECT_TRUE(right);
+}
+
+TEST(Survey, FindsThatTurningAroundPays) {
+  const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});
+  double cheapest = 200.0;  // in reverse all the way
+  for (const Route& route : survey(problem, rules[1], 200.0)) {
+    cheapest = std::min(cheapest, route.cost);
+  }
+  EXPECT_LT(cheapest, 165.0);
+}
+
+TEST(Survey, LooksForNothingThatCostsMuchMore) {
+  const Problem problem = problem_of({-30, 0, 0}, {30, 0, 0}, {box(-5, -12, 5, 12)});
+  EXPECT_TRUE(survey(problem, rules[1], 45.0).empty());
+  for (const Route& route : survey(problem, rules[1], 70.0)) EXPECT_LT(route.cost, 1.5 * 70.0);
+}
+
+// Kerbs are left to the exact checks.
+TEST(Survey, KeepsTheWheelsOffKerbs) {
+  const Problem problem =
+      problem_in({.bounds = wide_bounds, .kerbs = {box(-1, -40, 1, 40)}}, {-30, 0, 0}, {30, 0, 0});
+  const std::vector<Route> routes = survey(problem, rules[1], 150.0);
+  EXPECT_FALSE(routes.empty());
+  for (const Route& route : routes) expect_valid(problem, rules[1], route);
+}
+
+// A scene that is large for a nimble vehicle: cells get larger and not too many.
+TEST(Survey, ALargeSceneTakesNoMoreMemory) {
+  Vehicle nimble;
+  nimble.min_turning_radius = 0.5;
+  const Problem problem =
+      problem_of({-90, 0, 0}, {90, 0, 0}, {box(-5, -92, 5, 92)}, wide_bounds, nimble);
+  for (const Route& route : survey(problem, rules[1], 500.0)) {
+    expect_valid(problem, rules[1], route);
+  }
 }
 
 TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {

@@ -13,6 +13,7 @@
 #include "planners/anytime/fastest.h"
 #include "planners/anytime/island.h"
 #include "planners/anytime/open_ground.h"
+#include "planners/anytime/shares.h"
 #include "planners/anytime/strokes.h"
 #include "planners/anytime/tidy.h"
 #include "planners/drive_time.h"
@@ -25,11 +26,12 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::size_t island_count = 13;
-constexpr std::size_t first_relaxed = 7;         // island: from here on of the relaxed task,
-constexpr std::size_t adapt_island = 12;         // but the last one
-constexpr std::int64_t first_relaxed_round = 4;  // of a planner that has a route
+constexpr std::int64_t first_relaxed_round = 2;  // with a route
 constexpr std::int64_t first_adapt_round = 16;   // between stops; bending brings more before
+constexpr std::int64_t first_survey = 3000;      // iteration; before, it would be in the way
+constexpr std::int64_t first_raise =
+    24;  // of the bound with headings, in rounds: boxes take long to make
+constexpr std::uint64_t fastest_stream = 7;  // of random numbers
 constexpr int tidy_trials = 1000;
 constexpr int repairs_of_known = 12;              // of a known path that something is in the way of
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
@@ -39,69 +41,6 @@ constexpr std::int64_t far_detours = 4096;  // iterations of one round
 constexpr int early_looks = 64;             // for walls: most are found by then
 constexpr int looks_of_round = 32;          // as long as there were no more than these,
 constexpr int late_looks_of_round = 3;      // and from then on
-
-// An island, and its iterations in one round: none before its first one, so that what is cheap is
-// tried first; then until there is a route, and from then on.
-struct Plan {
-  Work work;
-  std::int64_t first_round;
-  std::int64_t before;
-  std::int64_t after;
-  std::int64_t after_with_prices;  // looking for other kinds of path is worth more then
-  std::int64_t after_with_bending;
-  std::int64_t beside_relaxed;  // islands
-};
-
-constexpr std::array<Plan, island_count> plans = {
-    {{Work::search_from_goal, 1, 64, 64, 160, 40, 24},
-     {Work::search_from_start, 2, 64, 64, 160, 40, 24},
-     {Work::random_trees, 0, 16, 32, 32, 8, 4},
-     {Work::refine, 0, 0, 256, 96, 16, 12},
-     {Work::bound, 0, 0, 2, 2, 1, 1},
-     {Work::detours, 0, 0, 0, 96, 24, 16},
-     {Work::bend, 0, 0, 24, 0, 48, 48},
-     {Work::search_from_goal, 0, 0, 0, 0, 0, 40},
-     {Work::search_from_start, 0, 0, 0, 0, 0, 40},
-     {Work::random_trees, 0, 0, 0, 0, 0, 8},
-     {Work::refine, 0, 0, 0, 0, 0, 16},
-     {Work::detours, 0, 0, 0, 0, 0, 24},
-     {Work::adapt, 0, 0, 0, 0, 0, 16}}};
-
-// Over a whole site: the first five of these islands, and sometimes detours. A second way, which is
-// nearly the shortest, comes first.
-constexpr std::array<Plan, island_count> far_plans = {
-    {{Work::search_from_goal, 1, 64, 256, 256, 0, 0},
-     {Work::search_from_start, 64, 64, 16, 16, 0, 0},
-     {Work::random_trees, 0, 16, 0, 0, 0, 0},
-     {Work::refine, 0, 0, 256, 256, 0, 0},
-     {Work::bound, 0, 0, 4, 1, 0, 0}}};
-
-// Where a gap is to be proven, or a route was known: of the islands in the order of `plans`, after
-// how many rounds with a route they join, and their share. Rounds are short, and what mostly proves
-// the gap, and betters the route, comes first.
-struct GapPlan {
-  std::int64_t first_round;
-  std::int64_t share;
-};
-
-constexpr std::array<GapPlan, island_count> gap_plans = {
-    {{1, 48}, {6, 48}, {6, 16}, {0, 48}, {0, 1}, {6, 48}, {0, 24}}};
-constexpr std::int64_t first_raise = 24;  // as `first_round`: boxes take long to make
-constexpr std::size_t bound_island = 4;   // works before each round then
-constexpr std::size_t bend_island = 6;
-static_assert(plans[bound_island].work == Work::bound && plans[bend_island].work == Work::bend &&
-              plans[adapt_island].work == Work::adapt);
-
-constexpr bool is_relaxed(std::size_t island) {
-  return island >= first_relaxed && island != adapt_island;
-}
-
-// Rounds grow with time, so that islands on several threads seldom wait for each other.
-std::int64_t growth(std::int64_t round) { return std::min<std::int64_t>(1 + round / 8, 16); }
-// A trial of bending takes longer, and the first ones bring most.
-std::int64_t growth_with_bending(std::int64_t round) {
-  return std::min<std::int64_t>(1 + round / 2, 64);
-}
 
 constexpr double a_good_deal = 0.999;                   // of the cost
 constexpr std::int64_t unsettled = 4000;                // iterations
@@ -142,7 +81,11 @@ class Run {
   void merge(Slice& slice);
   void relax();
   void merge_relaxed(Slice& slice);
+  [[nodiscard]] bool is_relaxed(std::size_t island) const;
+  [[nodiscard]] bool has_relaxed() const { return islands_.size() > first_later; }
   [[nodiscard]] const Route* route_for(std::size_t island) const;
+  /// Without looking for other kinds of path.
+  [[nodiscard]] bool knows_enough() const { return target_gap_ || is_warm_ || rule_.is_length(); }
   [[nodiscard]] bool has_work(std::size_t island) const;
   [[nodiscard]] std::int64_t share_of(std::size_t island) const;
   [[nodiscard]] std::int64_t far_share(Work work, std::int64_t share) const;
@@ -159,13 +102,13 @@ class Run {
 
   const Task& task_;
   CostRule rule_;
-  CostRule prices_;              // of the path, where not only the time counts
-  bool is_time_;                 // does
-  double time_price_;            // of a second, beside the prices [m]
-  bool is_far_;                  // over a whole site
-  bool bends_;                   // routes: the shortest of arcs and lines has no use for it
-  std::optional<Task> relaxed_;  // the task of wheels that turn at once, once it helps
-  Bounds region_;                // of samples
+  CostRule prices_;    // of the path, where not only the time counts
+  bool is_time_;       // does
+  double time_price_;  // of a second, beside the prices [m]
+  bool is_far_;        // over a whole site
+  bool bends_;         // routes: the shortest of arcs and lines has no use for it
+  Task relaxed_;       // of wheels that turn at once
+  Bounds region_;      // of samples
   std::uint64_t seed_;
   int threads_;
   std::optional<double> target_gap_;
@@ -196,6 +139,7 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
       is_far_(search::FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
       bends_((!rule_.is_length() || task.steering != Steering::reeds_shepp) && !is_time_ &&
              time_price == 0.0 && !is_far_),
+      relaxed_(task),
       region_(sampling_region(task, planning::region_of(options))),
       seed_(options.budget.seed),
       threads_(options.budget.threads),
@@ -203,9 +147,10 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
       budget_(options.budget),
       open_ground_(open_ground(task, rule_)) {
   const bool is_whole = is_time_ || time_price > 0.0;
-  for (std::size_t i = 0; i < first_relaxed; ++i) {
-    islands_.emplace_back(plans[i].work, task, rule_, region_, stream_seed(seed_, i),
-                          is_whole || bends_);
+  relaxed_.steering = Steering::reeds_shepp;
+  for (std::size_t i = 0; i < first_later; ++i) {
+    islands_.emplace_back(plans[i].work, is_relaxed(i) ? relaxed_ : task, rule_, region_,
+                          stream_seed(seed_, i), is_whole || bends_);
   }
   if (is_whole) {
     const auto of_route = [this](const Route& route) {
@@ -215,7 +160,7 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
     };
     Bender::Measure of_drive;  // where the time is all that counts
     if (is_time_) of_drive = [this](std::span<const Segment> s) { return cost_of_drive(s, 0.0); };
-    fastest_.emplace(task, rule_, stream_seed(seed_, first_relaxed), of_route, of_drive);
+    fastest_.emplace(task, rule_, stream_seed(seed_, fastest_stream), of_route, of_drive);
   }
 }
 
@@ -346,14 +291,15 @@ std::int64_t Run::share_of(std::size_t island) const {
   const Plan& plan = is_far_ ? far_plans[island] : plans[island];
   if (!best_) return rounds_ < plan.first_round ? 0 : plan.before;
   const std::int64_t after = rule_.is_length() ? plan.after
-                             : relaxed_        ? plan.beside_relaxed
-                             : bends_          ? plan.after_with_bending
-                                               : plan.after_with_prices;
+                             : !bends_         ? plan.after_with_prices
+                             : has_relaxed()   ? plan.beside_relaxed
+                                               : plan.after_with_bending;
   if (is_far_) return far_share(plans[island].work, after * growth(rounds_));
   if (after == 0) return 0;
   if (!(target_gap_ || is_warm_)) {
-    const bool has_short_rounds = bends_ && !rule_.is_length();
-    return after * (has_short_rounds ? growth_with_bending(rounds_) : growth(rounds_));
+    if (!bends_ || rule_.is_length()) return after * growth(rounds_);
+    const bool is_first_look = island == survey_island && islands_[island].is_first_look();
+    return share_with_bending(is_first_look ? first_look : after, rounds_with_route_);
   }
   const GapPlan& gap_plan = gap_plans[island];
   return rounds_with_route_ < gap_plan.first_round ? 0 : gap_plan.share * growth(rounds_);
@@ -383,14 +329,19 @@ void Run::merge(Slice& slice) {
   }
 }
 
-// [6e] Islands that plan as if the wheels turned at once.
+// [6f] Islands that plan as if the wheels turned at once.
 void Run::relax() {
-  relaxed_ = task_;
-  relaxed_->steering = Steering::reeds_shepp;
-  for (std::size_t i = first_relaxed; i < island_count; ++i) {
-    islands_.emplace_back(plans[i].work, is_relaxed(i) ? *relaxed_ : task_, rule_, region_,
+  for (std::size_t i = first_later; i < island_count; ++i) {
+    islands_.emplace_back(plans[i].work, is_relaxed(i) ? relaxed_ : task_, rule_, region_,
                           stream_seed(seed_, i), true);
   }
+}
+
+// Whether an island plans so. The survey knows no other way.
+bool Run::is_relaxed(std::size_t island) const {
+  const bool is_continuous = task_.steering != Steering::reeds_shepp;
+  return is_continuous &&
+         (island == survey_island || (island >= first_later && island != adapt_island));
 }
 
 // Relaxed routes go to those who look for drives along them.
@@ -402,14 +353,15 @@ void Run::merge_relaxed(Slice& slice) {
     found.push_back(*relaxed_best_);
   }
   for (const Route& route : found) {
-    islands_[adapt_island].offer(route);
+    if (has_relaxed()) islands_[adapt_island].offer(route);
     islands_[bend_island].offer(route);
   }
 }
 
-// The best one of its task; null if there is none.
+// The best one of its task; null if there is none. The survey begins with what there is.
 const Route* Run::route_for(std::size_t island) const {
-  const std::optional<Route>& best = is_relaxed(island) ? relaxed_best_ : best_;
+  const bool knows_relaxed = is_relaxed(island) && (relaxed_best_ || island != survey_island);
+  const std::optional<Route>& best = knows_relaxed ? relaxed_best_ : best_;
   return best ? &*best : nullptr;
 }
 
@@ -419,6 +371,9 @@ bool Run::has_work(std::size_t island) const {
   if (work == Work::bound && target_gap_) return false;  // it has worked
   const bool may_jump = task_.steering == Steering::continuous_between_stops;
   if (work == Work::adapt && may_jump && rounds_ < first_adapt_round) return false;
+  if (work == Work::survey) {
+    return bends_ && !knows_enough() && best_ && budget_.iterations() >= first_survey;
+  }
   if (work == Work::refine) return route_for(island) != nullptr;
   if (work == Work::detours && route_for(island) == nullptr) return false;
   return islands_[island].has_work();
@@ -430,9 +385,8 @@ void Run::round() {
   if (target_gap_) prove();
   if (is_good_enough()) return;
   const bool is_continuous = task_.steering != Steering::reeds_shepp;
-  const bool knows_enough = target_gap_ || is_warm_ || rule_.is_length();
-  if (bends_ && is_continuous && !knows_enough && !relaxed_ && best_ &&
-      rounds_ >= first_relaxed_round) {
+  if (bends_ && is_continuous && !knows_enough() && !has_relaxed() &&
+      rounds_with_route_ >= first_relaxed_round) {
     relax();
   }
   std::array<std::int64_t, island_count> wanted{};

@@ -51,6 +51,9 @@ void Island::prepare() {
     case Work::detours:  // [6b]
       detours_.emplace(task_, rule, stream_seed(seed_, 0), scope_);
       break;
+    case Work::survey:  // [6c]
+      survey_.emplace(task_, rule);
+      break;
     case Work::bend:  // [6d]
       bender_.emplace(task_, rule, stream_seed(seed_, 0));
       break;
@@ -67,13 +70,14 @@ void Island::prepare() {
 std::int64_t Island::solves() const {
   return connector_.solves() + (ladder_ ? ladder_->solves() : 0) +
          (attempts_ ? attempts_->connector().solves() : 0) + (detours_ ? detours_->solves() : 0) +
-         (adapter_ ? adapter_->solves() : 0);
+         (survey_ ? survey_->solves() : 0) + (adapter_ ? adapter_->solves() : 0);
 }
 
 std::int64_t Island::checks() const {
   return connector_.checks() + (ladder_ ? ladder_->checks() : 0) +
          (attempts_ ? attempts_->connector().checks() : 0) + (detours_ ? detours_->checks() : 0) +
-         (bender_ ? bender_->checks() : 0) + (adapter_ ? adapter_->checks() : 0);
+         (survey_ ? survey_->checks() : 0) + (bender_ ? bender_->checks() : 0) +
+         (adapter_ ? adapter_->checks() : 0);
 }
 
 std::size_t Island::nodes() const {
@@ -85,7 +89,7 @@ std::size_t Island::nodes() const {
 
 bool Island::has_work() const {
   return !is_prepared_ || candidate_ || (bender_ && bender_->has_work()) ||
-         (adapter_ && adapter_->has_work()) || attempts_ || detours_ ||
+         (adapter_ && adapter_->has_work()) || attempts_ || detours_ || survey_ ||
          (geodesic_ && !bound_is_final_) || (ladder_ && !ladder_->is_finished());
 }
 
@@ -119,6 +123,9 @@ std::optional<Route> Island::search() {
     bound_is_final_ = !geodesic_->step();
   } else if (adapter_) {
     if (adapter_->step()) return adapter_->route();
+  } else if (survey_) {
+    survey_->set_cutoff(best_cost_);
+    if (survey_->step()) return survey_->route();
   } else if (detours_) {
     if (detours_->step()) return detours_->route();
   } else if (ladder_) {

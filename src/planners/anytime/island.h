@@ -12,6 +12,7 @@
 #include "planners/anytime/detours.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/sources.h"
+#include "planners/anytime/survey.h"
 #include "search/geodesic.h"
 #include "search/pose_flood.h"
 
@@ -26,6 +27,7 @@ enum class Work {
   bound,    ///< prove how short no path can be
   detours,  ///< look for other ways between two places of the best route
   bend,     ///< make routes cheaper by turning the wheels less
+  survey,   ///< look everywhere for other kinds of way
   adapt,    ///< drive routes of wheels that turn at once
 };
 
@@ -76,6 +78,9 @@ class Island {
   /// Whether that may bring anything.
   [[nodiscard]] bool may_raise() const { return flood_ && !flood_is_final_; }
 
+  /// Of a survey: whether its first look around is not over.
+  [[nodiscard]] bool is_first_look() const { return !survey_ || survey_->is_first_look(); }
+
   [[nodiscard]] std::int64_t solves() const;
   [[nodiscard]] std::int64_t checks() const;
   /// Nodes of the search that is under way.
@@ -101,6 +106,7 @@ class Island {
   std::optional<Ladder> ladder_;
   std::optional<Attempts> attempts_;
   std::optional<Detours> detours_;
+  std::optional<Survey> survey_;
   std::optional<Bender> bender_;
   std::optional<Adapter> adapter_;
   std::optional<Geodesic> geodesic_;

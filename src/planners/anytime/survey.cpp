@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/survey.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace vandplan::anytime {
+namespace {
+
+// Coarse cells miss ways that fine ones find, and the other way round: which poses they keep is a
+// matter of luck. So no look is like the one before it.
+constexpr std::array<FieldOptions, 4> looks = {{{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
+constexpr double shift = 0.618;               // of the cells, each time around [cells]
+constexpr double excess = 1.1;                // of ways that are led through, over the cheapest one
+constexpr double worth_a_look = 1.2;          // of any, over the best route: they are crooked
+constexpr int most_routes = 6;                // of one look
+constexpr std::int64_t most_poses = 200'000;  // of one field
+constexpr double most_cells = 1e6;            // of places and headings
+constexpr int poses_of_step = 32;
+constexpr double guide_side = 0.5;    // of a cell of the grid [vehicle widths]
+constexpr double border = 2.0;        // around the scene [turning radii]
+constexpr double room_of_step = 0.2;  // that the longest step asks for [turning radii]
+constexpr std::int64_t bin_headings = 8;
+// A word joins two branches; in place of how many steps of the one, and half as many of the other.
+constexpr std::array<std::size_t, 7> steps_replaced = {1, 2, 3, 4, 6, 8, 12};
+constexpr double joint_slack = 1.3;  // what it may cost, over those steps,
+constexpr double least_joint = 0.5;  // and beside that [turning radii]
+constexpr std::size_t segments_of_leg = 5;
+
+Bounds box_around(const Task& task) {
+  const Bounds scene = sampling_region(task, Region::scene);
+  const Bounds& bounds = task.world->local().bounds;
+  const double more = border * task.vehicle.min_turning_radius;
+  return {std::max(scene.x_min - more, bounds.x_min), std::min(scene.x_max + more, bounds.x_max),
+          std::max(scene.y_min - more, bounds.y_min), std::min(scene.y_max + more, bounds.y_max)};
+}
+
+Driven driven_of(const Connector& connector, const DriveField::Node& node) {
+  return {node.gear, node.side / connector.radius()};
+}
+
+}  // namespace
+
+Survey::Survey(const Task& task, const CostRule& rule)
+    : task_(task), forth_(task, rule), back_(task, reversed(rule, 0)), box_(box_around(task)) {}
+
+// True when that is done.
+bool Survey::prepare() {
+  if (!guide_) {
+    const CostRule& rule = forth_.rule();
+    guide_ = std::make_unique<GridDistance>(
+        task_, sampling_region(task_, Region::scene), guide_side, task_.start, task_.goal,
+        ClearancePrice{rule.clearance_weight, rule.clearance_distance});
+    room_ = std::make_unique<Room>(
+        task_, box_, std::max(rule.clearance_distance, room_of_step * forth_.radius()));
+    return false;
+  }
+  return !guide_->step() && !room_->step();
+}
+
+void Survey::look_back() {
+  most_ = worth_a_look * cutoff_;
+  options_ = looks[looks_ % looks.size()];
+  const double area = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min);
+  const double least_cell = std::sqrt(area * options_.headings / most_cells) / forth_.radius();
+  options_.cell = std::max(options_.cell, least_cell);
+  const double shifts = shift * static_cast<double>(looks_ / looks.size());
+  const double offset = std::fmod(shifts, 1.0) * options_.cell * forth_.radius();
+  cells_ = {box_.x_min - offset, box_.x_max, box_.y_min - offset, box_.y_max};
+  from_goal_ = std::make_unique<DriveField>(back_, *room_, cells_, options_, task_.goal, 0, most_);
+  from_goal_->look_towards(*guide_);
+  has_met_ = false;
+  poses_ = 0;
+  routes_ = 0;
+}
+
+// The first way that comes to the start tells what ways cost with such cells.
+void Survey::meet(const DriveField::Node& node) {
+  const double side = options_.cell * forth_.radius();
+  const Pose pose = from_goal_->pose(node);
+  if (!(std::hypot(task_.start.x - pose.x, task_.start.y - pose.y) < side)) return;
+  if (std::abs(wrap_angle(task_.start.heading - pose.heading)) >
+      std::numbers::pi / options_.headings)
+    return;
+  has_met_ = true;
+  from_goal_->set_cutoff(excess * static_cast<double>(node.cost) + forth_.radius());
+}
+
+void Survey::go_back() {
+  for (int i = 0; i < poses_of_step && !from_goal_->is_exhausted(); ++i) {
+    const std::int32_t id = from_goal_->step();
+    ++poses_;
+    if (id != DriveField::none && !has_met_) meet(from_goal_->node(id));
+  }
+  if (from_goal_->is_exhausted() || poses_ > most_poses) go_forth();
+}
+
+void Survey::go_forth() {
+  from_start_ = std::make_unique<DriveField>(forth_, *room_, cells_, options_, task_.start,
+                                             forth_.rule().initial_gear, most_);
+  from_start_->look_towards(*from_goal_);
+  if (from_start_->is_exhausted()) return end();
+  from_start_->set_cutoff(excess * from_start_->least_cost() + forth_.radius());
+  bin_ = std::max(1.0, 2 * options_.cell) * forth_.radius();
+  columns_ = static_cast<std::int64_t>((box_.x_max - box_.x_min) / bin_) + 2;
+  rows_ = static_cast<std::int64_t>((box_.y_max - box_.y_min) / bin_) + 2;
+  covered_.assign(static_cast<std::size_t>(columns_ * rows_ * bin_headings * 2), false);
+}
+
+// True when there is a route.
+bool Survey::go_on() {
+  for (int i = 0; i < poses_of_step && !from_start_->is_exhausted(); ++i) {
+    const std::int32_t id = from_start_->step();
+    if (id == DriveField::none) continue;
+    const DriveField::Node& node = from_start_->node(id);
+    if (node.parent == DriveField::none) continue;
+    if (!covered_[bin_of(from_start_->pose(node), node.gear)]) return lead_through(id);
+  }
+  if (from_start_->is_exhausted()) end();
+  return false;
+}
+
+void Survey::end() {
+  from_goal_.reset();
+  from_start_.reset();
+  ++looks_;
+}
+
+bool Survey::step() {
+  if (!is_prepared_) {
+    is_prepared_ = prepare();
+    return false;
+  }
+  if (from_start_) return go_on();
+  if (from_goal_) {
+    go_back();
+  } else {
+    look_back();
+  }
+  return false;
+}
+
+std::size_t Survey::bin_of(const Pose& pose, GearSign gear) const {
+  const double turned = (pose.heading / (2 * std::numbers::pi) + 0.5) * bin_headings;
+  const auto column = static_cast<std::int64_t>(std::max(0.0, (pose.x - box_.x_min) / bin_));
+  const auto row = static_cast<std::int64_t>(std::max(0.0, (pose.y - box_.y_min) / bin_));
+  const std::int64_t place = std::min(row, rows_ - 1) * columns_ + std::min(column, columns_ - 1);
+  const std::int64_t heading = static_cast<std::int64_t>(turned) % bin_headings;
+  return static_cast<std::size_t>((place * bin_headings + heading) * 2 + (gear < 0 ? 1 : 0));
+}
+
+Survey::Branch Survey::branch(const DriveField& field, const Pose& root, std::int32_t node) {
+  Branch result;
+  for (; field.node(node).parent != DriveField::none; node = field.node(node).parent) {
+    result.nodes.push_back(field.node(node));
+  }
+  std::reverse(result.nodes.begin(), result.nodes.end());
+  result.poses.push_back(root);
+  for (const DriveField::Node& step : result.nodes) {
+    result.poses.push_back(advance(result.poses.back(), field.step_to(step)));
+  }
+  return result;
+}
+
+// A route by way of a node of the field from the start, unless one of its kind is known.
+bool Survey::lead_through(std::int32_t node) {
+  const std::int32_t onward = from_goal_->onward(*from_start_, from_start_->node(node)).node;
+  if (onward == DriveField::none) return false;
+  const Branch head = branch(*from_start_, task_.start, node);
+  const Branch tail = branch(*from_goal_, task_.goal, onward);
+  for (std::size_t i = 0; i < head.nodes.size(); ++i) {
+    covered_[bin_of(head.poses[i + 1], head.nodes[i].gear)] = true;
+  }
+  for (std::size_t i = 0; i < tail.nodes.size(); ++i) {
+    covered_[bin_of(tail.poses[i + 1], -tail.nodes[i].gear)] = true;
+  }
+  if (!join(head, tail)) return false;
+  price(forth_, route_);
+  if (!kinds_.is_new(route_, forth_.radius())) return false;
+  if (++routes_ == most_routes) end();
+  return true;
+}
+
+Gears Survey::gears_around(const Branch& head, std::size_t heads, const Branch& tail,
+                           std::size_t tails) const {
+  Gears gears{forth_.rule().initial_gear, 0};
+  if (heads > 0) gears.before = driven_of(forth_, head.nodes[heads - 1]);
+  if (tails > 0) {
+    gears.after = driven_of(forth_, tail.nodes[tails - 1]);
+    gears.after.gear *= -1;
+  }
+  return gears;
+}
+
+// The last steps of both branches end in the same cell, and not at the same pose: a word replaces
+// some of them.
+bool Survey::join(const Branch& head, const Branch& tail) {
+  const auto cost_of_last = [](const Branch& branch, std::size_t steps) {
+    if (steps == 0) return 0.0;
+    const std::size_t left = branch.nodes.size() - steps;
+    const float before = left == 0 ? 0.0F : branch.nodes[left - 1].cost;
+    return static_cast<double>(branch.nodes.back().cost - before);
+  };
+  for (const std::size_t more : steps_replaced) {
+    for (const auto& [wanted_of_head, wanted_of_tail] :
+         {std::pair{more, more / 2}, std::pair{more / 2, more}}) {
+      const std::size_t of_head = std::min(wanted_of_head, head.nodes.size());
+      const std::size_t of_tail = std::min(wanted_of_tail, tail.nodes.size());
+      const std::size_t heads = head.nodes.size() - of_head;
+      const std::size_t tails = tail.nodes.size() - of_tail;
+      const double replaced = cost_of_last(head, of_head) + cost_of_last(tail, of_tail);
+      const double cutoff = joint_slack * replaced + least_joint * forth_.radius();
+      const std::optional<Connection> joint =
+          forth_.connect(head.poses[heads], tail.poses[tails],
+                         {0.0, cutoff, gears_around(head, heads, tail, tails)});
+      if (!joint) continue;
+      put_together(head, heads, joint->piece, tail, tails);
+      if (is_free()) return true;
+    }
+  }
+  return false;
+}
+
+void Survey::put_together(const Branch& head, std::size_t heads, const Piece& joint,
+                          const Branch& tail, std::size_t tails) {
+  route_ = {task_.start, {}, 0.0};
+  bool begins = true;
+  const auto append = [&](const Segment& segment, const Pose& end) {
+    Leg* leg = begins ? nullptr : &route_.legs.back();
+    Segment* last = begins ? nullptr : &leg->piece.segments[leg->piece.count - 1U];
+    if (last != nullptr && last->curvature == segment.curvature &&
+        last->length * segment.length > 0.0) {
+      last->length += segment.length;
+    } else {
+      if (begins || leg->piece.count == segments_of_leg) leg = &route_.legs.emplace_back();
+      leg->piece.segments[leg->piece.count++] = segment;
+    }
+    leg->piece.length += std::abs(segment.length);
+    leg->end = end;
+    begins = false;
+  };
+  for (std::size_t i = 0; i < heads; ++i)
+    append(from_start_->step_to(head.nodes[i]), head.poses[i + 1]);
+  route_.legs.push_back({joint, tail.poses[tails]});
+  begins = true;
+  for (std::size_t i = tails; i > 0; --i) {
+    Segment step = from_goal_->step_to(tail.nodes[i - 1]);
+    step.length = -step.length;
+    append(step, tail.poses[i - 1]);
+  }
+}
+
+// The fields take the room for granted where there is much of it.
+bool Survey::is_free() const {
+  return task_.checker->is_free(task_.start, path_of(route_).segments);
+}
+
+}  // namespace vandplan::anytime
