@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/trigonometry.h"
+#include "path/clothoid.h"
 
 namespace vandplan::commands {
 namespace {
@@ -14,6 +15,7 @@ constexpr int most_iterations = 15;
 constexpr double close_enough = 1e-10;  // [m, rad]
 constexpr int iterations_to_get_near = 6;
 constexpr double near_enough = 0.2;  // then, in units of length
+constexpr double most_turn = 4.0;    // of a segment whose mean place is known [rad]
 constexpr double difference = 1e-7;  // for derivatives [rad]
 
 /// A vector turned by a quarter to the left: how a point moves when all turns about the origin.
@@ -49,8 +51,33 @@ Closer::Closer(const Vehicle& vehicle, Steering steering)
                                                     : vehicle.min_turning_radius))),
       conditions_(vehicle.trailer ? 4 : 3) {}
 
+Closer::Place Closer::place_after(const Place& from, const Segment& segment) const {
+  const auto& [curvature, length, rate] = segment;
+  const double hitch_angle = hitch_angle_after(vehicle_, from.hitch_angle, segment);
+  path::Displacement way;
+  base::SinCos turn;
+  if (rate == 0.0) {
+    const double half = curvature * length / 2;
+    const auto [sin, cos] = base::sin_cos(half);
+    const double chord =
+        std::abs(half) < 1e-4 ? length * (1 - half * half / 6) : length * sin / half;
+    way = {chord * cos, chord * sin, 2 * half};
+    turn = {2 * sin * cos, (cos - sin) * (cos + sin)};
+  } else {
+    way = path::along_clothoid(segment);
+    turn = base::sin_cos(way.turn);
+  }
+  return {
+      {from.pose.x + way.x * from.cos - way.y * from.sin,
+       from.pose.y + way.x * from.sin + way.y * from.cos, wrap_angle(from.pose.heading + way.turn)},
+      from.sin * turn.cos + from.cos * turn.sin,
+      from.cos * turn.cos - from.sin * turn.sin,
+      hitch_angle};
+}
+
 void Closer::drive(const RigState& from, std::span<Segment> commands, const WheelEnds& ends) {
-  states_.assign(1, from);
+  const auto [sin, cos] = base::sin_cos(from.pose.heading);
+  places_.assign(1, {from.pose, sin, cos, from.hitch_angle});
   obeyed_.clear();
   between_.clear();
   search::Driven driven = ends.before;
@@ -60,37 +87,39 @@ void Closer::drive(const RigState& from, std::span<Segment> commands, const Whee
       lengthen(wheels_, driven, command);
     }
     const Obeyed obeyed = wheels_.obey(command, driven);
-    RigState state = states_.back();
-    between_.push_back(state);
+    Place place = places_.back();
+    between_.push_back(place);
     for (const Segment& segment : obeyed.view()) {
-      between_.back() = state;
-      state = {advance(state.pose, segment),
-               hitch_angle_after(vehicle_, state.hitch_angle, segment)};
+      between_.back() = place;
+      place = place_after(place, segment);
     }
     obeyed_.push_back(obeyed);
-    states_.push_back(state);
+    places_.push_back(place);
   }
 }
 
 Closer::Vector Closer::gap(const RigState& to) const {
-  const auto& [pose, angle] = states_.back();
+  const auto& [pose, sin, cos, hitch_angle] = places_.back();
   return {to.pose.x - pose.x, to.pose.y - pose.y, wrap_angle(to.pose.heading - pose.heading),
-          to.hitch_angle - angle};
+          to.hitch_angle - hitch_angle};
 }
 
 /// [1] The end turns with a segment about each of its points; the hitch angle goes its own way.
 /// `passed_on` is what becomes of a change of it after the segment, and then before it.
-Closer::Change Closer::change(const RigState& from, const Segment& segment, const RigState& to,
+Closer::Change Closer::change(const Place& first, const Segment& segment, const Place& last,
                               double& passed_on) const {
   const auto& [curvature, length, rate] = segment;
-  const auto& [first, angle] = from;
-  const auto& [last, angle_after] = to;
-  const Pose& end = states_.back().pose;
-  const Pose middle = advance(first, part_of(segment, 0.0, std::abs(length) / 2));
-  const auto [sin, cos] = base::sin_cos(last.heading);
-  const Point swing = turned(end.x - last.x, end.y - last.y);
-  const Point bend = turned(end.x - (first.x + 4 * middle.x + last.x) / 6,
-                            end.y - (first.y + 4 * middle.y + last.y) / 6);
+  const auto& [last_pose, sin, cos, angle_after] = last;
+  const double angle = first.hitch_angle;
+  const Pose& end = places_.back().pose;
+  const Point swing = turned(end.x - last_pose.x, end.y - last_pose.y);
+  // The mean of the places is that of the cubic with the same ends and directions, bulged a little
+  // more where the segment turns far.
+  const double mean_curvature = curvature + rate * std::abs(length) / 2;
+  const double half = std::min(std::abs(mean_curvature * length), most_turn) / 2;
+  const double bulge = length * (1 + half * half * (1.0 / 15 + half * half * (2.0 / 315))) / 12;
+  const Point bend = turned(end.x - (first.pose.x + last_pose.x) / 2 - bulge * (first.cos - cos),
+                            end.y - (first.pose.y + last_pose.y) / 2 - bulge * (first.sin - sin));
   const double there = curvature_at(segment, std::abs(length));
   Change result = {{length * bend.x, length * bend.y, length, 0.0},
                    {cos + there * swing.x, sin + there * swing.y, there, 0.0}};
@@ -115,7 +144,7 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
     Column& column = columns_[i];
     const bool is_gone = obeyed.count == 0;
     const Segment last = is_gone ? commands[i] : obeyed.segments[obeyed.count - 1U];
-    const Change at_end = change(between_[i], last, states_[i + 1], passed_on);
+    const Change at_end = change(between_[i], last, places_[i + 1], passed_on);
     column.length = at_end.stretch;
     if (is_gone) continue;
     const bool is_turning = last.curvature_rate != 0.0;
@@ -129,7 +158,7 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
     if (obeyed.turns_at_once || is_arc) {
       by_wheels = {};
     } else if (!is_turning) {
-      by_wheels = change(states_[i], obeyed.segments[0], between_[i], passed_on).bend;
+      by_wheels = change(places_[i], obeyed.segments[0], between_[i], passed_on).bend;
     } else if (obeyed.reaches_command) {
       by_wheels = at_end.bend;
     } else {
@@ -143,36 +172,35 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
   }
 }
 
-/// [3] Least squares of the changes: multipliers of the conditions, by Cholesky's method.
+/// [3] Least squares of the changes: multipliers of the conditions, by Cholesky's method without
+/// roots.
 bool Closer::solve(const Vector& gap, Vector& multipliers) const {
   std::array<Vector, 4> m{};
   const auto add = [&](const Vector& column, double unit) {
-    for (std::size_t r = 0; r < conditions_; ++r) {
-      for (std::size_t c = 0; c <= r; ++c) m[r][c] += unit * unit * column[r] * column[c];
-    }
+    const Vector scaled = sum({}, unit * unit, column);
+    for (std::size_t r = 0; r < m.size(); ++r) m[r] = sum(m[r], column[r], scaled);
   };
   for (const Column& column : columns_) {
     if (!column.curvature_is_fixed) add(column.curvature, curvature_unit_);
     if (!column.length_is_fixed) add(column.length, length_unit_);
   }
+  std::array<Vector, 4> factors{};
+  Vector inverse{};
   Vector y = gap;
   for (std::size_t r = 0; r < conditions_; ++r) {
-    for (std::size_t c = 0; c <= r; ++c) {
-      double sum = m[r][c];
-      for (std::size_t k = 0; k < c; ++k) sum -= m[r][k] * m[c][k];
-      if (r != c) {
-        m[r][c] = sum / m[c][c];
-        continue;
-      }
-      if (!(sum > 1e-18 * (1 + m[r][r]))) return false;
-      m[r][r] = std::sqrt(sum);
+    double pivot = m[r][r];
+    for (std::size_t c = 0; c < r; ++c) {
+      for (std::size_t k = 0; k < c; ++k) m[r][c] -= m[r][k] * factors[c][k];
+      factors[r][c] = m[r][c] * inverse[c];
+      pivot -= m[r][c] * factors[r][c];
+      y[r] -= factors[r][c] * y[c];
     }
-    for (std::size_t k = 0; k < r; ++k) y[r] -= m[r][k] * y[k];
-    y[r] /= m[r][r];
+    if (!(pivot > 1e-18 * (1 + m[r][r]))) return false;
+    inverse[r] = 1 / pivot;
   }
   for (std::size_t r = conditions_; r-- > 0;) {
-    for (std::size_t k = r + 1; k < conditions_; ++k) y[r] -= m[k][r] * y[k];
-    y[r] /= m[r][r];
+    y[r] *= inverse[r];
+    for (std::size_t k = r + 1; k < conditions_; ++k) y[r] -= factors[k][r] * y[k];
   }
   multipliers = y;
   return true;
@@ -230,13 +258,13 @@ bool Closer::step(std::span<Segment> commands, const Vector& gap) {
 bool Closer::is_held() const {
   if (!vehicle_.trailer) return true;
   for (std::size_t i = 0; i < obeyed_.size(); ++i) {
-    if (std::abs(states_[i + 1].hitch_angle) > vehicle_.max_hitch_angle) return false;
+    if (std::abs(places_[i + 1].hitch_angle) > vehicle_.max_hitch_angle) return false;
     const Segment& first = obeyed_[i].segments[0];
     if (obeyed_[i].count == 0 || first.curvature_rate == 0.0) continue;
-    const double most = largest_hitch_angle(vehicle_, states_[i].hitch_angle, first);
+    const double most = largest_hitch_angle(vehicle_, places_[i].hitch_angle, first);
     if (most > vehicle_.max_hitch_angle) return false;
   }
-  return std::abs(states_.front().hitch_angle) <= vehicle_.max_hitch_angle;
+  return std::abs(places_.front().hitch_angle) <= vehicle_.max_hitch_angle;
 }
 
 /// In reverse rounding grows by a factor of e in each length of the trailer, but not where the rig
@@ -257,7 +285,7 @@ bool Closer::is_steady() const {
   };
   for (std::size_t i = 0; i < obeyed_.size(); ++i) {
     const auto& [segments, count, at_once, reaches] = obeyed_[i];
-    if (count > 0 && !grow(states_[i].hitch_angle, segments[0])) return false;
+    if (count > 0 && !grow(places_[i].hitch_angle, segments[0])) return false;
     if (count > 1 && !grow(between_[i].hitch_angle, segments[1])) return false;
   }
   return true;

@@ -28,6 +28,11 @@ class Closer {
   [[nodiscard]] bool close(const RigState& from, std::span<Segment> commands, const RigState& to,
                            const WheelEnds& ends = {});
 
+  /// Before command `i` of those that were closed last.
+  [[nodiscard]] RigState state_before(std::size_t i) const {
+    return {places_[i].pose, places_[i].hitch_angle};
+  }
+
  private:
   using Vector = std::array<double, 4>;
 
@@ -37,6 +42,12 @@ class Closer {
     bool curvature_is_fixed = false, length_is_fixed = false;
     bool is_shortest = false;  // all of the length is needed to turn the wheels
   };
+  /// Where the axle is and where it heads.
+  struct Place {
+    Pose pose;
+    double sin, cos;  // of the heading
+    double hitch_angle;
+  };
   /// How the end changes when a segment is bent or goes on at its end.
   struct Change {
     Vector bend, stretch;
@@ -44,7 +55,8 @@ class Closer {
 
   void drive(const RigState& from, std::span<Segment> commands, const WheelEnds& ends);
   [[nodiscard]] Vector gap(const RigState& to) const;
-  [[nodiscard]] Change change(const RigState& first, const Segment& segment, const RigState& last,
+  [[nodiscard]] Place place_after(const Place& from, const Segment& segment) const;
+  [[nodiscard]] Change change(const Place& first, const Segment& segment, const Place& last,
                               double& passed_on) const;
   void differentiate(std::span<const Segment> commands, const WheelEnds& ends);
   [[nodiscard]] bool solve(const Vector& gap, Vector& multipliers) const;
@@ -57,9 +69,9 @@ class Closer {
   double most_curvature_;
   double curvature_unit_, length_unit_;  // changes of these sizes count alike
   std::size_t conditions_;               // on the end: its pose, and the hitch angle
-  std::vector<RigState> states_;
-  std::vector<Obeyed> obeyed_;     // at each command
-  std::vector<RigState> between_;  // its segments
+  std::vector<Place> places_;            // before each command, and at the end
+  std::vector<Obeyed> obeyed_;           // at each command
+  std::vector<Place> between_;           // its segments
   std::vector<Column> columns_;
 };
 
