@@ -189,15 +189,76 @@ TEST(DriveShortenerLaw, KnowsWhatIsNear) {
     commands::Closer closer(task.vehicle, task.steering);
     if (!closer.close({task.start, 0}, commands, {task.goal, 0})) return;
     if (!task.checker->is_free(task.start, wheels.driven(commands, {}))) return;
+    for (std::size_t i = 7; i > 0; --i) {
+      commands.insert(commands.begin() + static_cast<std::ptrdiff_t>(i),
+                      {0.1, 0});  // closing leaves such ones
+    }
     DriveShortener shortener(task, careful, commands, rng());
     for (int i = 0; i < 200; ++i) {
       if (!shortener.step()) continue;
       const DriveShortener anew(task, careful, shortener.commands(), 0);
       EXPECT_NEAR(shortener.cost(), anew.cost(), 1e-7);
+      // What comes after a stop that is gone is driven in another way.
+      expect_same_pose(end_of({task.start, shortener.segments()}), task.goal, 1e-8);
       ++compared;
     }
   });
   EXPECT_GT(compared, 20);
+}
+
+// Whatever the seed: at first a command is left out, then the next one, where that saves a good
+// deal.
+TEST(DriveShortener, SweepsAFreshDriveFirst) {
+  for (const Steering steering : kinds) {
+    const commands::Wheels wheels(Vehicle{}, steering);
+    std::vector<Segment> commands = {{0.1, 15}, {-0.1, 15}, {0.1, 15}, {0, 6}, {0.002, 6}};
+    for (const double curvature : {0.08, -0.08, -0.08, 0.08, 0.0}) {
+      commands.push_back({curvature, 6});
+    }
+    const Path path{{0, 0, 0}, wheels.driven(commands, begin_of(steering).before)};
+    const Problem problem = problem_along(path);
+    const Task task = task_of(problem, {}, steering);
+    const commands::WheelEnds ends = commands::wheel_ends(task);
+    commands::Closer closer(task.vehicle, steering);
+    ASSERT_TRUE(closer.close({task.start, 0}, commands, {task.goal, 0}, ends));
+    const double cost = DriveShortener(task, priced, commands, 1).cost();
+    std::vector<double> costs;
+    for (const std::uint64_t seed : {1U, 2U}) {
+      DriveShortener shortener(task, priced, commands, seed);
+      for (int i = 0; i < 8; ++i) {
+        const double before = shortener.cost();
+        const bool fell = shortener.step();
+        EXPECT_LE(shortener.cost(), (fell ? 0.99 : 1.0) * before);
+      }
+      costs.push_back(shortener.cost());
+    }
+    EXPECT_LT(costs[0], 0.95 * cost) << name_of(steering);
+    EXPECT_EQ(costs[0], costs[1]);
+  }
+}
+
+// Trials are kept by hundreds, and the drive still ends at the goal.
+TEST(DriveShortenerLaw, LetsNoErrorsAddUp) {
+  int kept = 0;
+  for_each_case(4, 3, [&](Rng& rng) {
+    const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
+    std::vector<Segment> commands;
+    for (int i = 0; i < 60; ++i) commands.push_back({uniform(-0.2, 0.2, rng) / radius, 15});
+    const Path path{{1, 2, 0}, wheels.driven(commands, {})};
+    const Problem problem =
+        problem_of(path.start, end_of(path), {}, Bounds{-1000, 1000, -1000, 1000});
+    const Task task = task_of(problem, {}, Steering::continuous_between_stops);
+    DriveShortener shortener(task, priced, commands, rng());
+    double most = 0.0;
+    for (int i = 0; i < 8000; ++i) {
+      if (!shortener.step()) continue;
+      ++kept;
+      const Pose end = end_of({task.start, shortener.segments()});
+      most = std::max({most, std::abs(end.x - task.goal.x), std::abs(end.y - task.goal.y)});
+    }
+    EXPECT_LT(most, 1e-8);
+  });
+  EXPECT_GT(kept, 500);
 }
 
 TEST(DriveShortener, DropsCrumbs) {

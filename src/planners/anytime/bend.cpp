@@ -48,7 +48,7 @@ Bender::Drive Bender::drive_along(std::span<const Segment> segments) {
   if (drive.empty() || !closer_.close(from, drive, to, ends_)) return nullptr;
   ++checks_;
   if (!task_.checker->is_free(task_.start, wheels_.driven(drive, ends_.before))) return nullptr;
-  return std::make_unique<commands::DriveShortener>(task_, rule_, std::move(drive),
+  return std::make_unique<commands::DriveShortener>(task_, rule_, drive,
                                                     stream_seed(seed_, drives_++), measure_);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace vandplan::commands {
@@ -14,11 +15,27 @@ constexpr int patience = 600;      // trials without it
 constexpr std::size_t most_segments_of_window = 10;
 constexpr std::size_t reach = 3;      // commands on either side that make up for one left out
 constexpr double crumb_slack = 1e-4;  // of the cost: 1 cm of 100 m, less than any search leaves
+constexpr double rounding = 1e-12;    // of the cost, which is no gain
+constexpr double swept_gain = 0.01;   // of the cost, at least, by what a sweep leaves out
+constexpr std::size_t reach_of_sweep = 2;
+
+double sum(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Puts what is new in place of the elements from `first` to the one before `last`.
+template <class T>
+void put(std::vector<T>& values, std::size_t first, std::size_t last, std::span<const T> news) {
+  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto at = values.erase(begin, begin + static_cast<std::ptrdiff_t>(last - first));
+  values.insert(at, news.begin(), news.end());
+}
 
 }  // namespace
 
 DriveShortener::DriveShortener(const Task& task, const search::CostRule& rule,
-                               std::vector<Segment> commands, std::uint64_t seed, Measure measure)
+                               std::span<const Segment> commands, std::uint64_t seed,
+                               Measure measure)
     : task_(task),
       rule_(rule),
       measure_(std::move(measure)),
@@ -26,42 +43,39 @@ DriveShortener::DriveShortener(const Task& task, const search::CostRule& rule,
       ends_(wheel_ends(task)),
       closer_(task.vehicle, task.steering),
       crumb_(crumb_length(task.vehicle.min_turning_radius)),
-      commands_(std::move(commands)),
+      commands_(wheels_.tidied(commands, ends_.before)),
       rng_(seed) {
-  drive();
+  drive({});
   progress_cost_ = cost_;
 }
 
 bool DriveShortener::is_stalled() const { return idle_ > patience; }
 
-/// What is near the first `head` commands and the last `tail` ones is as it was.
-void DriveShortener::drive(std::size_t head, std::size_t tail) {
-  states_.assign(1, {task_.start, task_.hitch_angles.start});
-  driven_.assign(1, ends_.before);
-  const std::vector<double> known = std::exchange(near_, {});
-  cost_ = 0.0;
+/// Finds out what the commands drive; what being near things adds at each of them may be known.
+void DriveShortener::drive(std::vector<double> near) {
+  const bool is_known = near.size() == commands_.size();
+  driving_ = {.states = {{task_.start, task_.hitch_angles.start}},
+              .driven = {ends_.before},
+              .prices = {},
+              .near = std::move(near)};
+  if (!is_known) driving_.near.clear();
   search::Driven priced = rule_.initial_gear;
   for (const Segment& command : commands_) {
-    RigState state = states_.back();
-    search::Driven driven = driven_.back();
+    RigState state = driving_.states.back();
+    search::Driven driven = driving_.driven.back();
     const Obeyed obeyed = wheels_.obey(command, driven);
-    cost_ += search::drive_cost(rule_, obeyed.view(), priced);
-    const std::size_t i = near_.size();
-    const std::size_t left = commands_.size() - i;
-    near_.push_back(i < head       ? known[i]
-                    : left <= tail ? known[known.size() - left]
-                                   : near_cost(state, obeyed.view(), 1e300));
+    driving_.prices.push_back(search::drive_cost(rule_, obeyed.view(), priced));
+    if (!is_known) driving_.near.push_back(near_cost(state, obeyed.view(), 1e300));
     for (const Segment& segment : obeyed.view()) {
       state = {advance(state.pose, segment),
                hitch_angle_after(task_.vehicle, state.hitch_angle, segment)};
     }
-    states_.push_back(state);
-    driven_.push_back(driven);
+    driving_.states.push_back(state);
+    driving_.driven.push_back(driven);
   }
-  for (const double near : near_) cost_ += near;
-  if (measure_) cost_ = measure_(segments());
+  cost_ = measure_ ? measure_(segments()) : sum(driving_.prices) + sum(driving_.near);
   // So that small errors do not add up.
-  states_.back() = {task_.goal, task_.hitch_angles.goal};
+  driving_.states.back() = {task_.goal, task_.hitch_angles.goal};
 }
 
 /// What being near things adds, at most `cutoff` or something above it; another measure knows.
@@ -71,18 +85,23 @@ double DriveShortener::near_cost(const RigState& from, std::span<const Segment> 
   return search::rig_clearance_cost(task_, rule_, from, segments, search::Looks::search, cutoff);
 }
 
+/// Small ones more often than large ones.
 DriveShortener::Window DriveShortener::any_window() {
   const std::size_t count = commands_.size();
   const std::size_t most = std::min(count, most_segments_of_window);
   const std::size_t least = std::min<std::size_t>(count, 3);
-  const std::size_t size = least + static_cast<std::size_t>(rng_() % (most - least + 1));
+  const auto more = [&] { return static_cast<std::size_t>(rng_() % (most - least + 1)); };
+  const std::size_t size = least + std::min(more(), more());
   const std::size_t first = static_cast<std::size_t>(rng_() % (count - size + 1));
   return {first, first + size};
 }
 
+/// How much a trial changes.
+double DriveShortener::any_size() { return size_ * std::exp2(uniform(-3.0, 2.0, rng_)); }
+
 /// Every length a little less or more, every curvature another one.
 void DriveShortener::shake(const Window& window) {
-  const double size = size_ * std::exp2(uniform(-4.0, 1.0, rng_));
+  const double size = any_size();
   const double sharpest = 1 / task_.vehicle.min_turning_radius;
   const double some = uniform(0.2, 1.0, rng_);
   const double shrink = uniform(0.0, 1.0, rng_);
@@ -98,31 +117,36 @@ void DriveShortener::shake(const Window& window) {
 /// One segment less, or two around a gear change.
 void DriveShortener::leave_out(const Window& window) {
   const std::size_t size = window.last - window.first;
-  if (size < 4) return;
+  if (size < 3) return;
   const auto at = static_cast<std::ptrdiff_t>(rng_() % (size - 1));
   const bool is_cusp = trial_[static_cast<std::size_t>(at)].length *
                            trial_[static_cast<std::size_t>(at) + 1].length <
                        0.0;
-  const bool both = is_cusp || uniform01(rng_) < 0.3;
+  const bool both = size > 3 && (is_cusp || uniform01(rng_) < 0.3);
   trial_.erase(trial_.begin() + at, trial_.begin() + at + (both ? 2 : 1));
 }
 
-/// One segment in two parts, so that its curvature may change on the way.
+/// One segment in two parts with curvatures a little apart.
 void DriveShortener::split(const Window& window) {
   const std::size_t size = window.last - window.first;
   const std::size_t at = static_cast<std::size_t>(rng_() % size);
-  const double part = uniform(0.2, 0.8, rng_);
-  Segment second = trial_[at];
+  const double part = uniform01(rng_);
+  const double sharpest = 1 / task_.vehicle.min_turning_radius;
+  const double apart = any_size() * sharpest * (uniform01(rng_) < 0.5 ? -1 : 1);
+  Segment& first = trial_[at];
+  Segment second = first;
+  first.length *= part;
+  first.curvature = std::clamp(first.curvature - apart * (1 - part), -sharpest, sharpest);
   second.length *= 1 - part;
-  trial_[at].length *= part;
+  second.curvature = std::clamp(second.curvature + apart * part, -sharpest, sharpest);
   trial_.insert(trial_.begin() + static_cast<std::ptrdiff_t>(at) + 1, second);
 }
 
 /// The wheels at both ends of a window. Where the vehicle rolls on they stay as they are, for the
 /// sake of what comes next.
 WheelEnds DriveShortener::ends_of(const Window& window) const {
-  WheelEnds ends{driven_[window.first], {}};
-  const search::Driven& last = driven_[window.last];
+  WheelEnds ends{driving_.driven[window.first], {}};
+  const search::Driven& last = driving_.driven[window.last];
   if (window.last == commands_.size()) {
     ends.after = ends_.after;
   } else if (!wheels_.may_jump(last, search::gear_of(commands_[window.last]))) {
@@ -131,64 +155,127 @@ WheelEnds DriveShortener::ends_of(const Window& window) const {
   return ends;
 }
 
-/// Puts the trial in place of the window if it is free and the drive costs less than `limit` then.
-/// What is near elsewhere stays.
-bool DriveShortener::replace(const Window& window, double limit) {
-  std::vector<Segment> whole(commands_.begin(),
-                             commands_.begin() + static_cast<std::ptrdiff_t>(window.first));
-  whole.insert(whole.end(), trial_.begin(), trial_.end());
-  whole.insert(whole.end(), commands_.begin() + static_cast<std::ptrdiff_t>(window.last),
-               commands_.end());
-  const std::vector<Segment> driven = wheels_.driven(whole, ends_.before);
-  double left = limit;
-  if (!measure_) {
-    search::Driven priced = rule_.initial_gear;
-    left -= search::drive_cost(rule_, driven, priced);
-    for (std::size_t i = 0; i < commands_.size(); ++i) {
-      if (i < window.first || i >= window.last) left -= near_[i];
-    }
+/// Changes the trial so that it leads where the window ends.
+bool DriveShortener::closes(const Window& window) {
+  return closer_.close(driving_.states[window.first], trial_, driving_.states[window.last],
+                       ends_of(window));
+}
+
+/// What is driven in the trial and behind it, and its prices.
+void DriveShortener::price_trial(const Window& window) {
+  search::Driven driven = driving_.driven[window.first];
+  search::Driven priced = window.first == 0 ? search::Driven(rule_.initial_gear) : driven;
+  tried_.driven.assign(1, driven);
+  tried_.prices.clear();
+  segments_.clear();
+  segments_at_.clear();
+  for (const Segment& command : trial_) {
+    const Obeyed obeyed = wheels_.obey(command, driven);
+    tried_.prices.push_back(search::drive_cost(rule_, obeyed.view(), priced));
+    tried_.driven.push_back(driven);
+    segments_.insert(segments_.end(), obeyed.view().begin(), obeyed.view().end());
+    segments_at_.push_back(obeyed.count);
   }
-  if (!(left > 0.0)) return false;
+  goes_on_ = true;
+  if (window.last == commands_.size()) return;
+  const Segment& next = commands_[window.last];
+  search::Driven as_ever = driving_.driven[window.last];
+  const Obeyed obeyed = wheels_.obey(next, driven);
+  goes_on_ = std::ranges::equal(obeyed.view(), wheels_.obey(next, as_ever).view());
+  next_price_ = search::drive_cost(rule_, obeyed.view(), priced);
+}
+
+/// How much being near things may add in the trial so that the drive costs less than `limit`.
+double DriveShortener::left_for_near(const Window& window, double limit) const {
+  double left = limit * (1 - rounding) - cost_ - sum(tried_.prices);
+  for (std::size_t i = window.first; i < window.last; ++i) {
+    left += driving_.prices[i] + driving_.near[i];
+  }
+  if (window.last < commands_.size()) left += driving_.prices[window.last] - next_price_;
+  return left;
+}
+
+/// Whether being near things adds less than `left` in the trial.
+bool DriveShortener::looks_at_near(const Window& window, double left) {
+  tried_.states.clear();
+  tried_.near.clear();
+  std::span<const Segment> segments = segments_;
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    tried_.states.push_back(i == 0 ? driving_.states[window.first] : closer_.state_before(i));
+    tried_.near.push_back(near_cost(tried_.states[i], segments.first(segments_at_[i]), left));
+    segments = segments.subspan(segments_at_[i]);
+    left -= tried_.near.back();
+    if (!measure_ && !(left > 0.0)) return false;
+  }
+  tried_.states.push_back(driving_.states[window.last]);
+  return true;
+}
+
+/// Puts the trial in place of the window if it is free and the drive costs less than `limit` then.
+/// Without a trailer what is driven elsewhere stays as it is, as the trial ends where the window
+/// does: hundreds of trials add up to less than a micrometre. With one errors grow on the way.
+bool DriveShortener::replace(const Window& window, double limit) {
+  const auto is_cheap = [&] { return measure_ || left_for_near(window, limit) > 0.0; };
+  price_trial(window);
+  if (!is_cheap()) return false;
+  const std::size_t size = trial_.size();
+  trial_ = wheels_.tidied(trial_, driving_.driven[window.first]);
+  if (trial_.size() != size) {
+    if (trial_.empty() || !closes(window)) return false;
+    price_trial(window);
+    if (!is_cheap()) return false;
+  }
   checks_ += static_cast<std::int64_t>(trial_.size());
-  const std::vector<Segment> segments = wheels_.driven(trial_, driven_[window.first]);
-  if (!task_.checker->rig_is_free(states_[window.first], segments)) return false;
-  if (measure_ && !(measure_(driven) < left)) return false;
-  if (!(near_cost(states_[window.first], segments, left) < left)) return false;
-  whole = wheels_.tidied(whole, ends_.before);
+  if (!task_.checker->rig_is_free(driving_.states[window.first], segments_)) return false;
+  if (!looks_at_near(window, left_for_near(window, limit))) return false;
+  const auto [first, last] = window;
+  if (measure_ || task_.vehicle.trailer || !goes_on_) {
+    std::vector<Segment> whole = commands_;
+    std::vector<double> near = driving_.near;
+    put<Segment>(whole, first, last, trial_);
+    put<double>(near, first, last, tried_.near);
+    return settle(std::move(whole), std::move(near), limit);
+  }
+  if (last < commands_.size()) driving_.prices[last] = next_price_;
+  put<Segment>(commands_, first, last, trial_);
+  put<RigState>(driving_.states, first, last + 1, tried_.states);
+  put<search::Driven>(driving_.driven, first, last + 1, tried_.driven);
+  put<double>(driving_.prices, first, last, tried_.prices);
+  put<double>(driving_.near, first, last, tried_.near);
+  cost_ = sum(driving_.prices) + sum(driving_.near);
+  return true;
+}
+
+/// Closes a whole chain and takes it if it is free and costs less than `limit`.
+bool DriveShortener::settle(std::vector<Segment> whole, std::vector<double> near, double limit) {
   const RigState from{task_.start, task_.hitch_angles.start};
   const RigState to{task_.goal, task_.hitch_angles.goal};
+  whole = wheels_.tidied(whole, ends_.before);
   if (!closer_.close(from, whole, to, ends_)) return false;
-  if (!task_.checker->rig_is_free(from, wheels_.driven(whole, ends_.before))) return false;
-  const std::size_t tail = commands_.size() - window.last;
-  const bool is_as_long = whole.size() == window.first + trial_.size() + tail;  // none is joined
+  const std::vector<Segment> driven = wheels_.driven(whole, ends_.before);
+  if (measure_ && !(measure_(driven) < limit)) return false;
+  if (!task_.checker->rig_is_free(from, driven)) return false;
+  const double cost = cost_;
+  Driving as_ever = driving_;
   std::swap(commands_, whole);
-  drive(is_as_long ? window.first : 0, is_as_long ? tail : 0);
+  drive(goes_on_ ? std::move(near) : std::vector<double>{});
   if (cost_ < limit) return true;
   commands_ = std::move(whole);  // the wheels turn in another way without what was left out
-  drive();
+  driving_ = std::move(as_ever);
+  cost_ = cost;
   return false;
+}
+
+/// Puts the trial in place of the window if it can be closed, is free, has no more crumbs, and the
+/// drive costs less than `limit` then.
+bool DriveShortener::try_trial(const Window& window, double limit) {
+  return closes(window) && more_crumbs(window) <= 0 && replace(window, limit);
 }
 
 bool DriveShortener::step() {
   ++idle_;
   if (commands_.empty()) return false;
-  const Window window = any_window();
-  const std::span<const Segment> old = in(window);
-  trial_.assign(old.begin(), old.end());
-  const double kind = uniform01(rng_);
-  if (kind < 0.15) split(window);
-  if (kind > 0.8) {
-    leave_out(window);
-  } else if (kind < 0.15) {
-    shake({window.first, window.last + 1});
-  } else {
-    shake(window);
-  }
-  if (trial_.size() < 2) return false;
-  const bool is_closed =
-      closer_.close(states_[window.first], trial_, states_[window.last], ends_of(window));
-  const bool is_better = is_closed && more_crumbs(window) <= 0 && replace(window, cost_);
-  size_ = std::clamp(size_ * (is_better ? 1.3 : 0.99), 0.02, 1.0);
+  const bool is_better = sweeps() ? sweep() : try_anything();
   if (cost_ < progress_cost_ * (1 - progress)) {
     progress_cost_ = cost_;
     idle_ = 0;
@@ -196,10 +283,48 @@ bool DriveShortener::step() {
   return is_better;
 }
 
+/// Whether there is a command that was not left out in vain yet.
+bool DriveShortener::sweeps() const { return commands_.size() > 3 && in_vain_ < commands_.size(); }
+
+/// Leaves the next command out, if that saves a good deal. A fresh drive is crooked, and nothing
+/// makes it as much cheaper in as little time.
+bool DriveShortener::sweep() {
+  if (swept_ >= commands_.size()) swept_ = 0;
+  const Window window{swept_ - std::min(swept_, reach_of_sweep),
+                      std::min(commands_.size(), swept_ + 1 + reach_of_sweep)};
+  const std::span<const Segment> old = in(window);
+  trial_.assign(old.begin(), old.end());
+  trial_.erase(trial_.begin() + static_cast<std::ptrdiff_t>(swept_ - window.first));
+  const bool is_better = try_trial(window, cost_ * (1 - swept_gain));
+  in_vain_ = is_better ? 0 : in_vain_ + 1;
+  if (!is_better) ++swept_;
+  return is_better;
+}
+
+/// Changes some commands at random.
+bool DriveShortener::try_anything() {
+  const Window window = any_window();
+  const std::span<const Segment> old = in(window);
+  trial_.assign(old.begin(), old.end());
+  const double kind = uniform01(rng_);
+  const bool leaves_out = kind > 0.8;
+  if (leaves_out) {
+    leave_out(window);
+  } else if (kind < 0.15) {
+    split(window);
+  } else {
+    shake(window);
+  }
+  if (trial_.size() < 2 || std::ranges::equal(trial_, old)) return false;
+  const bool is_better = try_trial(window, cost_);
+  if (!leaves_out) size_ = std::clamp(size_ * (is_better ? 1.3 : 0.99), 0.02, 1.0);
+  return is_better;
+}
+
 /// How many more segments shorter than a crumb are driven in the trial than in the window.
 int DriveShortener::more_crumbs(const Window& window) const {
   const auto crumbs = [&](std::span<const Segment> commands) {
-    search::Driven driven = driven_[window.first];
+    search::Driven driven = driving_.driven[window.first];
     int count = 0;
     for (const Segment& command : commands) {
       const Obeyed obeyed = wheels_.obey(command, driven);
@@ -224,9 +349,7 @@ bool DriveShortener::drop(std::size_t i, double limit) {
       before = {std::lerp(before.curvature, at->curvature, at->length / whole), whole};
     }
     trial_.erase(at);
-    const bool is_closed = !trial_.empty() && closer_.close(states_[window.first], trial_,
-                                                            states_[window.last], ends_of(window));
-    if (is_closed && more_crumbs(window) <= 0 && replace(window, limit)) return true;
+    if (!trial_.empty() && try_trial(window, limit)) return true;
   }
   return false;
 }

@@ -15,8 +15,8 @@
 
 namespace vandplan::commands {
 
-/// Improves one drive by random trials; a trial is kept only if it is free, cheaper and has no more
-/// crumbs.
+/// Improves one drive by trials, random ones after a first sweep; a trial is kept only if it is
+/// free, cheaper and has no more crumbs.
 class DriveShortener {
  public:
   /// What a drive costs by another measure than a rule.
@@ -24,7 +24,7 @@ class DriveShortener {
 
   /// The task and the rule outlive the shortener. The commands are a free drive from the start of
   /// the task to its goal.
-  DriveShortener(const Task& task, const search::CostRule& rule, std::vector<Segment> commands,
+  DriveShortener(const Task& task, const search::CostRule& rule, std::span<const Segment> commands,
                  std::uint64_t seed, Measure measure = {});
 
   /// One trial. True when the drive got cheaper.
@@ -36,7 +36,7 @@ class DriveShortener {
 
   [[nodiscard]] double cost() const { return cost_; }
   [[nodiscard]] const std::vector<Segment>& commands() const { return commands_; }
-  /// The drive, which ends exactly at the goal.
+  /// The drive, which ends at the goal.
   [[nodiscard]] std::vector<Segment> segments() const {
     return merged(wheels_.driven(commands_, ends_.before));
   }
@@ -49,21 +49,38 @@ class DriveShortener {
   struct Window {
     std::size_t first, last;  // the one after them
   };
+  /// What is driven at the commands of a chain, and what it costs.
+  struct Driving {
+    std::vector<RigState> states;        // before each command, and at the end
+    std::vector<search::Driven> driven;  // the same
+    std::vector<double> prices;          // of each command, without what
+    std::vector<double> near;            // being near things adds
+  };
 
+  [[nodiscard]] bool sweeps() const;
+  bool sweep();
+  bool try_anything();
   [[nodiscard]] Window any_window();
+  [[nodiscard]] double any_size();
   void shake(const Window& window);
   void leave_out(const Window& window);
   void split(const Window& window);
   [[nodiscard]] double near_cost(const RigState& from, std::span<const Segment> segments,
                                  double cutoff) const;
   [[nodiscard]] WheelEnds ends_of(const Window& window) const;
+  [[nodiscard]] bool closes(const Window& window);
+  bool try_trial(const Window& window, double limit);
+  void price_trial(const Window& window);
+  [[nodiscard]] double left_for_near(const Window& window, double limit) const;
+  [[nodiscard]] bool looks_at_near(const Window& window, double left);
   bool replace(const Window& window, double limit);
+  bool settle(std::vector<Segment> whole, std::vector<double> near, double limit);
   [[nodiscard]] std::span<const Segment> in(const Window& window) const {
     return std::span(commands_).subspan(window.first, window.last - window.first);
   }
   [[nodiscard]] int more_crumbs(const Window& window) const;
   [[nodiscard]] bool drop(std::size_t i, double limit);
-  void drive(std::size_t head = 0, std::size_t tail = 0);
+  void drive(std::vector<double> near);
 
   const Task& task_;
   const search::CostRule& rule_;
@@ -73,11 +90,16 @@ class DriveShortener {
   Closer closer_;
   double crumb_;
   std::vector<Segment> commands_;
-  std::vector<RigState> states_;        // before each command, and the goal
-  std::vector<search::Driven> driven_;  // before each command, and at the goal
-  std::vector<Segment> trial_;          // instead of a window
-  std::vector<double> near_;            // what being near things adds at each command
+  Driving driving_;
   double cost_ = 0.0;
+  std::vector<Segment> trial_;            // instead of a window
+  Driving tried_;                         // at the trial
+  std::vector<Segment> segments_;         // of the trial
+  std::vector<std::size_t> segments_at_;  // each of its commands
+  bool goes_on_ = true;                   // as ever, behind the trial,
+  double next_price_ = 0.0;               // but for the price of the next command
+  std::size_t swept_ = 0;                 // the next command that a sweep leaves out
+  std::size_t in_vain_ = 0;               // commands that it left out since it last saved anything
   Rng rng_;
   double size_ = 0.1;  // of what a trial changes
   int idle_ = 0;       // trials since the last progress worth the name

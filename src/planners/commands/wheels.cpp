@@ -12,7 +12,7 @@ namespace {
 
 using search::Driven, search::GearSign, search::gear_of;
 
-constexpr double crumb = 1e-9;  // way that is none [m]
+constexpr double crumb = 1e-10;  // way that is none [m]
 // Of an arc where a drive goes on with a clothoid after a stop, times the root of 1 / rate.
 constexpr double first_arc = 5e-3;
 
