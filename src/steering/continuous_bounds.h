@@ -6,7 +6,9 @@
 // Practical bounds, measured and not proven: docs/algorithms/continuous_steering.md, section 4.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "steering/continuous_kinds.h"
@@ -25,26 +27,76 @@ inline double signed_length(const Steps& steps, const Arcs& arcs) {
   return sum;
 }
 
-/// No word of turns between straight wheels is shorter that has these circles (measured). Turns to
-/// full lock are as long as that and their clothoids; smaller ones less, but not by more than a
-/// turn by that angle alone, and hardly at all where a line beside them takes up the rest.
+/// What becomes of a turn between straight wheels whose angle by its circles falls short of a ramp
+/// by u ramps (measured).
+struct Small {
+  double least;         ///< there is none if that angle is less, in ramps; see `wide`
+  double gone;          ///< it may be none if that angle is no more
+  double lack, growth;  ///< it is shorter than its angle and a ramp by u^2 (lack + growth u^4)
+  double most = 2;      ///< ramps, but by no more than that
+
+  [[nodiscard]] double lacks(double u) const {
+    if (u <= 0) return 0;
+    const double square = u * u;
+    return std::min(most, square * (lack + growth * square * square));
+  }
+};
+
+/// The first, the inner and the last turns of a word.
+using SmallTurns = std::array<Small, 3>;
+
+constexpr Small by_line{-0.55, 0, 0.01, 0};
+constexpr Small by_turn{-0.57, -0.38, 0.27, 0.08};
+constexpr Small by_twins{-0.3, -0.2, 0.28, 0.18};
+constexpr Small before_twins{-0.88, -0.35, 0.14, 0, 0.12};
+constexpr Small by_quarter{-0.55, -0.2, 0.28, 0.26};
+
+constexpr std::array<SmallTurns, 9> small_turns = {{
+    {by_line, by_line, by_line},                                         // lsl
+    {by_line, by_line, by_line},                                         // lsr
+    {by_turn, by_turn, by_turn},                                         // l_r_l
+    {by_turn, {-0.5, -0.5, 0.18, 0.17}, {-0.57, -0.38, 0.15, 0, 0.16}},  // r_lr
+    {before_twins, {-0.2, -0.2, 0.4, 1}, before_twins},                  // lr_lr
+    {by_twins, {-0.2, -0.2, 0.38, 0.3}, by_twins},                       // r_lr_l
+    {by_quarter, by_line, by_line},                                      // r_lsr
+    {by_quarter, by_line, by_line},                                      // r_lsl
+    {by_quarter, by_line, by_quarter},                                   // r_lsr_l
+}};
+
+inline const SmallTurns& small_turns_of(Formula formula) {
+  return small_turns[static_cast<std::size_t>(formula)];
+}
+
+/// By how much less the angle of a turn beside such an inner turn may be, in ramps (measured).
+inline double wide(double inner) { return 0.2 * std::max(0.0, inner - 1.5); }
+
+/// About how long a word of turns between straight wheels is that has these circles (measured). Of
+/// what small turns lack, more is lacking where there are several.
 inline double length_near(Formula formula, const Arcs& arcs, double ramp) {
   const Steps& steps = steps_of(formula);
-  const double angles[] = {arcs.first, arcs.inner, 0, arcs.last};
-  double at_full_lock = 0, gap = 0;
-  for (std::size_t i = 0; i < steps.count; ++i) {
-    const std::size_t part = steps.list[i].part;
-    if (part == 2) {
-      at_full_lock += arcs.line;
-      continue;
-    }
-    const double length = angles[part] + ramp;
-    at_full_lock += length;
-    if (angles[part] < ramp) gap += length - 2 * root(angles[part] * ramp);
+  double length = arcs.first + arcs.last + 2 * ramp;
+  for (std::size_t i = 1; i + 1 < steps.count; ++i) {
+    length += steps.list[i].part == 2 ? arcs.line : arcs.inner + ramp;
   }
-  const bool takes_up = formula == Formula::lsl || formula == Formula::lsr;
-  const double share = takes_up ? 0.02 : 1;
-  return at_full_lock - (std::min(arcs.first, arcs.last) < 0 ? 2 : share) * gap;
+  const SmallTurns& turns = small_turns_of(formula);
+  const double first = turns[0].lacks(1 - arcs.first / ramp);
+  const double inner = turns[1].lacks(1 - arcs.inner / ramp);
+  const double last = turns[2].lacks(1 - arcs.last / ramp);
+  const double together = 5 * inner * (first + last) + first * last;
+  return length - ramp * (first + inner + last + together);
+}
+
+/// Whether a turn with that angle by its circles may have clothoids of a length (measured), unless
+/// a line beside it lacks something.
+inline bool may_wind(const Small& turn, double angle, double length, double ramp) {
+  constexpr double noise = 1e-9;
+  const double share = length / ramp;
+  return angle + noise >= ramp * (turn.least + (1 - turn.least) * share * share);
+}
+
+/// Length of a turn between straight wheels by `angle` >= 0.
+inline double turn_length(double angle, double ramp) {
+  return angle < ramp ? 2 * root(angle * ramp) : angle + ramp;
 }
 
 /// By how much clothoids of that length make the least word longer at least, where the curvature
@@ -56,9 +108,7 @@ inline double least_added(const reeds_shepp_formulas::Solution& sharp, double ra
     const double square = angle * angle;
     return 1 - square / 2 + square * square / 24;
   };
-  const auto longer = [&](double angle) {
-    return angle >= ramp ? ramp : 2 * root(angle * ramp) - angle;
-  };
+  const auto longer = [&](double angle) { return turn_length(angle, ramp) - angle; };
   const auto& [length, first, inner, line, last] = sharp.arcs;
   const double moved = ramp * (2 - most_cosine(first) - most_cosine(last)) / 2;
   switch (sharp.formula) {

@@ -50,6 +50,7 @@ inline constexpr std::array<Kind, 11> kinds = {{
 /// small one, not of a whole turn.
 inline double in_one_turn(double arc) {
   constexpr double slack = 0.5;
+  if (arc >= -slack && arc < full_turn - slack) return arc;
   return arc - full_turn * std::floor((arc + slack) / full_turn);
 }
 
@@ -60,12 +61,11 @@ inline Arcs in_one_turn(Arcs arcs) {
 }
 
 inline WordFrame image_of(WordFrame f, const Symmetry& s) {
-  if (s.x) f.x = -f.x;
-  if (s.y) f.y = -f.y;
-  if (s.half_turn) {
-    f.a = -f.a;
-    f.s = -f.s;
-  }
+  constexpr double sign[] = {1, -1};  // no branches: symmetries come in no order
+  f.x *= sign[s.x];
+  f.y *= sign[s.y];
+  f.a *= sign[s.half_turn];
+  f.s *= sign[s.half_turn];
   return f;
 }
 

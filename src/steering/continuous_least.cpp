@@ -12,6 +12,7 @@
 
 #include "steering/continuous_bounds.h"
 #include "steering/continuous_families.h"
+#include "steering/continuous_images.h"
 #include "steering/continuous_kinds.h"
 #include "steering/continuous_shortlists.h"
 
@@ -19,6 +20,8 @@ namespace vandplan::steering {
 namespace {
 
 using namespace families;
+using images::Back, images::Image, images::View;
+using images::back_of, images::image_of;
 using shortlists::List, shortlists::Rows;
 
 const List& list_with(const Stops& stops) {
@@ -33,57 +36,6 @@ bool is_likely(const Arrow& arrow, double low, double high, bool is_three_arcs) 
   const double least = low * low + 1e-24;
   if (arrow.im < 0 && (arrow.re < 0 || arrow.im * arrow.im > least * squared)) return false;
   return arrow.re >= 0 || is_three_arcs || arrow.re * arrow.re <= high * high * squared;
-}
-
-/// How a word of the folded frame has to begin (or end) so that it drives a winding back, and how
-/// much it saves by that.
-struct Back {
-  shortlists::Way way;
-  double saved;
-};
-
-Back back_of(const Winding& winding, const Symmetry& undo) {
-  if (winding.length <= 0) return {shortlists::no_way, 0};
-  return {shortlists::way_of(winding.gear, winding.side) ^ shortlists::flips_of(undo),
-          2 * winding.length};
-}
-
-/// A task, with what the search asks of it again and again.
-struct View {
-  const WordTask* task;
-  Symmetry undo;  ///< from the folded frame
-  Back first, last;
-  double least;  ///< no path of a word is shorter, less what it saves
-
-  /// By any word.
-  [[nodiscard]] double most_saved() const { return first.saved + last.saved; }
-};
-
-/// A word of a task as a symmetry of its folded frame makes it.
-struct Image {
-  const View* view;
-  Symmetry symmetry;
-  WordFrame frame;
-  double first_saves, last_saves;  ///< no such word saves more by its first and by its last step
-
-  [[nodiscard]] double most_saved() const { return first_saves + last_saves; }
-
-  [[nodiscard]] Symmetry made() const { return both(view->undo, symmetry); }
-  [[nodiscard]] Stops stops() const { return seen_by(made(), view->task->stops); }
-};
-
-/// An image of a word of a kind; `frame` is that of `seen`, a symmetry of the folded frame.
-inline Image image_of(const View& view, const Kind& kind, const Symmetry& seen,
-                      const WordFrame& frame, const Symmetry& symmetry) {
-  const Symmetry made = both(seen, symmetry);
-  Image image{&view, made, families::image_of(frame, symmetry), 0, 0};
-  if (view.most_saved() > 0) {
-    const auto [first, last] = shortlists::ways_of(kind, made);
-    image.first_saves = first == view.first.way ? view.first.saved : 0;
-    image.last_saves = last == view.last.way ? view.last.saved : 0;
-    if (made.swaps_ends()) std::swap(image.first_saves, image.last_saves);
-  }
-  return image;
 }
 
 /// A word that Newton's method has to find.
@@ -126,7 +78,7 @@ class Search {
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (views[i].least - views[i].most_saved() < best_) look_at(views[i]);
-      if (is_quick_) solve_open();  // elsewhere the first guesses are worse
+      if (is_quick_ && stops_.inside) solve_open();  // elsewhere the bounds of all tell more
     }
     solve_open();
     return least_;
@@ -159,9 +111,11 @@ class Search {
     look_at_rows(view);
     if (near.x * near.x + near.y * near.y < 9 * ramp_ * ramp_) look_at_short(view);
     // Where the headings are opposite the other way round is as good.
-    const double half = std::numbers::pi / 2;
-    if (near.half_turn > half - 0.05 - 0.6 * ramp_) {
-      look_at_other_way(view, word_frame({near.x, near.y, 2 * half - near.half_turn}));
+    const double missing = std::numbers::pi / 2 - near.half_turn;
+    if (missing < 0.05 + 0.6 * ramp_) {
+      const bool any = stops_.inside || !is_quick_ || missing < 0.05;
+      look_at_other_way(view, word_frame({near.x, near.y, near.half_turn + 2 * missing}),
+                        any ? list_.likely : list_.half_turns);
     }
     if (!is_quick_ && view.most_saved() > 0) look_at_all_that_save(view);
   }
@@ -171,21 +125,27 @@ class Search {
     if (!is_quick_) return list_.likely;
     const reeds_shepp_formulas::Solution& sharp = view.task->sharp;
     const auto formula = static_cast<std::size_t>(sharp.formula);
-    const bool is_on_border = bounds::is_on_border(sharp);
+    const auto [first, last] = std::pair(view.first.way, view.last.way);
+    return bounds::is_on_border(sharp)
+               ? list_.likely | list_.first_way[first] | list_.last_way[last]
+               : list_.here[formula][first][last];
+  }
+
+  /// The rows that may be shorter than the best: what saves nothing, or at one end only, has to be
+  /// that all the same.
+  [[nodiscard]] Rows short_enough(const View& view) const {
+    if (!is_quick_ || view.least < best_) return ~Rows{0};
     const Rows first = list_.first_way[view.first.way];
     const Rows last = list_.last_way[view.last.way];
-    // What saves nothing, or at one end only, has to be shorter than the best all the same.
-    Rows saving = first & last;
-    if (view.least - view.first.saved < best_) saving |= first;
-    if (view.least - view.last.saved < best_) saving |= last;
-    const Rows others = view.least < best_ ? ~(first | last) : 0;
-    return is_on_border ? saving | (others & list_.likely)
-                        : (saving & list_.saving[formula]) | (others & list_.here[formula]);
+    Rows rows = first & last;
+    if (view.least - view.first.saved < best_) rows |= first;
+    if (view.least - view.last.saved < best_) rows |= last;
+    return rows;
   }
 
   void look_at_rows(const View& view) {
     const WordFrame& folded = view.task->folded;
-    Rows rows = worth_a_look(view);
+    Rows rows = worth_a_look(view) & short_enough(view);
     const double most = 4 * (joints_[0].stop + joints_[0].reach);
     if (folded.x * folded.x + folded.y * folded.y > most * most) rows &= ~list_.arcs;
     for (; rows != 0; rows &= rows - 1) {
@@ -194,9 +154,9 @@ class Search {
     }
   }
 
-  void look_at_other_way(const View& view, const WordFrame& frame) {
+  void look_at_other_way(const View& view, const WordFrame& frame, Rows which) {
     constexpr Symmetry all{true, true, true};
-    for (Rows rows = worth_a_look(view) & list_.likely; rows != 0; rows &= rows - 1) {
+    for (Rows rows = worth_a_look(view) & which; rows != 0; rows &= rows - 1) {
       const auto& row = list_.rows[static_cast<std::size_t>(std::countr_zero(rows))];
       look_at_row(row, image_of(view, kinds[row.kind], all, frame, row.symmetry));
     }
@@ -210,15 +170,17 @@ class Search {
 
   /// A line between small turns, where it is too short for the circles of turns to full lock.
   void look_at_short(const View& view) {
-    const Rows rows = worth_a_look(view);
+    const Rows rows = worth_a_look(view) & short_enough(view);
     const WordFrame& folded = view.task->folded;
-    const auto& [x, y, a, s, c] = folded;
-    if ((rows & 1) != 0) {
-      add_sharp(kinds[0], image_of(view, kinds[0], none, folded, none), std::nullopt);
-    }
-    if ((rows & 2) != 0 && Circles({x, y, a}, {s, c}).lr >= 0) {
-      add_sharp(kinds[1], image_of(view, kinds[1], none, folded, none), std::nullopt);
-    }
+    const Circles circles({folded.x, folded.y, folded.a}, {folded.s, folded.c});
+    const auto look = [&](const Kind& kind) {
+      const Arcs sharp = kind.arcs(circles);
+      // Larger turns get to full lock, where the word is found by its circles.
+      if (is_quick_ && !stops_.inside && std::max(sharp.first, sharp.last) > ramp_) return;
+      add_sharp(kind, image_of(view, kind, none, folded, none), std::nullopt);
+    };
+    if ((rows & 1) != 0) look(kinds[0]);
+    if ((rows & 2) != 0 && circles.lr >= 0) look(kinds[1]);
   }
 
   /// For steering so slow that the lists were not measured for it.
@@ -254,15 +216,12 @@ class Search {
       return;
     }
     const Arcs arcs = in_one_turn(circles.arcs());
-    const auto word = solver_.at_full_lock(kind.formula, image.stops(), arcs);
-    if (word) {
+    if (is_near_circles && !is_tiny(image.frame)) {
+      look_near_circles(kind.formula, image, arcs);
+    } else if (const auto word = solver_.at_full_lock(kind.formula, image.stops(), arcs)) {
       consider(*word, image);
-    } else if (stops_.inside) {
-      add_sharp(kind, image, arcs);
-    } else if (!is_near_circles || is_tiny(image.frame)) {
-      add_sharp(kind, image, std::nullopt);
     } else {
-      add_near_circles(kind.formula, image, arcs);
+      add_sharp(kind, image, stops_.inside ? std::optional(arcs) : std::nullopt);
     }
   }
 
@@ -272,10 +231,35 @@ class Search {
   }
 
   /// A word between straight wheels is near its circles.
-  void add_near_circles(Formula formula, const Image& image, const Arcs& arcs) {
-    const double length = bounds::length_near(formula, arcs, ramp_);
-    Open* open = opened(formula, image, length, std::min(arcs.first, arcs.last));
-    if (open != nullptr) open->guess = guess_near(formula, arcs);
+  void look_near_circles(Formula formula, const Image& image, const Arcs& arcs) {
+    auto [first, inner, last] = bounds::small_turns_of(formula);
+    first.least -= bounds::wide(arcs.inner);
+    last.least -= bounds::wide(arcs.inner);
+    if (arcs.first < first.least * ramp_ || arcs.last < last.least * ramp_ ||
+        arcs.inner < inner.least * ramp_) {
+      return;
+    }
+    constexpr double vanishes = 1e-6;
+    const auto saves = [&](const bounds::Small& turn, double arc, double most) {
+      const bool may = arcs.line < 0 || bounds::may_wind(turn, arc, most / 2, ramp_);
+      return may ? most : 0;
+    };
+    // Where an end vanishes, the step beside it may save as much as any.
+    const bool has_ends =
+        arcs.first > first.gone * ramp_ + vanishes && arcs.last > last.gone * ramp_ + vanishes;
+    const double saved = has_ends ? saves(first, arcs.first, image.first_saves) +
+                                        saves(last, arcs.last, image.last_saves)
+                                  : image.view->most_saved();
+    const double length = bounds::length_near(formula, arcs, ramp_) - saved;
+    if (image.view->task->windings.length() + length >= best_) return;
+    const bool may_be_full = std::min(arcs.first, arcs.last) > ramp_ - vanishes;
+    const auto word =
+        may_be_full ? solver_.at_full_lock(formula, image.stops(), arcs) : std::nullopt;
+    if (word) {
+      consider(*word, image);
+    } else if (Open* open = opened(formula, image, length)) {
+      open->guess = guess_near(formula, arcs);
+    }
   }
 
   /// A word about as long as that of Reeds and Shepp.
@@ -288,7 +272,11 @@ class Search {
       length = bounds::signed_length(steps, sharp);
       if (circles) length = std::min(length, bounds::signed_length(steps, *circles));
     }
-    Open* open = opened(kind.formula, image, length, std::min(sharp.first, sharp.last));
+    // Where an end vanishes, the step beside it may save as much as any.
+    constexpr double vanishes = 1e-6;
+    const bool has_ends = std::min(sharp.first, sharp.last) > vanishes;
+    length -= has_ends ? image.most_saved() : image.view->most_saved();
+    Open* open = opened(kind.formula, image, length);
     if (open == nullptr) return;
     sharp.line -= 2 * solver_.turns().centre().x;
     open->guess = open->second_guess = sharp;
@@ -308,14 +296,9 @@ class Search {
     return arcs;
   }
 
-  /// One more open word, which is not much shorter than `length`, less what it may save; nothing if
-  /// that is too long already.
-  Open* opened(Formula formula, const Image& image, double length, double least_arc) {
-    // Where an end vanishes, the step beside it may save as much as any.
-    constexpr double vanishes = 1e-6;
-    const View& view = *image.view;
-    const double most_saved = least_arc > vanishes ? image.most_saved() : view.most_saved();
-    const double bound = view.task->windings.length() + length - most_saved;
+  /// One more open word, which is not much shorter than `length`, nothing if that is too long.
+  Open* opened(Formula formula, const Image& image, double length) {
+    const double bound = image.view->task->windings.length() + length;
     if (bound >= best_ || count_ == open_.size()) return nullptr;
     Open& open = open_[count_++];
     open.formula = formula;

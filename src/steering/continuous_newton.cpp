@@ -33,10 +33,9 @@ struct Miss {
 
 /// The steps of a word that turn, as they are driven, and its line.
 struct Driven {
-  Turned first, inner, next_inner, last;
-  Turned dip;  ///< instead of a line of less than nothing between turns to the same side
+  const Turned &first, &inner, &next_inner, &last;
   double line;
-  bool dips;
+  const Turned* dip;  ///< instead of a line of less than nothing between turns to the same side
 };
 
 /// A word as far as it is driven.
@@ -89,7 +88,8 @@ inline After drive(Chain& c, const Driven& d) {
   if constexpr (step.part == 0) return turn(c, d.first, step.gear, step.turn);
   if constexpr (step.part == 3) return turn(c, d.last, step.gear, step.turn);
   if constexpr (step.part == 2) {
-    return d.dips ? turn(c, d.dip, step.gear, steps.list[i - 1].turn) : line(c, d.line, step.gear);
+    if (d.dip != nullptr) return turn(c, *d.dip, step.gear, steps.list[i - 1].turn);
+    return line(c, d.line, step.gear);
   }
   if constexpr (step.part == 1) {
     return turn(c, i == 1 ? d.inner : d.next_inner, step.gear, step.turn);
@@ -150,21 +150,30 @@ class Equations {
   [[nodiscard]] double size() const { return 1 + std::abs(frame_.x) + std::abs(frame_.y); }
 
   [[nodiscard]] Miss miss(const Vector& lengths) const {
-    const std::size_t last = shape_.steps.count - 1;
-    const bool has_line = shape_.has_line;
-    const bool dips = shape_.may_dip && lengths[1] < 0;
-    const Driven driven{
-        turns_.turn(lengths[0], shape_.ends[0]),
-        has_line ? quarter_ : turns_.turn(lengths[1], shape_.ends[1]),
-        last < 3 || has_line ? next_quarter_ : turns_.turn(lengths[1], shape_.ends[2]),
-        turns_.turn(lengths[2], shape_.ends[last]),
-        dips ? turns_.turn(lengths[1], Ends::rolling) : Turned{},
-        lengths[1],
-        dips};
-    return miss_(driven, frame_, turn_);
+    const auto& ends = shape_.ends;
+    const std::size_t end = shape_.steps.count - 1;
+    const Turned first = turns_.turn(lengths[0], ends[0]);
+    const Turned last = turns_.turn(lengths[2], ends[end]);
+    if (shape_.has_line) {
+      const Driven driven{first, quarter_, next_quarter_, last, lengths[1], nullptr};
+      return shape_.may_dip && lengths[1] < 0 ? miss_with_dip(driven)
+                                              : miss_(driven, frame_, turn_);
+    }
+    const Turned inner = turns_.turn(lengths[1], ends[1]);
+    if (end < 3 || ends[2] == ends[1]) {
+      return miss_({first, inner, inner, last, 0, nullptr}, frame_, turn_);
+    }
+    const Turned next_inner = turns_.turn(lengths[1], ends[2]);
+    return miss_({first, inner, next_inner, last, 0, nullptr}, frame_, turn_);
   }
 
  private:
+  [[nodiscard]] Miss miss_with_dip(Driven driven) const {
+    const Turned dip = turns_.turn(driven.line, Ends::rolling);
+    driven.dip = &dip;
+    return miss_(driven, frame_, turn_);
+  }
+
   const SharpTurns& turns_;
   const Shape& shape_;
   const WordFrame& frame_;
