@@ -132,11 +132,12 @@ float DriveField::to_go(const Node& node, std::int64_t cell) {
   if (opposite_ != nullptr) return opposite_->onward(*this, node).cost;
   float& known = guided_[static_cast<std::size_t>(cell)];
   if (known == unasked) {
-    const double column = static_cast<double>(cell % columns_) + 0.5;
-    const double row = static_cast<double>(cell / columns_) + 0.5;
+    const std::int64_t column = cell % columns_;
+    const std::int64_t row = cell / columns_;
     const auto side = static_cast<double>(cells_of_metre_);
-    known = static_cast<float>(guide_->at(static_cast<double>(x_min_) + column / side,
-                                          static_cast<double>(y_min_) + row / side));
+    known = static_cast<float>(
+        guide_->at(static_cast<double>(x_min_) + (static_cast<double>(column) + 0.5) / side,
+                   static_cast<double>(y_min_) + (static_cast<double>(row) + 0.5) / side));
   }
   return known;
 }

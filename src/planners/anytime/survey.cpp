@@ -68,7 +68,8 @@ void Survey::look_back() {
   const double area = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min);
   const double least_cell = std::sqrt(area * options_.headings / most_cells) / forth_.radius();
   options_.cell = std::max(options_.cell, least_cell);
-  const double shifts = shift * static_cast<double>(looks_ / looks.size());
+  const std::size_t times_around = looks_ / looks.size();
+  const double shifts = shift * static_cast<double>(times_around);
   const double offset = std::fmod(shifts, 1.0) * options_.cell * forth_.radius();
   cells_ = {box_.x_min - offset, box_.x_max, box_.y_min - offset, box_.y_max};
   from_goal_ = std::make_unique<DriveField>(back_, *room_, cells_, options_, task_.goal, 0, most_);
