@@ -71,6 +71,18 @@ struct List {
   /// Those worth a look, by the formula of Reeds and Shepp and the ways that drive windings back.
   std::array<std::array<std::array<Rows, 5>, 5>, 9> here{};
 
+  /// `back`: the ways that drive the windings back; `windings` is null where there is none.
+  static constexpr bool is_worth_a_look(const Likely& row, const Ways& ways, const Ways& back,
+                                        std::size_t formula, const BesideWindings* windings) {
+    const bool saves = ways.first == back.first || ways.last == back.last;
+    unsigned set = static_cast<unsigned>(saves ? row.saving : row.here) >> formula;
+    if (windings != nullptr) {
+      const int way = 5 * beside(ways.first, back.first) + beside(ways.last, back.last);
+      set = (*windings)[formula] >> way;
+    }
+    return (set & 1U) != 0;
+  }
+
   constexpr void add(std::size_t i, const Likely& row, const BesideWindings* windings) {
     const Steps& steps = all_steps[static_cast<std::size_t>(kinds[row.kind].formula)];
     const Rows bit = Rows{1} << i;
@@ -82,12 +94,10 @@ struct List {
     for (std::size_t formula = 0; formula < 9; ++formula) {
       for (Way first = 0; first <= no_way; ++first) {
         for (Way last = 0; last <= no_way; ++last) {
-          const bool saves = ways.first == first || ways.last == last;
-          unsigned set = static_cast<unsigned>(saves ? row.saving : row.here) >> formula;
-          if (windings != nullptr && (first != no_way || last != no_way)) {
-            set = (*windings)[formula] >> (5 * beside(ways.first, first) + beside(ways.last, last));
+          const BesideWindings* beside = first != no_way || last != no_way ? windings : nullptr;
+          if (is_worth_a_look(row, ways, {first, last}, formula, beside)) {
+            here[formula][first][last] |= bit;
           }
-          if ((set & 1U) != 0) here[formula][first][last] |= bit;
         }
       }
     }

@@ -13,7 +13,7 @@ namespace {
 
 // Coarse cells miss ways that fine ones find, and the other way round: which poses they keep is a
 // matter of luck. So no look is like the one before it.
-constexpr std::array<FieldOptions, 4> looks = {{{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
+constexpr std::array<FieldOptions, 4> survey_looks = {{{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
 constexpr double shift = 0.618;               // of the cells, each time around [cells]
 constexpr double excess = 1.1;                // of ways that are led through, over the cheapest one
 constexpr double worth_a_look = 1.2;          // of any, over the best route: they are crooked
@@ -21,7 +21,7 @@ constexpr int most_routes = 6;                // of one look
 constexpr std::int64_t most_poses = 200'000;  // of one field
 constexpr double most_cells = 1e6;            // of places and headings
 constexpr int poses_of_step = 32;
-constexpr double guide_side = 0.5;    // of a cell of the grid [vehicle widths]
+constexpr double survey_guide_side = 0.5;    // of a cell of the grid [vehicle widths]
 constexpr double border = 2.0;        // around the scene [turning radii]
 constexpr double room_of_step = 0.2;  // that the longest step asks for [turning radii]
 constexpr std::int64_t bin_headings = 8;
@@ -29,7 +29,7 @@ constexpr std::int64_t bin_headings = 8;
 constexpr std::array<std::size_t, 7> steps_replaced = {1, 2, 3, 4, 6, 8, 12};
 constexpr double joint_slack = 1.3;  // what it may cost, over those steps,
 constexpr double least_joint = 0.5;  // and beside that [turning radii]
-constexpr std::size_t segments_of_leg = 5;
+constexpr std::size_t segments_of_piece = 5;
 
 Bounds box_around(const Task& task) {
   const Bounds scene = sampling_region(task, Region::scene);
@@ -53,7 +53,7 @@ bool Survey::prepare() {
   if (!guide_) {
     const CostRule& rule = forth_.rule();
     guide_ = std::make_unique<GridDistance>(
-        task_, sampling_region(task_, Region::scene), guide_side, task_.start, task_.goal,
+        task_, sampling_region(task_, Region::scene), survey_guide_side, task_.start, task_.goal,
         ClearancePrice{rule.clearance_weight, rule.clearance_distance});
     room_ = std::make_unique<Room>(
         task_, box_, std::max(rule.clearance_distance, room_of_step * forth_.radius()));
@@ -64,11 +64,11 @@ bool Survey::prepare() {
 
 void Survey::look_back() {
   most_ = worth_a_look * cutoff_;
-  options_ = looks[looks_ % looks.size()];
+  options_ = survey_looks[looks_ % survey_looks.size()];
   const double area = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min);
   const double least_cell = std::sqrt(area * options_.headings / most_cells) / forth_.radius();
   options_.cell = std::max(options_.cell, least_cell);
-  const std::size_t times_around = looks_ / looks.size();
+  const std::size_t times_around = looks_ / survey_looks.size();
   const double shifts = shift * static_cast<double>(times_around);
   const double offset = std::fmod(shifts, 1.0) * options_.cell * forth_.radius();
   cells_ = {box_.x_min - offset, box_.x_max, box_.y_min - offset, box_.y_max};
@@ -237,7 +237,7 @@ void Survey::put_together(const Branch& head, std::size_t heads, const Piece& jo
         last->length * segment.length > 0.0) {
       last->length += segment.length;
     } else {
-      if (begins || leg->piece.count == segments_of_leg) leg = &route_.legs.emplace_back();
+      if (begins || leg->piece.count == segments_of_piece) leg = &route_.legs.emplace_back();
       leg->piece.segments[leg->piece.count++] = segment;
     }
     leg->piece.length += std::abs(segment.length);
