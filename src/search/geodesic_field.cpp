@@ -63,4 +63,19 @@ double GeodesicField::at(const Point& point) {
   return least;
 }
 
+// Along a run the distance changes by no more than the place does.
+std::vector<std::int32_t> GeodesicField::cells_at(std::int32_t row, double distance, double near) {
+  std::vector<std::int32_t> cells;
+  if (!has_row(row)) return cells;
+  for (const OpenRows::Run& run : ways_.lattice().row(row)) {
+    for (std::int32_t x = run.begin; x < run.end;) {
+      const double off = std::abs(at({x + 0.5, row + 0.5}) - distance) - near;
+      if (off > run.end - x) break;
+      if (off <= 0) cells.push_back(x);
+      x += std::max(1, static_cast<std::int32_t>(off));
+    }
+  }
+  return cells;
+}
+
 }  // namespace vandplan::search

@@ -28,6 +28,10 @@ class GeodesicField {
   /// Length of the shortest way to the point, but for rounding (1e-6); infinite in closed cells and
   /// where no way leads. Elsewhere than on ways up to `longest` it may be too long.
   [[nodiscard]] double at(const Point& point);
+  /// Whether some way comes by a row of cells.
+  [[nodiscard]] bool has_row(std::int32_t row) { return ways_.lattice().is_known(row); }
+  /// The cells of a row whose middle is so far from the start, give or take `near`.
+  [[nodiscard]] std::vector<std::int32_t> cells_at(std::int32_t row, double distance, double near);
 
  private:
   TautWays ways_;

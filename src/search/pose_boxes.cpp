@@ -22,7 +22,8 @@ constexpr double curvature_slack = 1e-9;  // of the curvature, relative: what th
 constexpr double headings_of_cell = 4.0;  // that the farthest point moves by as much as a side
 constexpr double most_headings = 4096.0;
 constexpr double most_cells = 2e6;
-constexpr int parts = 4;  // of a cell's side, each a cell for the ways around
+constexpr int parts = 4;                 // of a cell's side, each a cell for the ways around
+constexpr std::int32_t cells_apart = 2;  // of places looked at to see how wide the ways are
 constexpr std::size_t most_boxes = 16'000'000;
 
 /// The body of a vehicle without all that is nearer to its border than so much, and its wheels;
@@ -96,28 +97,33 @@ bool PoseBoxes::prepare(std::int64_t work) {
 
 bool PoseBoxes::is_full() const noexcept { return least_lengths_.size() > most_boxes; }
 
+/// Of the disc's centre to the places of a part, in metres of the rear axle.
+PoseBoxes::Range PoseBoxes::way(GeodesicField& field, const Point& part) const {
+  const double side = side_ / parts;
+  const double off = side * std::sqrt(0.5) + slack;
+  const double way = field.at(part) * side;
+  return {std::max(0.0, way - off) / stretch_, (way + off) / stretch_};
+}
+
 PoseBoxes::Id PoseBoxes::column_at(std::int32_t x, std::int32_t y) {
   std::int32_t& index =
       index_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_of_row_) +
              static_cast<std::size_t>(x)];
   if (index >= 0) return static_cast<Id>(index);
   index = static_cast<std::int32_t>(columns_.size());
-  Column column{x, y, infinity, infinity, infinity};
-  const double part = side_ / parts;
-  const double off = part * std::sqrt(0.5) + slack;
+  Column column{x, y, {infinity, 0.0}, {infinity, 0.0}, infinity};
   for (int i = 0; i < parts * parts; ++i) {
-    const std::int32_t part_x = parts * x + i % parts;
-    const std::int32_t part_y = parts * y + i / parts;
-    const Point middle{part_x + 0.5, part_y + 0.5};
-    const auto least = [&](GeodesicField& field) {
-      return std::max(0.0, field.at(middle) * part - off) / stretch_;
-    };
-    const double from_start = least(from_start_);
-    if (from_start == infinity) continue;
-    const double to_goal = least(to_goal_);
-    column.from_start = std::min(column.from_start, from_start);
-    column.to_goal = std::min(column.to_goal, to_goal);
-    column.in_all = std::min(column.in_all, from_start + to_goal);
+    const Point part{parts * x + i % parts + 0.5, parts * y + i / parts + 0.5};
+    const Range from_start = way(from_start_, part);
+    if (from_start.least == infinity) continue;
+    const Range to_goal = way(to_goal_, part);
+    const double in_all = from_start.least + to_goal.least;
+    column.from_start.least = std::min(column.from_start.least, from_start.least);
+    column.to_goal.least = std::min(column.to_goal.least, to_goal.least);
+    column.in_all = std::min(column.in_all, in_all);
+    if (!(in_all <= longest_)) continue;
+    column.from_start.most = std::max(column.from_start.most, from_start.most);
+    column.to_goal.most = std::max(column.to_goal.most, to_goal.most);
   }
   columns_.push_back(column);
   least_lengths_.resize(columns_.size() * headings_, -1.0F);
@@ -173,27 +179,76 @@ bool PoseBoxes::is_hit(const Pose& middle) const {
   return is_within(task_.world->local().bounds, {core.x, core.y}) && !core_->is_free(core);
 }
 
-double PoseBoxes::find_least_length(const Column& column, Id heading) const {
-  if (!(column.in_all <= longest_)) return infinity;
+Pose PoseBoxes::middle_of(const Column& column, double heading) const {
   const double angle = wrap_angle(2 * std::numbers::pi * heading / headings_);
   const auto [sin, cos] = base::sin_cos(angle);
-  const Pose middle{box_.x_min + (column.x + 0.5) * side_ - disc_.ahead * cos,
-                    box_.y_min + (column.y + 0.5) * side_ - disc_.ahead * sin, angle};
-  const double length =
-      (std::max(column.from_start * (1 + curvature_slack), turning_length(task_.start, middle)) +
-       std::max(column.to_goal * (1 + curvature_slack), turning_length(task_.goal, middle))) /
-      (1 + curvature_slack);
-  return length > longest_ || is_hit(middle) ? infinity : length;
+  return {box_.x_min + (column.x + 0.5) * side_ - disc_.ahead * cos,
+          box_.y_min + (column.y + 0.5) * side_ - disc_.ahead * sin, angle};
+}
+
+Pose PoseBoxes::between(Id first, Id last) const {
+  return middle_of(columns_[first / headings_], 0.5 * (first % headings_ + last % headings_));
+}
+
+PoseBoxes::Box PoseBoxes::box(Id id) const {
+  const Column& column = columns_[id / headings_];
+  const Pose middle = middle_of(column, id % headings_);
+  return {
+      middle, column.from_start, column.to_goal,
+      std::max(column.from_start.least * (1 + curvature_slack),
+               turning_length(task_.start, middle)),
+      std::max(column.to_goal.least * (1 + curvature_slack), turning_length(task_.goal, middle))};
+}
+
+double PoseBoxes::find_least_length(Id id) const {
+  if (!(columns_[id / headings_].in_all <= longest_)) return infinity;
+  const Box box = this->box(id);
+  const double length = (box.from_start + box.to_goal) / (1 + curvature_slack);
+  return length > longest_ || is_hit(box.middle) ? infinity : length;
 }
 
 float PoseBoxes::least_length(Id box) {
   float& known = least_lengths_[box];
   if (known < 0) {
-    const double length = find_least_length(columns_[box / headings_], box % headings_);
+    ++looks_;
+    const double length = find_least_length(box);
     known = std::nextafter(static_cast<float>(length), 0.0F);
     if (length == infinity) known = std::numeric_limits<float>::infinity();
   }
   return known;
+}
+
+std::vector<PoseBoxes::Crossing> PoseBoxes::crossings(std::int32_t y, double distance) {
+  std::vector<Crossing> found;
+  const double part = side_ / parts;
+  const double near = std::sqrt(0.5) + slack / part;
+  for (std::int32_t line = parts * y; line < parts * (y + 1); ++line) {
+    for (const std::int32_t i : from_start_.cells_at(line, distance * stretch_ / part, near)) {
+      const Point place{i + 0.5, line + 0.5};
+      const Range to_goal = way(to_goal_, place);
+      if (!(way(from_start_, place).least + to_goal.least <= longest_)) continue;
+      const auto known = std::ranges::find(found, i / parts, &Crossing::x);
+      if (known == found.end()) {
+        found.push_back({i / parts, y, to_goal});
+      } else {
+        known->way_to_goal.least = std::min(known->way_to_goal.least, to_goal.least);
+        known->way_to_goal.most = std::max(known->way_to_goal.most, to_goal.most);
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<double> PoseBoxes::distances(std::int32_t y) {
+  std::vector<double> distances;
+  if (y % cells_apart != 0 || !from_start_.has_row(parts * y)) return distances;
+  for (std::int32_t x = 0; x < columns_of_row_; x += cells_apart) {
+    const Point place{parts * x + 0.5, parts * y + 0.5};
+    const double from_start = way(from_start_, place).least;
+    if (from_start > longest_ || from_start + way(to_goal_, place).least > longest_) continue;
+    distances.push_back(from_start);
+  }
+  return distances;
 }
 
 }  // namespace vandplan::search

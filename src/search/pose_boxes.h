@@ -20,6 +20,22 @@ namespace vandplan::search {
 class PoseBoxes {
  public:
   using Id = std::uint32_t;
+  struct Range {
+    double least, most;
+  };
+  /// What is known of all poses of a box [m]: ways of the disc's centre from the start and to the
+  /// goal, and what a path needs from the start and to the goal, as far as ways and turns tell.
+  struct Box {
+    Pose middle;
+    Range way_from_start, way_to_goal;
+    double from_start, to_goal;
+  };
+  /// A cell where the disc's centre may be at some distance from the start, and how far it is from
+  /// there to the goal [m].
+  struct Crossing {
+    std::int32_t x, y;
+    Range way_to_goal;
+  };
 
   /// Boxes of cells of `side` [m] around all ways up to `longest` [m]. Where `is_usable` is false
   /// nothing is to be asked: such boxes prove nothing, or are too many.
@@ -41,19 +57,43 @@ class PoseBoxes {
   /// Boxes so far have numbers below this; more come with their neighbours.
   [[nodiscard]] std::size_t size() const noexcept { return least_lengths_.size(); }
   [[nodiscard]] bool is_full() const noexcept;
+  /// How many boxes were looked at so far.
+  [[nodiscard]] std::int64_t looks() const noexcept { return looks_; }
+
+  [[nodiscard]] Id headings() const noexcept { return headings_; }
+  [[nodiscard]] double side() const noexcept { return side_; }
+  [[nodiscard]] double longest() const noexcept { return longest_; }
+  /// How far a pose of a box is from its middle, at most: the rear axle [m] and the heading [rad].
+  [[nodiscard]] double shift() const noexcept { return shift_; }
+  [[nodiscard]] double half_turn() const noexcept { return half_turn_; }
+
+  /// A box that was looked at.
+  [[nodiscard]] Box box(Id id) const;
+  [[nodiscard]] Range way_from_start(Id id) const { return columns_[id / headings_].from_start; }
+  /// The pose in the midst of two boxes of a cell, by their headings.
+  [[nodiscard]] Pose between(Id first, Id last) const;
+  /// The first of the boxes of a cell, one for each heading.
+  [[nodiscard]] Id first_of(std::int32_t x, std::int32_t y) { return column_at(x, y) * headings_; }
+  [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
+  /// All cells of a row where a path crosses that distance from the start [m].
+  [[nodiscard]] std::vector<Crossing> crossings(std::int32_t y, double distance);
+  /// How far some places of a row of cells are from the start: those on ways that are short enough.
+  [[nodiscard]] std::vector<double> distances(std::int32_t y);
 
  private:
   /// Boxes of one cell.
   struct Column {
     std::int32_t x, y;
-    double from_start, to_goal;  // for the disc's centre, at least [m]; infinite if it is closed
-    double in_all;               // of both, at least
+    Range from_start, to_goal;  // for the disc's centre [m]; infinite if it is closed
+    double in_all;              // of both, at least
   };
 
   [[nodiscard]] Id column_at(std::int32_t x, std::int32_t y);
   [[nodiscard]] double turning_length(const Pose& end, const Pose& middle) const;
   [[nodiscard]] bool is_hit(const Pose& middle) const;
-  [[nodiscard]] double find_least_length(const Column& column, Id heading) const;
+  [[nodiscard]] Range way(GeodesicField& field, const Point& part) const;
+  [[nodiscard]] Pose middle_of(const Column& column, double heading) const;
+  [[nodiscard]] double find_least_length(Id id) const;
 
   const Task& task_;
   Disc disc_;
@@ -71,6 +111,7 @@ class PoseBoxes {
   std::int32_t columns_of_row_ = 0, rows_ = 0;
   std::vector<std::int32_t> index_;  // of the column of a cell; -1: not looked at
   std::vector<Column> columns_;
+  std::int64_t looks_ = 0;
   std::vector<float> least_lengths_;  // below 0: not looked at
 };
 

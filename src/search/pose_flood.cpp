@@ -10,9 +10,13 @@ namespace {
 
 constexpr double coarsest = 0.25;  // cell of the first lattice [disc radii]
 constexpr double finest = 1.0 / 512;
-constexpr double finer = 0.5;  // each lattice than the one before
-constexpr int boxes_of_step = 16;
-constexpr int work_of_step = 32;
+constexpr double finer = 0.5;      // each lattice than the one before
+constexpr int nodes_of_step = 32;  // of the ways around
+constexpr std::int64_t work_of_step = 96;
+constexpr std::int64_t work_of_look = 4;     // at a box
+constexpr std::int64_t lengths_of_work = 6;  // to boxes of a cut
+constexpr std::int64_t turns_of_leader = 3;  // for one of the other flood
+constexpr double worth_a_cut = 1.004;        // of the bound without it
 
 }  // namespace
 
@@ -27,18 +31,25 @@ bool PoseFlood::begin(double longest) {
   longest_ = longest;
   boxes_ = std::make_unique<PoseBoxes>(task_, side_, longest);
   is_prepared_ = false;
-  open_ = {};
-  reached_.clear();
   return boxes_->is_usable();
 }
 
-void PoseFlood::reach(PoseBoxes::Id box, std::size_t flood) {
+void PoseFlood::begin_floods() {
+  leader_ = levels_[1] > levels_[0] ? 1 : 0;
+  levels_ = {};
+  open_ = {};
+  reached_.clear();
+  reach(boxes_->box_of(task_.start), 0, PoseCut::none);
+  reach(boxes_->box_of(task_.goal), 1, PoseCut::none);
+}
+
+void PoseFlood::reach(PoseBoxes::Id box, std::size_t flood, PoseCut::Index by) {
   if (reached_.size() < boxes_->size()) reached_.resize(boxes_->size(), 0);
   const auto mark = static_cast<std::uint8_t>(1U << flood);
   if ((reached_[box] & mark) != 0) return;
   reached_[box] = static_cast<std::uint8_t>(reached_[box] | mark);
   const float length = boxes_->least_length(box);
-  if (length != std::numeric_limits<float>::infinity()) open_[flood].push({length, box});
+  if (length != std::numeric_limits<float>::infinity()) open_[flood].push({length, box, by});
 }
 
 // To the neighbours of the box of the least length. False when there is no more to be proven here.
@@ -48,32 +59,88 @@ bool PoseFlood::spread(std::size_t flood) {
     bound_ = std::max(bound_, longest_);
     return false;
   }
-  const Entry entry = open.top();
+  Entry entry = open.top();
   open.pop();
+  ++visits_;
+  levels_[flood] = entry.length;
   bound_ = std::max(bound_, static_cast<double>(entry.length));
+  if (cut_ && !entry.knows_cut && cut_->is_near(entry.box)) {
+    const float length = cut_->least_length(entry.box, bound_, entry.by);
+    if (static_cast<double>(length) > longest_) return true;
+    if (static_cast<double>(length) > bound_) {  // its turn comes later
+      open.push({length, entry.box, entry.by, true});
+      return true;
+    }
+  }
   constexpr std::uint8_t both = 3;
   if (reached_[entry.box] == both || boxes_->is_full()) return false;
-  for (const PoseBoxes::Id box : boxes_->neighbours(entry.box)) reach(box, flood);
+  for (const PoseBoxes::Id box : boxes_->neighbours(entry.box)) reach(box, flood, entry.by);
   return true;
+}
+
+// With a cut the flood that came further before has most turns.
+std::size_t PoseFlood::next_flood() {
+  if (!cut_) return static_cast<std::size_t>(visits_ % 2);
+  return visits_ % (turns_of_leader + 1) < turns_of_leader ? leader_ : 1 - leader_;
+}
+
+void PoseFlood::begin_cut() {
+  cut_ = std::make_unique<PoseCut>(task_, *boxes_);
+  is_cut_prepared_ = false;
+  uncut_bound_ = bound_;
+}
+
+// Once a cut was of use the next boxes are not flooded without one.
+void PoseFlood::prepare() {
+  is_prepared_ = boxes_->prepare(nodes_of_step);
+  if (!is_prepared_ || !boxes_->is_usable()) return;
+  if (use_of_cuts_ == Use::some) {
+    begin_cut();
+  } else {
+    begin_floods();
+  }
+}
+
+void PoseFlood::prepare_cut() {
+  is_cut_prepared_ = cut_->prepare();
+  if (!is_cut_prepared_) return;
+  if (cut_->is_usable() || use_of_cuts_ == Use::some) begin_floods();
+  if (cut_->is_usable()) return;
+  cut_.reset();
+  if (use_of_cuts_ == Use::unknown) boxes_.reset();
+  use_of_cuts_ = Use::none;
+}
+
+// What comes when these floods can prove no more. False when that is nothing.
+bool PoseFlood::next_boxes() {
+  const bool is_full = boxes_->is_full();
+  if (!is_full && !cut_ && use_of_cuts_ == Use::unknown) {
+    begin_cut();
+    return true;
+  }
+  if (cut_) use_of_cuts_ = bound_ > worth_a_cut * uncut_bound_ ? Use::some : Use::none;
+  cut_.reset();
+  boxes_.reset();
+  return !is_full;
+}
+
+/// In tenths of a microsecond, about.
+std::int64_t PoseFlood::work() const {
+  return visits_ + work_of_look * boxes_->looks() + (cut_ ? cut_->lengths() / lengths_of_work : 0);
 }
 
 bool PoseFlood::step(double longest) {
   if (!boxes_) return begin(longest);
   if (!is_prepared_) {
-    is_prepared_ = boxes_->prepare(work_of_step);
-    if (!boxes_->is_usable()) return false;
-    if (!is_prepared_) return true;
-    reach(boxes_->box_of(task_.start), 0);
-    reach(boxes_->box_of(task_.goal), 1);
+    prepare();
+    return boxes_->is_usable();
+  }
+  if (cut_ && !is_cut_prepared_) {
+    prepare_cut();
     return true;
   }
-  for (int i = 0; i < boxes_of_step; ++i) {
-    turn_ = 1 - turn_;
-    if (!spread(turn_)) {
-      const bool is_full = boxes_->is_full();
-      boxes_.reset();
-      return !is_full;
-    }
+  for (const std::int64_t end = work() + work_of_step; work() < end;) {
+    if (!spread(next_flood())) return next_boxes();
   }
   return true;
 }
