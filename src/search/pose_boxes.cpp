@@ -113,7 +113,8 @@ PoseBoxes::Id PoseBoxes::column_at(std::int32_t x, std::int32_t y) {
   index = static_cast<std::int32_t>(columns_.size());
   Column column{x, y, {infinity, 0.0}, {infinity, 0.0}, infinity};
   for (int i = 0; i < parts * parts; ++i) {
-    const Point part{parts * x + i % parts + 0.5, parts * y + i / parts + 0.5};
+    const int row = i / parts;
+    const Point part{parts * x + i % parts + 0.5, parts * y + row + 0.5};
     const Range from_start = way(from_start_, part);
     if (from_start.least == infinity) continue;
     const Range to_goal = way(to_goal_, part);

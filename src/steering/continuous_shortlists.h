@@ -92,12 +92,18 @@ struct List {
     first_way[ways.first] |= bit;
     last_way[ways.last] |= bit;
     for (std::size_t formula = 0; formula < 9; ++formula) {
-      for (Way first = 0; first <= no_way; ++first) {
-        for (Way last = 0; last <= no_way; ++last) {
-          const BesideWindings* beside = first != no_way || last != no_way ? windings : nullptr;
-          if (is_worth_a_look(row, ways, {first, last}, formula, beside)) {
-            here[formula][first][last] |= bit;
-          }
+      mark(i, row, ways, formula, windings);
+    }
+  }
+
+  /// Where row `i` is worth a look by one formula.
+  constexpr void mark(std::size_t i, const Likely& row, const Ways& ways, std::size_t formula,
+                      const BesideWindings* windings) {
+    for (Way first = 0; first <= no_way; ++first) {
+      for (Way last = 0; last <= no_way; ++last) {
+        const BesideWindings* asked = first != no_way || last != no_way ? windings : nullptr;
+        if (is_worth_a_look(row, ways, {first, last}, formula, asked)) {
+          here[formula][first][last] |= Rows{1} << i;
         }
       }
     }

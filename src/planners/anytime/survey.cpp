@@ -13,7 +13,8 @@ namespace {
 
 // Coarse cells miss ways that fine ones find, and the other way round: which poses they keep is a
 // matter of luck. So no look is like the one before it.
-constexpr std::array<FieldOptions, 4> survey_looks = {{{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
+constexpr std::array<FieldOptions, 4> survey_looks = {
+    {{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
 constexpr double shift = 0.618;               // of the cells, each time around [cells]
 constexpr double excess = 1.1;                // of ways that are led through, over the cheapest one
 constexpr double worth_a_look = 1.2;          // of any, over the best route: they are crooked
@@ -21,9 +22,9 @@ constexpr int most_routes = 6;                // of one look
 constexpr std::int64_t most_poses = 200'000;  // of one field
 constexpr double most_cells = 1e6;            // of places and headings
 constexpr int poses_of_step = 32;
-constexpr double survey_guide_side = 0.5;    // of a cell of the grid [vehicle widths]
-constexpr double border = 2.0;        // around the scene [turning radii]
-constexpr double room_of_step = 0.2;  // that the longest step asks for [turning radii]
+constexpr double survey_guide_side = 0.5;  // of a cell of the grid [vehicle widths]
+constexpr double border = 2.0;             // around the scene [turning radii]
+constexpr double room_of_step = 0.2;       // that the longest step asks for [turning radii]
 constexpr std::int64_t bin_headings = 8;
 // A word joins two branches; in place of how many steps of the one, and half as many of the other.
 constexpr std::array<std::size_t, 7> steps_replaced = {1, 2, 3, 4, 6, 8, 12};
