@@ -77,7 +77,7 @@ struct List {
     const bool saves = ways.first == back.first || ways.last == back.last;
     unsigned set = static_cast<unsigned>(saves ? row.saving : row.here) >> formula;
     if (windings != nullptr) {
-      const int way = 5 * beside(ways.first, back.first) + beside(ways.last, back.last);
+      const unsigned way = 5U * beside(ways.first, back.first) + beside(ways.last, back.last);
       set = (*windings)[formula] >> way;
     }
     return (set & 1U) != 0;
