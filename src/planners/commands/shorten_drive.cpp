@@ -23,6 +23,10 @@ double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+bool are_equal(std::span<const Segment> a, std::span<const Segment> b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
 /// Puts what is new in place of the elements from `first` to the one before `last`.
 template <class T>
 void put(std::vector<T>& values, std::size_t first, std::size_t last, std::span<const T> news) {
@@ -181,7 +185,8 @@ void DriveShortener::price_trial(const Window& window) {
   const Segment& next = commands_[window.last];
   search::Driven as_ever = driving_.driven[window.last];
   const Obeyed obeyed = wheels_.obey(next, driven);
-  goes_on_ = std::ranges::equal(obeyed.view(), wheels_.obey(next, as_ever).view());
+  const Obeyed as_before = wheels_.obey(next, as_ever);
+  goes_on_ = are_equal(obeyed.view(), as_before.view());
   next_price_ = search::drive_cost(rule_, obeyed.view(), priced);
 }
 
@@ -315,7 +320,7 @@ bool DriveShortener::try_anything() {
   } else {
     shake(window);
   }
-  if (trial_.size() < 2 || std::ranges::equal(trial_, old)) return false;
+  if (trial_.size() < 2 || are_equal(trial_, old)) return false;
   const bool is_better = try_trial(window, cost_);
   if (!leaves_out) size_ = std::clamp(size_ * (is_better ? 1.3 : 0.99), 0.02, 1.0);
   return is_better;
