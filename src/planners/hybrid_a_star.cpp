@@ -24,9 +24,8 @@ namespace {
 using namespace search;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;           // of a bound, relative
-constexpr double reach_of_field = 4;        // of the Voronoi field [vehicle widths]
-constexpr std::size_t segments_of_leg = 5;  // of a route that is shortened
+constexpr double rounding = 1e-9;     // of a bound, relative
+constexpr double reach_of_field = 4;  // of the Voronoi field [vehicle widths]
 
 /// A pose that was reached: the way to it is free and paid for.
 struct Node {

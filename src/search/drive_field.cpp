@@ -29,7 +29,6 @@ DriveField::DriveField(Connector& connector, const Room& room, const Bounds& box
       root_(root),
       headings_(options.headings),
       turn_(2 * std::numbers::pi / options.headings),
-      radius_(static_cast<float>(connector.radius())),
       x_min_(static_cast<float>(box.x_min)),
       y_min_(static_cast<float>(box.y_min)),
       cutoff_(static_cast<float>(most)) {

@@ -106,7 +106,6 @@ class DriveField {
   Pose root_;
   int headings_;
   double turn_;
-  float radius_;
   float x_min_, y_min_, cells_of_metre_, buckets_of_metre_;
   std::int64_t columns_, rows_;
   float gear_change_, turning_;  // prices: of a change of gear, of full lock from straight on

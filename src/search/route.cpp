@@ -13,6 +13,21 @@ double Route::length() const {
   return sum;
 }
 
+void drive_on(std::vector<Leg>& legs, const Segment& segment, const Pose& end, std::size_t most,
+              bool begins_leg) {
+  Leg* leg = legs.empty() ? nullptr : &legs.back();
+  Segment* last = leg == nullptr ? nullptr : &leg->piece.segments[leg->piece.count - 1U];
+  if (last != nullptr && last->curvature == segment.curvature && last->curvature_rate == 0.0 &&
+      segment.curvature_rate == 0.0 && last->length * segment.length > 0.0) {
+    last->length += segment.length;
+  } else {
+    if (leg == nullptr || begins_leg || leg->piece.count == most) leg = &legs.emplace_back();
+    leg->piece.segments[leg->piece.count++] = segment;
+  }
+  leg->piece.length += std::abs(segment.length);
+  leg->end = end;
+}
+
 Gears gears_at_ends(const Task& task, const CostRule& rule) {
   if (task.steering != Steering::continuous) return {rule.initial_gear, 0};
   return {{rule.initial_gear, task.curvatures.start}, {0, task.curvatures.goal}};

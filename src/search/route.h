@@ -29,6 +29,15 @@ struct Route {
   }
 };
 
+/// As many arcs and lines as a word of Reeds and Shepp has.
+inline constexpr std::size_t segments_of_leg = 5;
+
+/// Drives on to `end`: the last segment goes on where both are alike, an arc or a line in the same
+/// gear; else the segment begins a leg, if it has to or the last one has `most` of them, or joins
+/// that one.
+void drive_on(std::vector<Leg>& legs, const Segment& segment, const Pose& end,
+              std::size_t most = segments_of_leg, bool begins_leg = false);
+
 /// What is driven before the start and after the goal, as far as the task and the rule say.
 [[nodiscard]] Gears gears_at_ends(const Task& task, const CostRule& rule);
 

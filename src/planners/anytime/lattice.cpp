@@ -10,12 +10,11 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double hopeless_shot = 1.2;       // ways around that are longer than the shot by this
-constexpr double guide_trust = 0.9;         // of a way around on the grid, which is no bound
-constexpr double straight_cells = 1.5;      // length of a straight step: it leaves its cell
-constexpr std::size_t rare_shot = 256;      // poses expanded for one from afar
-constexpr int looks = 8;                    // at open ground, for one entry
-constexpr std::size_t segments_of_leg = 5;  // of arcs and lines
+constexpr double hopeless_shot = 1.2;   // ways around that are longer than the shot by this
+constexpr double guide_trust = 0.9;     // of a way around on the grid, which is no bound
+constexpr double straight_cells = 1.5;  // length of a straight step: it leaves its cell
+constexpr std::size_t rare_shot = 256;  // poses expanded for one from afar
+constexpr int looks = 8;                // at open ground, for one entry
 
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
@@ -119,23 +118,12 @@ void Lattice::open(const Node& node) {
 // Appends a step to the last leg of the route; a leg of continuous curvature ends where another
 // piece may begin.
 void Lattice::append(const Segment& step, const Pose& end) {
-  Leg* leg = route_.legs.empty() ? nullptr : &route_.legs.back();
-  Segment* last = leg == nullptr ? nullptr : &leg->piece.segments[leg->piece.count - 1U];
-  if (last != nullptr && last->curvature == step.curvature && last->curvature_rate == 0.0 &&
-      step.curvature_rate == 0.0 && last->length * step.length > 0) {
-    last->length += step.length;
-  } else {
-    const bool is_continuous = connector_.continuous() != nullptr;
-    const std::size_t most = is_continuous ? SegmentRoom::size() : segments_of_leg;
-    const bool is_whole =
-        leg == nullptr || leg->piece.count == most ||
-        (is_continuous &&
-         (is_straight(step.curvature) || connector_.may_jump(last_driven(*last), gear_of(step))));
-    if (is_whole) leg = &route_.legs.emplace_back();
-    leg->piece.segments[leg->piece.count++] = step;
-  }
-  leg->piece.length += std::abs(step.length);
-  leg->end = end;
+  if (connector_.continuous() == nullptr) return drive_on(route_.legs, step, end);
+  const bool may_begin =
+      is_straight(step.curvature) ||
+      (!route_.legs.empty() &&
+       connector_.may_jump(last_driven(route_.legs.back().piece), gear_of(step)));
+  drive_on(route_.legs, step, end, SegmentRoom::size(), may_begin);
 }
 
 // Packs the steps into pieces and appends the last one.

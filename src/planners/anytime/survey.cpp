@@ -30,7 +30,6 @@ constexpr std::int64_t bin_headings = 8;
 constexpr std::array<std::size_t, 7> steps_replaced = {1, 2, 3, 4, 6, 8, 12};
 constexpr double joint_slack = 1.3;  // what it may cost, over those steps,
 constexpr double least_joint = 0.5;  // and beside that [turning radii]
-constexpr std::size_t segments_of_piece = 5;
 
 Bounds box_around(const Task& task) {
   const Bounds scene = sampling_region(task, Region::scene);
@@ -230,30 +229,17 @@ bool Survey::join(const Branch& head, const Branch& tail) {
 void Survey::put_together(const Branch& head, std::size_t heads, const Piece& joint,
                           const Branch& tail, std::size_t tails) {
   route_ = {task_.start, {}, 0.0};
-  bool begins = true;
-  const auto append = [&](const Segment& segment, const Pose& end) {
-    Leg* leg = begins ? nullptr : &route_.legs.back();
-    Segment* last = begins ? nullptr : &leg->piece.segments[leg->piece.count - 1U];
-    if (last != nullptr && last->curvature == segment.curvature &&
-        last->length * segment.length > 0.0) {
-      last->length += segment.length;
-    } else {
-      if (begins || leg->piece.count == segments_of_piece) leg = &route_.legs.emplace_back();
-      leg->piece.segments[leg->piece.count++] = segment;
-    }
-    leg->piece.length += std::abs(segment.length);
-    leg->end = end;
-    begins = false;
-  };
-  for (std::size_t i = 0; i < heads; ++i)
-    append(from_start_->step_to(head.nodes[i]), head.poses[i + 1]);
+  for (std::size_t i = 0; i < heads; ++i) {
+    drive_on(route_.legs, from_start_->step_to(head.nodes[i]), head.poses[i + 1]);
+  }
   route_.legs.push_back({joint, tail.poses[tails]});
-  begins = true;
+  std::vector<Leg> rest;
   for (std::size_t i = tails; i > 0; --i) {
     Segment step = from_goal_->step_to(tail.nodes[i - 1]);
     step.length = -step.length;
-    append(step, tail.poses[i - 1]);
+    drive_on(rest, step, tail.poses[i - 1]);
   }
+  route_.legs.insert(route_.legs.end(), rest.begin(), rest.end());
 }
 
 // The fields take the room for granted where there is much of it.
