@@ -26,11 +26,12 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::int64_t first_relaxed_round = 2;  // with a route
-constexpr std::int64_t first_adapt_round = 16;   // between stops; bending brings more before
-constexpr std::int64_t first_survey = 3000;      // iteration; before, it would be in the way
-constexpr std::int64_t first_raise =
-    24;  // of the bound with headings, in rounds: boxes take long to make
+constexpr std::int64_t first_later_round = 2;   // with a route: of islands that join late
+constexpr std::int64_t first_adapt_round = 16;  // between stops; bending brings more before
+constexpr std::int64_t first_survey = 3000;     // iteration; before, it would be in the way
+// Rounds until the bound with headings is raised where a gap is to be proven: boxes take long to
+// make.
+constexpr std::int64_t first_raise = 24;
 constexpr std::uint64_t fastest_stream = 7;  // of random numbers
 constexpr int tidy_trials = 1000;
 constexpr int repairs_of_known = 12;              // of a known path that something is in the way of
@@ -79,10 +80,10 @@ class Run {
  private:
   void take(Route route);
   void merge(Slice& slice);
-  void relax();
+  void join();
   void merge_relaxed(Slice& slice);
   [[nodiscard]] bool is_relaxed(std::size_t island) const;
-  [[nodiscard]] bool has_relaxed() const { return islands_.size() > first_later; }
+  [[nodiscard]] bool has_relaxed() const { return islands_.size() > first_relaxed; }
   [[nodiscard]] const Route* route_for(std::size_t island) const;
   /// Without looking for other kinds of path.
   [[nodiscard]] bool knows_enough() const { return target_gap_ || is_warm_ || rule_.is_length(); }
@@ -102,13 +103,13 @@ class Run {
 
   const Task& task_;
   CostRule rule_;
-  CostRule prices_;    // of the path, where not only the time counts
-  bool is_time_;       // does
-  double time_price_;  // of a second, beside the prices [m]
-  bool is_far_;        // over a whole site
-  bool bends_;         // routes: the shortest of arcs and lines has no use for it
-  Task relaxed_;       // of wheels that turn at once
-  Bounds region_;      // of samples
+  CostRule prices_;              // of the path, where not only the time counts
+  bool is_time_;                 // does
+  double time_price_;            // of a second, beside the prices [m]
+  bool is_far_;                  // over a whole site
+  bool bends_;                   // routes: the shortest of arcs and lines has no use for it
+  std::optional<Task> relaxed_;  // the task of wheels that turn at once, once it helps
+  Bounds region_;                // of samples
   std::uint64_t seed_;
   int threads_;
   std::optional<double> target_gap_;
@@ -139,7 +140,6 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
       is_far_(search::FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
       bends_((!rule_.is_length() || task.steering != Steering::reeds_shepp) && !is_time_ &&
              time_price == 0.0 && !is_far_),
-      relaxed_(task),
       region_(sampling_region(task, planning::region_of(options))),
       seed_(options.budget.seed),
       threads_(options.budget.threads),
@@ -147,10 +147,9 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
       budget_(options.budget),
       open_ground_(open_ground(task, rule_)) {
   const bool is_whole = is_time_ || time_price > 0.0;
-  relaxed_.steering = Steering::reeds_shepp;
   for (std::size_t i = 0; i < first_later; ++i) {
-    islands_.emplace_back(plans[i].work, is_relaxed(i) ? relaxed_ : task, rule_, region_,
-                          stream_seed(seed_, i), is_whole || bends_);
+    islands_.emplace_back(plans[i].work, task, rule_, region_, stream_seed(seed_, i),
+                          is_whole || bends_);
   }
   if (is_whole) {
     const auto of_route = [this](const Route& route) {
@@ -215,7 +214,7 @@ double Run::cost_of_drive(std::span<const Segment> segments, double clearance_co
   return drive_cost(prices_, segments, driven) + clearance_cost + time_price_ * time;
 }
 
-// [6c] Makes the cheapest route cheaper yet, by the whole drive.
+// [8b] Makes the cheapest route cheaper yet, by the whole drive.
 void Run::quicken() {
   const std::int64_t trials = budget_.left(quickening * growth(rounds_), 0);
   std::int64_t done = 0;
@@ -329,19 +328,21 @@ void Run::merge(Slice& slice) {
   }
 }
 
-// [6f] Islands that plan as if the wheels turned at once.
-void Run::relax() {
-  for (std::size_t i = first_later; i < island_count; ++i) {
-    islands_.emplace_back(plans[i].work, is_relaxed(i) ? relaxed_ : task_, rule_, region_,
+// [6c] [6e] [6f] The survey, and where the curvature is continuous islands that plan as if the
+// wheels turned at once.
+void Run::join() {
+  const bool is_continuous = task_.steering != Steering::reeds_shepp;
+  relaxed_ = task_;
+  relaxed_->steering = Steering::reeds_shepp;
+  for (std::size_t i = first_later; i < (is_continuous ? island_count : first_relaxed); ++i) {
+    islands_.emplace_back(plans[i].work, is_relaxed(i) ? *relaxed_ : task_, rule_, region_,
                           stream_seed(seed_, i), true);
   }
 }
 
 // Whether an island plans so. The survey knows no other way.
 bool Run::is_relaxed(std::size_t island) const {
-  const bool is_continuous = task_.steering != Steering::reeds_shepp;
-  return is_continuous &&
-         (island == survey_island || (island >= first_later && island != adapt_island));
+  return task_.steering != Steering::reeds_shepp && island >= first_later && island != adapt_island;
 }
 
 // Relaxed routes go to those who look for drives along them.
@@ -353,7 +354,7 @@ void Run::merge_relaxed(Slice& slice) {
     found.push_back(*relaxed_best_);
   }
   for (const Route& route : found) {
-    if (has_relaxed()) islands_[adapt_island].offer(route);
+    islands_[adapt_island].offer(route);
     islands_[bend_island].offer(route);
   }
 }
@@ -371,9 +372,7 @@ bool Run::has_work(std::size_t island) const {
   if (work == Work::bound && target_gap_) return false;  // it has worked
   const bool may_jump = task_.steering == Steering::continuous_between_stops;
   if (work == Work::adapt && may_jump && rounds_ < first_adapt_round) return false;
-  if (work == Work::survey) {
-    return bends_ && !knows_enough() && best_ && budget_.iterations() >= first_survey;
-  }
+  if (work == Work::survey) return budget_.iterations() >= first_survey;
   if (work == Work::refine) return route_for(island) != nullptr;
   if (work == Work::detours && route_for(island) == nullptr) return false;
   return islands_[island].has_work();
@@ -384,11 +383,8 @@ bool Run::has_work(std::size_t island) const {
 void Run::round() {
   if (target_gap_) prove();
   if (is_good_enough()) return;
-  const bool is_continuous = task_.steering != Steering::reeds_shepp;
-  if (bends_ && is_continuous && !knows_enough() && !has_relaxed() &&
-      rounds_with_route_ >= first_relaxed_round) {
-    relax();
-  }
+  const bool has_joined = islands_.size() > first_later;
+  if (bends_ && !knows_enough() && !has_joined && rounds_with_route_ >= first_later_round) join();
   std::array<std::int64_t, island_count> wanted{};
   std::int64_t granted = 0;
   for (std::size_t i = 0; i < islands_.size(); ++i) {

@@ -48,8 +48,9 @@ inline constexpr std::array<Plan, island_count> plans = {
 inline constexpr std::size_t bound_island = 4;
 inline constexpr std::size_t bend_island = 6;
 inline constexpr std::size_t survey_island = 7;
-inline constexpr std::size_t first_later =
-    8;  // and those behind it: they join once there is a route
+// Islands join late from the survey on, those behind it where the curvature is continuous.
+inline constexpr std::size_t first_later = survey_island;
+inline constexpr std::size_t first_relaxed = survey_island + 1;
 inline constexpr std::size_t adapt_island = 13;
 static_assert(plans[bound_island].work == Work::bound && plans[bend_island].work == Work::bend &&
               plans[survey_island].work == Work::survey && plans[adapt_island].work == Work::adapt);
