@@ -76,6 +76,32 @@ constexpr Coefficients cosine = {1,           -1.0 / 2,       1.0 / 24,       -1
 constexpr ClothoidSeries clothoids = clothoid_series();
 constexpr ChordSeries chords = chord_series();
 
+/// Series that are summed side by side.
+template <std::size_t n>
+struct SmallSeries {
+  double terms[7][n];
+
+  constexpr explicit SmallSeries(const std::array<const Coefficients*, n>& series) : terms{} {
+    for (std::size_t i = 0; i < 7; ++i) {
+      for (std::size_t j = 0; j < n; ++j) terms[i][j] = (*series[j])[i];
+    }
+  }
+
+  /// As `small_sum` of each; compilers do it in vectors.
+  [[nodiscard]] std::array<double, n> sums(double z) const {
+    std::array<double, n> all;
+    const double z2 = z * z;
+    const auto& c = terms;
+    for (std::size_t j = 0; j < n; ++j) {
+      all[j] = (c[0][j] + z * c[1][j]) +
+               z2 * ((c[2][j] + z * c[3][j]) + z2 * ((c[4][j] + z * c[5][j]) + z2 * c[6][j]));
+    }
+    return all;
+  }
+};
+
+constexpr SmallSeries<4> small_turns({&chords.chord, &chords.slope, &sine, &cosine});
+
 /// Sine and cosine, fast where the angle is small, as it is on clothoids.
 inline base::SinCos sin_cos_of_ramp(double angle) {
   const double z = angle * angle;
@@ -137,10 +163,19 @@ SharpTurns::Point SharpTurns::clothoid(double length) const noexcept {
     const double dy = -sin * centre_x_ + cos * centre_y_;
     return {centre_x_ - dx, centre_y_ - dy, dy, -dx, angle, 1, sin, cos};
   }
-  const double bend = sharpness_ * length / 4;  // of the angle of half of it, by the length
-  const double angle = bend * length / 2;       // of either half
-  const base::SinCos half = sin_cos_of_ramp(angle);
-  const auto [way, slope] = chord(length, angle, half);
+  const double bend = sharpness_ / 4 * length;  // of the angle of half of it, by the length
+  const double angle = sharpness_ / 8 * length * length;  // of either half
+  base::SinCos half;
+  Chord along;
+  if (const double square = angle * angle; square <= small_square) {
+    const auto [way, slope, sin, cos] = small_turns.sums(square);
+    along = {length * way, slope};
+    half = {angle * sin, cos};
+  } else {
+    half = base::sin_cos(angle);
+    along = chord(length, angle, half);
+  }
+  const auto [way, slope] = along;
   const auto [sin, cos] = half;
   return {way * cos,
           way * sin,
@@ -194,9 +229,10 @@ Turned SharpTurns::turn(double length, Ends ends) const noexcept {
 }
 
 double SharpTurns::length_of(double angle, Ends ends) const noexcept {
-  const double ramps = ends == Ends::rolling ? 2 : ends == Ends::stands_at_both ? 0 : 1;
-  if (angle >= ramps * ramp_ / 2) return angle + ramps * ramp_ / 2;
-  return std::sqrt(2 * ramps * angle * ramp_);
+  static constexpr double ramps_of[] = {2, 1, 1, 0};
+  const double ramps = ramps_of[static_cast<std::size_t>(ends)];
+  const double either[] = {std::sqrt(2 * ramps * angle * ramp_), angle + ramps * ramp_ / 2};
+  return either[angle >= ramps * ramp_ / 2 ? 1 : 0];  // no branches, as neither is likely
 }
 
 double SharpTurns::peak(double length, Ends ends) const noexcept {
