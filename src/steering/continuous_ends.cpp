@@ -3,11 +3,13 @@
 #include "steering/continuous_ends.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "base/trigonometry.h"
+#include "steering/continuous_combinations.h"
 #include "steering/mean_frame.h"
 
 namespace vandplan::steering {
@@ -75,73 +77,6 @@ UnitSegments detour(const SharpTurns& turns, const MeanFrame& f) {
   return s;
 }
 
-/// One of the ways to begin or to end.
-struct End {
-  Pose pose;        ///< where the wheels are straight
-  Segment segment;  ///< from the start on, or from the goal back
-};
-
-/// In either gear.
-std::array<End, 2> ends_of(const Pose& pose, double curvature, const SharpTurns& turns) {
-  const double length = std::abs(curvature) * turns.ramp();
-  const double rate = curvature > 0 ? -turns.sharpness() : turns.sharpness();
-  const Turned wound = turns.turn(length, Ends::stands_after).reversed();
-  const double turn = curvature > 0 ? wound.angle : -wound.angle;
-  const double aside = curvature > 0 ? wound.y : -wound.y;
-  const auto [sin, cos] = base::sin_cos(pose.heading);
-  std::array<End, 2> ends;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double gear = i == 0 ? 1 : -1;
-    const double ahead = gear * wound.x;
-    ends[i] = {{pose.x + ahead * cos - aside * sin, pose.y + ahead * sin + aside * cos,
-                pose.heading + gear * turn},
-               {curvature, gear * length, rate}};
-  }
-  return ends;
-}
-
-/// The ways to begin, each with every way to end.
-struct Combinations {
-  std::array<WordTask, 4> tasks;
-  /// What is driven before and after each word; of length zero if the wheels are straight.
-  struct Around {
-    Segment first, last;
-  };
-  std::array<Around, 4> around;
-  std::size_t count = 0;
-  Looked looked;  ///< for a word of them
-};
-
-/// `direct`: from pose to pose as if the wheels were straight there.
-Combinations combinations_of(const WordSolver& solver, const EndsTask& task, const Stops& stops,
-                             const WordTask& direct) {
-  Combinations all;
-  const bool is_near = direct.sharp.arcs.length < solver.turns().ramp();
-  all.looked = is_near ? Looked::many : Looked::likely;
-  if (task.start_curvature == 0 && task.goal_curvature == 0) {
-    all.tasks[0] = direct;
-    all.tasks[0].stops = stops;
-    all.count = 1;
-    return all;
-  }
-  const double k0 = task.start_curvature;
-  const double k1 = task.goal_curvature;
-  const auto starts = ends_of(task.from, k0, solver.turns());
-  const auto goals = ends_of(task.to, k1, solver.turns());
-  const auto sign = [](double v) { return v < 0 ? -1.0 : 1.0; };
-  for (std::size_t i = 0; i < (k0 == 0 ? 1U : 2U); ++i) {
-    for (std::size_t j = 0; j < (k1 == 0 ? 1U : 2U); ++j) {
-      const Segment& first = starts[i].segment;
-      const Segment& back = goals[j].segment;
-      const Windings windings{{-sign(first.length), sign(k0), std::abs(first.length)},
-                              {sign(back.length), sign(k1), std::abs(back.length)}};
-      all.tasks[all.count] = {mean_frame(starts[i].pose, goals[j].pose, 1), windings, stops};
-      all.around[all.count++] = {first, {0, -back.length, -back.curvature_rate}};
-    }
-  }
-  return all;
-}
-
 bool is_nothing(const MeanFrame& f) { return f.x == 0 && f.y == 0 && f.half_turn == 0; }
 
 /// Takes off a segment what is saved; rounding may leave nothing of it.
@@ -195,11 +130,6 @@ struct Answer {
   std::optional<FoundWord> word;
 };
 
-/// No path is shorter than that of Reeds and Shepp, but for rounding.
-WordTask direct_task(const EndsTask& task) {
-  return {mean_frame(task.from, task.to, 1), {}, task.stops};
-}
-
 /// The least that the quick search finds, if that is no longer than the cutoff.
 Answer quick_answer(const WordSolver& solver, const Combinations& all, double cutoff) {
   Answer answer;
@@ -213,11 +143,11 @@ Answer quick_answer(const WordSolver& solver, const Combinations& all, double cu
   return answer;
 }
 
-Answer answer_of(const WordSolver& solver, const Combinations& all, double least, double cutoff) {
+Answer answer_of(const WordSolver& solver, const Combinations& all, Direct& direct, double cutoff) {
   Answer answer = quick_answer(solver, all, cutoff);
   // No path has to be a whole turn longer than the shortest.
-  const double plausible = least + 2 + 6 * solver.turns().ramp();
-  if (std::min(answer.length, cutoff) <= plausible) return answer;
+  const double longer = 2 + 6 * solver.turns().ramp();
+  if (direct.is_at_least(std::min(answer.length, cutoff) - longer)) return answer;
   for (std::size_t i = 0; i < all.count; ++i) {  // every word that there is
     const Windings& windings = all.tasks[i].windings;
     for (const FoundWord& found : all_words(solver, all.tasks[i])) {
@@ -242,14 +172,14 @@ struct Solution {
   Answer answer;
 };
 
-Solution solution_of(const WordSolver& solver, const EndsTask& task, const WordTask& direct) {
-  const double least = direct.sharp.arcs.length;
+Solution solution_of(const WordSolver& solver, const EndsTask& task, Direct& direct) {
   Solution solution{combinations_of(solver, task, task.stops, direct), {}};
   const double cutoff = task.cutoff * (1 + 1e-9) + 1e-12;  // rounding is no reason to pass over
-  solution.answer = answer_of(solver, solution.combinations, least, cutoff);
+  solution.answer = answer_of(solver, solution.combinations, direct, cutoff);
   // Jumps nearly always help. Where the path is much longer than any has to be, look without.
   constexpr double suspicious = 1.2;
-  if (!task.stops.inside || std::min(solution.answer.length, cutoff) <= suspicious * least) {
+  if (!task.stops.inside ||
+      std::min(solution.answer.length, cutoff) <= suspicious * direct.length()) {
     return solution;
   }
   const auto fewer = with_fewer(task.stops);
@@ -257,7 +187,7 @@ Solution solution_of(const WordSolver& solver, const EndsTask& task, const WordT
     if (i > 0 && fewer[i] == task.stops) break;
     const Combinations other = combinations_of(solver, task, fewer[i], direct);
     const Answer answer =
-        i == 0 ? answer_of(solver, other, least, cutoff) : quick_answer(solver, other, cutoff);
+        i == 0 ? answer_of(solver, other, direct, cutoff) : quick_answer(solver, other, cutoff);
     if (answer.length < solution.answer.length) solution = {other, answer};
   }
   return solution;
@@ -266,15 +196,17 @@ Solution solution_of(const WordSolver& solver, const EndsTask& task, const WordT
 }  // namespace
 
 std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task) {
-  const auto [combinations, answer] = solution_of(solver, task, direct_task(task));
+  Direct direct(task);
+  const auto [combinations, answer] = solution_of(solver, task, direct);
   if (answer.length > task.cutoff) return std::nullopt;
   return answer.word ? driven(solver, combinations, answer.which, *answer.word)
                      : without_word(solver, combinations, answer.which);
 }
 
 double least_length(const WordSolver& solver, const EndsTask& task) {
-  const WordTask direct = direct_task(task);
-  if (direct.sharp.arcs.length > task.cutoff * (1 + 1e-9) + 1e-12) return infinite;
+  Direct direct(task);
+  const bool has_cutoff = task.cutoff < infinite;
+  if (has_cutoff && direct.length() > task.cutoff * (1 + 1e-9) + 1e-12) return infinite;
   const double length = solution_of(solver, task, direct).answer.length;
   return length > task.cutoff ? infinite : length;
 }
@@ -284,7 +216,8 @@ std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task) 
   const auto take = [&](const UnitPath& path) {
     if (path.length <= task.cutoff) paths.push_back(path);
   };
-  const Combinations all = combinations_of(solver, task, task.stops, direct_task(task));
+  Direct direct(task);
+  const Combinations all = combinations_of(solver, task, task.stops, direct);
   for (std::size_t i = 0; i < all.count; ++i) {
     WordTask words = all.tasks[i];
     take(without_word(solver, all, i));
@@ -322,8 +255,9 @@ void for_cheap_paths(const WordSolver& solver, std::span<const PricedEnds> tasks
   std::vector<Combinations> all;
   double dearest = cutoff;
   for (const PricedEnds& ends : tasks) {
-    const Combinations& made = all.emplace_back(
-        combinations_of(solver, ends.task, ends.task.stops, direct_task(ends.task)));
+    Direct direct(ends.task);
+    const Combinations& made =
+        all.emplace_back(combinations_of(solver, ends.task, ends.task.stops, direct));
     for (std::size_t i = 0; i < made.count; ++i) {
       if (is_nothing(made.tasks[i].frame)) {
         const bool changes = made.around[i].first.length * made.around[i].last.length < 0;

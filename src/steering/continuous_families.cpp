@@ -51,7 +51,13 @@ std::optional<SolvedWord> solved(const WordSolver& solver, const Kind& kind, con
 }  // namespace
 
 WordTask::WordTask(const MeanFrame& between, const Windings& around, const Stops& at) noexcept
-    : frame(between), windings(around), stops(at), folded(word_frame(families::folded(between))) {
+    : WordTask(between, around, at, base::sin_cos(std::abs(between.half_turn))) {}
+
+WordTask::WordTask(const MeanFrame& between, const Windings& around, const Stops& at,
+                   const base::SinCos& half) noexcept
+    : frame(between), windings(around), stops(at) {
+  const MeanFrame positive = families::folded(between);
+  folded = {positive.x, positive.y, positive.half_turn, half.sin, half.cos};
   const auto& [x, y, a, s, c] = folded;
   sharp = reeds_shepp_formulas::shortest(Circles({x, y, a}, {s, c}));
 }

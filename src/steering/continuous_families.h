@@ -37,6 +37,9 @@ struct Windings {
 struct WordTask {
   WordTask() = default;
   WordTask(const MeanFrame& between, const Windings& around, const Stops& at) noexcept;
+  /// With the sine and cosine of half the turn to the left.
+  WordTask(const MeanFrame& between, const Windings& around, const Stops& at,
+           const base::SinCos& half) noexcept;
 
   MeanFrame frame;
   Windings windings;

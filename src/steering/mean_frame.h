@@ -23,6 +23,18 @@ struct MeanFrame {
 /// The mean frame of two poses for a turning `radius` > 0 [m].
 [[nodiscard]] MeanFrame mean_frame(const Pose& from, const Pose& to, double radius) noexcept;
 
+/// Half way between two headings.
+struct MeanHeading {
+  double mean;        ///< half of their sum [rad]
+  double half_turn;   ///< in [-pi/2, pi/2]
+  bool is_backwards;  ///< the mean frame looks the other way
+};
+[[nodiscard]] MeanHeading mean_heading(double from, double to) noexcept;
+
+/// The mean frame with what `mean_heading` says, and the sine and cosine of that mean.
+[[nodiscard]] MeanFrame mean_frame(const Pose& from, const Pose& to, double radius,
+                                   const MeanHeading& heading, const base::SinCos& mean) noexcept;
+
 /// A mean frame with what formulas share about the circles of radius 1 that its poses can turn on.
 struct Circles {
   explicit Circles(const MeanFrame& frame) noexcept
