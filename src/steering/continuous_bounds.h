@@ -36,8 +36,8 @@ struct Small {
   double most = 2;      ///< ramps, but by no more than that
 
   [[nodiscard]] double lacks(double u) const {
-    if (u <= 0) return 0;
-    const double square = u * u;
+    const double short_by = std::max(u, 0.0);
+    const double square = short_by * short_by;
     return std::min(most, square * (lack + growth * square * square));
   }
 };
@@ -79,25 +79,46 @@ inline double length_near(Formula formula, const Arcs& arcs, double ramp) {
     length += steps.list[i].part == 2 ? arcs.line : arcs.inner + ramp;
   }
   const SmallTurns& turns = small_turns_of(formula);
-  const double first = turns[0].lacks(1 - arcs.first / ramp);
-  const double inner = turns[1].lacks(1 - arcs.inner / ramp);
-  const double last = turns[2].lacks(1 - arcs.last / ramp);
+  const double per_ramp = 1 / ramp;
+  const double first = turns[0].lacks(1 - arcs.first * per_ramp);
+  const double inner = turns[1].lacks(1 - arcs.inner * per_ramp);
+  const double last = turns[2].lacks(1 - arcs.last * per_ramp);
   const double together = 5 * inner * (first + last) + first * last;
   return length - ramp * (first + inner + last + together);
 }
 
 /// Whether a turn with that angle by its circles may have clothoids of a length (measured), unless
-/// a line beside it lacks something.
-inline bool may_wind(const Small& turn, double angle, double length, double ramp) {
+/// a line beside it lacks something; `least` as of `Small`.
+inline bool may_wind(double least, double angle, double length, double ramp) {
   constexpr double noise = 1e-9;
   const double share = length / ramp;
-  return angle + noise >= ramp * (turn.least + (1 - turn.least) * share * share);
+  return angle + noise >= ramp * (least + (1 - least) * share * share);
 }
 
-/// Length of a turn between straight wheels by `angle` >= 0.
-inline double turn_length(double angle, double ramp) {
-  return angle < ramp ? 2 * root(angle * ramp) : angle + ramp;
+/// By how much the way of a turn between straight wheels is longer than its `angle` >= 0.
+inline double clothoids_add(double angle, double ramp) {
+  const double more[] = {angle + ramp - angle, 2 * root(angle * ramp) - angle};
+  return more[angle < ramp ? 1 : 0];  // no branches, as neither is likely
 }
+
+/// The share of a word of Reeds and Shepp in what clothoids add to it.
+struct Shares {
+  double moved,
+      ramps;  ///< of how they move the circles at both ends, and of so many more clothoids
+  double turns, inner;  ///< of how much longer turns would be, and how often the inner one counts
+};
+
+constexpr std::array<Shares, 9> shares = {{
+    {0.25, 0, 0, 0},  // lsl
+    {0.25, 0, 0, 0},  // lsr
+    {0, 0, 0.75, 1},  // l_r_l
+    {0, 0, 0.3, 1},   // r_lr
+    {0, 0, 0.25, 2},  // lr_lr
+    {0, 0, 0.25, 2},  // r_lr_l
+    {0.45, 1, 0, 0},  // r_lsr
+    {0.45, 1, 0, 0},  // r_lsl
+    {0.45, 1, 0, 0},  // r_lsr_l
+}};
 
 /// By how much clothoids of that length make the least word longer at least, where the curvature
 /// never jumps (measured); from how they move the circles at both ends of the word of Reeds and
@@ -108,24 +129,17 @@ inline double least_added(const reeds_shepp_formulas::Solution& sharp, double ra
     const double square = angle * angle;
     return 1 - square / 2 + square * square / 24;
   };
-  const auto longer = [&](double angle) { return turn_length(angle, ramp) - angle; };
   const auto& [length, first, inner, line, last] = sharp.arcs;
   const double moved = ramp * (2 - most_cosine(first) - most_cosine(last)) / 2;
-  switch (sharp.formula) {
-    case Formula::lsl:
-    case Formula::lsr:
-      return (std::min(first, last) >= ramp ? 0.85 : 0.25) * moved;
-    case Formula::r_lsr:
-    case Formula::r_lsl:
-    case Formula::r_lsr_l:
-      return 0.45 * (ramp + moved);
-    case Formula::l_r_l:
-      return 0.75 * (longer(first) + longer(inner) + longer(last));
-    case Formula::r_lr:
-      return 0.3 * (longer(first) + longer(inner) + longer(last));
-    default:
-      return 0.25 * (longer(first) + 2 * longer(inner) + longer(last));
+  const auto formula = static_cast<std::size_t>(sharp.formula);
+  const Shares& share = shares[formula];
+  double longer = 0;
+  if (share.turns != 0) {
+    longer = clothoids_add(first, ramp) + share.inner * clothoids_add(inner, ramp) +
+             clothoids_add(last, ramp);
   }
+  const bool is_full = formula < 2 && std::min(first, last) >= ramp;
+  return (is_full ? 0.85 : share.moved) * (share.ramps * ramp + moved) + share.turns * longer;
 }
 
 /// Whether the word of Reeds and Shepp lacks a part, or one is a quarter turn where that is the

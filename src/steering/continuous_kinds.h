@@ -61,7 +61,7 @@ inline Arcs in_one_turn(Arcs arcs) {
 }
 
 inline WordFrame image_of(WordFrame f, const Symmetry& s) {
-  constexpr double sign[] = {1, -1};  // no branches: symmetries come in no order
+  static constexpr double sign[] = {1, -1};  // no branches: symmetries come in no order
   f.x *= sign[s.x];
   f.y *= sign[s.y];
   f.a *= sign[s.half_turn];
@@ -89,13 +89,17 @@ inline bool is_leg(const Stops& stops) { return stops.inside && !(stops.start &&
 
 /// The stops of a task as the word sees them that a symmetry makes.
 inline Stops seen_by(const Symmetry& made, const Stops& stops) {
-  return made.swaps_ends() ? stops.swapped() : stops;
+  const bool ends[] = {stops.start, stops.goal};  // no branches, as in `image_of`
+  const std::size_t first = made.swaps_ends() ? 1 : 0;
+  return {ends[first], stops.inside, ends[1 - first]};
 }
 
 /// Whether a word, if its turn is long enough, begins (or ends) by driving a winding back.
 inline bool may_drive_back(const Step& step, const Symmetry& symmetry, const Winding& winding) {
-  return winding.length > 0 && (symmetry.swaps_sides() ? -step.turn : step.turn) == winding.side &&
-         (symmetry.swaps_gears() ? -step.gear : step.gear) == winding.gear;
+  static constexpr double sign[] = {1, -1};
+  const bool same_side = sign[symmetry.swaps_sides()] * step.turn == winding.side;
+  const bool same_gear = sign[symmetry.swaps_gears()] * step.gear == winding.gear;
+  return (winding.length > 0) & same_side & same_gear;
 }
 
 /// Whether the goal is straight ahead but for rounding, by so much that turns would be no shorter.
@@ -119,6 +123,20 @@ inline int gear_changes_of(const Steps& steps) {
     changes += steps.list[i].gear != steps.list[i - 1].gear ? 1 : 0;
   }
   return changes;
+}
+
+/// Calls `visit` with the formulas that may be the least in all symmetries but their own.
+template <typename Visit>
+void for_each_symmetry(Visit visit) {
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Symmetry& own = kinds[i].own;
+    for (unsigned bits = 1; bits < 8; ++bits) {
+      const Symmetry symmetry{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
+      const bool is_own =
+          (symmetry.x && own.x) || (symmetry.y && own.y) || (symmetry.half_turn && own.half_turn);
+      if (!is_own) visit(kinds[i], symmetry);
+    }
+  }
 }
 
 inline constexpr int any_gear_changes = -1;
