@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "steering/continuous_kinds.h"
 #include "steering/continuous_shortlist_rows.h"
@@ -71,19 +72,22 @@ struct List {
   /// Those worth a look, by the formula of Reeds and Shepp and the ways that drive windings back.
   std::array<std::array<std::array<Rows, 5>, 5>, 9> here{};
 
-  /// `back`: the ways that drive the windings back; `windings` is null where there is none.
+  /// What `beside_windings` says of a row, or nothing.
+  using Beside = std::span<const BesideWindings>;
+
+  /// `back`: the ways that drive the windings back; `windings` is empty where there is none.
   static constexpr bool is_worth_a_look(const Likely& row, const Ways& ways, const Ways& back,
-                                        std::size_t formula, const BesideWindings* windings) {
+                                        std::size_t formula, Beside windings) {
     const bool saves = ways.first == back.first || ways.last == back.last;
     unsigned set = static_cast<unsigned>(saves ? row.saving : row.here) >> formula;
-    if (windings != nullptr) {
+    if (!windings.empty()) {
       const unsigned way = 5U * beside(ways.first, back.first) + beside(ways.last, back.last);
-      set = (*windings)[formula] >> way;
+      set = windings[0][formula] >> way;
     }
     return (set & 1U) != 0;
   }
 
-  constexpr void add(std::size_t i, const Likely& row, const BesideWindings* windings) {
+  constexpr void add(std::size_t i, const Likely& row, Beside windings) {
     const Steps& steps = all_steps[static_cast<std::size_t>(kinds[row.kind].formula)];
     const Rows bit = Rows{1} << i;
     rows[i] = row;
@@ -98,10 +102,10 @@ struct List {
 
   /// Where row `i` is worth a look by one formula.
   constexpr void mark(std::size_t i, const Likely& row, const Ways& ways, std::size_t formula,
-                      const BesideWindings* windings) {
+                      Beside windings) {
     for (Way first = 0; first <= no_way; ++first) {
       for (Way last = 0; last <= no_way; ++last) {
-        const BesideWindings* asked = first != no_way || last != no_way ? windings : nullptr;
+        const Beside asked = first != no_way || last != no_way ? windings : Beside();
         if (is_worth_a_look(row, ways, {first, last}, formula, asked)) {
           here[formula][first][last] |= Rows{1} << i;
         }
@@ -111,19 +115,19 @@ struct List {
 };
 
 template <std::size_t n>
-constexpr List list_of(const std::array<Likely, n>& likely, const BesideWindings* windings) {
+constexpr List list_of(const std::array<Likely, n>& likely, List::Beside windings) {
   List list;
   for (std::size_t i = 0; i < n + saving_images.size(); ++i) {
     list.add(i, i < n ? likely[i] : saving_images[i - n],
-             windings == nullptr ? nullptr : windings + i);
+             windings.empty() ? windings : windings.subspan(i, 1));
   }
   list.likely = (Rows{1} << n) - 1;
   list.half_turns = Rows{1} << 3 | Rows{1} << 7;  // r_lsl, lr_lr
   return list;
 }
 
-inline constexpr List rolling_list = list_of(rolling, beside_windings.data());
-inline constexpr List standing_list = list_of(standing, nullptr);
-inline constexpr List leg_list = list_of(legs, nullptr);
+inline constexpr List rolling_list = list_of(rolling, beside_windings);
+inline constexpr List standing_list = list_of(standing, {});
+inline constexpr List leg_list = list_of(legs, {});
 
 }  // namespace vandplan::steering::shortlists
