@@ -31,12 +31,14 @@ DriveField::DriveField(Connector& connector, const Room& room, const Bounds& box
       turn_(2 * std::numbers::pi / options.headings),
       x_min_(static_cast<float>(box.x_min)),
       y_min_(static_cast<float>(box.y_min)),
-      cutoff_(static_cast<float>(most)) {
+      greediness_(static_cast<float>(options.greediness)),
+      cutoff_(static_cast<float>(most * options.greediness)) {
   const double radius = connector.radius();
   const double cell = options.cell * radius;
   const CostRule& rule = connector.rule();
   cells_of_metre_ = static_cast<float>(1 / cell);
-  buckets_of_metre_ = static_cast<float>(std::min(1 / (bucket * radius), most_buckets / most));
+  buckets_of_metre_ = static_cast<float>(
+      std::min(1 / (bucket * radius), most_buckets / (most * options.greediness)));
   columns_ = static_cast<std::int64_t>((box.x_max - box.x_min) / cell) + 1;
   rows_ = static_cast<std::int64_t>((box.y_max - box.y_min) / cell) + 1;
   gear_change_ = static_cast<float>(rule.gear_change_cost);
@@ -134,9 +136,10 @@ float DriveField::to_go(const Node& node, std::int64_t cell) {
     const std::int64_t column = cell % columns_;
     const std::int64_t row = cell / columns_;
     const auto side = static_cast<double>(cells_of_metre_);
-    known = static_cast<float>(
-        guide_->at(static_cast<double>(x_min_) + (static_cast<double>(column) + 0.5) / side,
-                   static_cast<double>(y_min_) + (static_cast<double>(row) + 0.5) / side));
+    known =
+        greediness_ * static_cast<float>(guide_->at(
+                          static_cast<double>(x_min_) + (static_cast<double>(column) + 0.5) / side,
+                          static_cast<double>(y_min_) + (static_cast<double>(row) + 0.5) / side));
   }
   return known;
 }

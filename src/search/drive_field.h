@@ -20,6 +20,8 @@ namespace vandplan::search {
 struct FieldOptions {
   int headings = 24;   ///< cells of a full turn; an arc turns by one of them
   double cell = 0.25;  ///< side of a position cell [turning radii]
+  /// How often what a guide says counts: beyond 1 fewer poses are looked at, and dearer ways found.
+  double greediness = 1.0;
 };
 
 /// Costs of ways of arcs and lines of one length from a root, one pose for each cell of place,
@@ -106,7 +108,7 @@ class DriveField {
   Pose root_;
   int headings_;
   double turn_;
-  float x_min_, y_min_, cells_of_metre_, buckets_of_metre_;
+  float x_min_, y_min_, cells_of_metre_, buckets_of_metre_, greediness_;
   std::int64_t columns_, rows_;
   float gear_change_, turning_;  // prices: of a change of gear, of full lock from straight on
   float clearance_weight_, clearances_of_metre_;

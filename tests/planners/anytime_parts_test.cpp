@@ -3,12 +3,14 @@
 // The parts of the default planner, each by itself: every route is one that the judge accepts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "../support/cases.h"
 #include "../support/problems.h"
 #include "planners/anytime/detours.h"
+#include "planners/anytime/island.h"
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
 #include "planners/anytime/shorten.h"
@@ -27,6 +29,7 @@ using anytime::Rotation;
 using anytime::Shortener;
 using anytime::Survey;
 using anytime::TwoTrees;
+using search::Budget;
 using search::Connector;
 using search::CostRule;
 using search::GridDistance;
@@ -252,6 +255,43 @@ TEST(Survey, LooksForNothingThatCostsMuchMore) {
   const Problem problem = problem_of({-30, 0, 0}, {30, 0, 0}, {box(-5, -12, 5, 12)});
   EXPECT_TRUE(survey(problem, rules[1], 45.0).empty());
   for (const Route& route : survey(problem, rules[1], 70.0)) EXPECT_LT(route.cost, 1.5 * 70.0);
+}
+
+// The first way comes before the first look around, and after a small part of the work.
+TEST(Survey, GivesTheFirstWayAtOnce) {
+  const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});
+  Survey survey(problem.task(), rules[1]);
+  survey.set_cutoff(200.0);
+  int first = 0;
+  while (!survey.step()) {
+    ++first;
+    ASSERT_TRUE(survey.is_glance());
+  }
+  EXPECT_FALSE(survey.is_glance());
+  EXPECT_TRUE(survey.is_first_look());
+  expect_valid(problem, rules[1], survey.route());
+  int others = 0;
+  for (; survey.is_first_look(); ++others) (void)survey.step();
+  EXPECT_LT(first, others / 2);
+}
+
+// A route that wins for a while may be of a kind that gets cheaper than all others yet.
+TEST(Island, KeepsWhatHasWonForAWhile) {
+  const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});
+  constexpr bool keeps_losers = true;
+  anytime::Island island(anytime::Work::survey, problem.task(), rules[1], wide_bounds, 1,
+                         keeps_losers);
+  const Budget budget{BudgetOptions{}};
+  Route reverse{problem.start(), {}, 0.0};
+  search::drive_on(reverse.legs, {0.0, -100.0}, problem.goal());
+  price(Connector(problem.task(), rules[1]), reverse);
+  const anytime::Slice slice = island.run(20'000, &reverse, budget, 0.0);
+  ASSERT_GE(slice.improvements.size(), 2U);
+  for (std::size_t i = 0; i + 1 < slice.improvements.size(); ++i) {
+    EXPECT_TRUE(std::ranges::any_of(slice.losers, [&](const Route& loser) {
+      return loser.cost == slice.improvements[i].cost;
+    }));
+  }
 }
 
 // Kerbs are left to the exact checks.

@@ -375,6 +375,76 @@ TEST(Bender, KeepsTheCheapestOfAll) {
   EXPECT_LE(bender.cost(), cheap);
 }
 
+/// By way of a pose.
+Route route_by_way_of(const Task& task, const Pose& via) {
+  search::Connector connector(task, priced);
+  Route route{task.start, {{connector.steer(task.start, via).value(), via}}, 0.0};
+  route.legs.push_back({connector.steer(via, task.goal).value(), task.goal});
+  price(connector, route);
+  return route;
+}
+
+// A challenger that is hardly dearer than the best drive takes long to be dropped. What comes
+// meanwhile does not wait for it.
+TEST(Bender, TriesANewRouteAtOnce) {
+  const Problem problem = problem_of({-50, 0, 0}, {50, 0, 0}, {box(-5, -10, 5, 30)});
+  const Task task = task_of(problem, {}, Steering::reeds_shepp);
+  Bender bender(task, priced, 1);
+  bender.offer(path_of(route_by_way_of(task, {0, 40, 0})).segments);
+  EXPECT_TRUE(bender.step());
+  bender.offer(path_of(route_by_way_of(task, {0, 41, 0})).segments);
+  EXPECT_FALSE(bender.step());
+  const double dear = bender.cost();
+  bender.offer(path_of(route_by_way_of(task, {0, -20, 0})).segments);
+  EXPECT_TRUE(bender.step());
+  EXPECT_LT(bender.cost(), 0.9 * dear);
+}
+
+// The commands of the whole way run into the posts, as what turning the wheels takes at one place
+// moves all that comes after it.
+TEST(Bender, FollowsAWayPartByPart) {
+  std::vector<Segment> way;
+  for (int i = 0; i < 6; ++i) {
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    for (const double turn : {side, -side, side}) {
+      way.push_back({turn / radius, turn == -side ? 16.0 : 8.0});
+    }
+    way.push_back({0, 9});
+  }
+  const Path path{{0, 0, 0}, way};
+  std::vector<Polygon> posts;
+  const double aside = Vehicle{}.width / 2 + 0.3;
+  for (double s = 40.5; s < length(path); s += 41.0) {  // beside the straight pieces
+    const Pose pose = pose_at(path, s);
+    for (const double side : {aside, -aside}) {
+      const Pose post = compose(pose, {1.0, side, 0});
+      posts.push_back(box(post.x - 0.1, post.y - 0.1, post.x + 0.1, post.y + 0.1));
+    }
+  }
+  const Problem problem = problem_of(path.start, end_of(path), posts, {-50, 400, -200, 200});
+  const Task task = task_of(problem, {}, Steering::continuous_between_stops);
+  ASSERT_TRUE(task.checker->is_free(task.start, way));
+  const Route route = [&] {
+    Route result{task.start, {}, 0.0};
+    Pose pose = task.start;
+    for (const Segment& segment : way) {
+      pose = advance(pose, segment);
+      search::drive_on(result.legs, segment, pose);
+    }
+    price(search::Connector(task, priced), result);
+    return result;
+  }();
+  Bender bender(task, priced, 1);
+  bender.offer(route);
+  EXPECT_FALSE(bender.step());  // not as a whole
+  EXPECT_TRUE(bender.has_work());
+  bool is_driven = false;
+  for (int i = 0; i < 500 && !is_driven; ++i) is_driven = bender.step();
+  ASSERT_TRUE(is_driven);
+  EXPECT_TRUE(task.checker->is_free(task.start, bender.segments()));
+  expect_drivable({task.start, bender.segments()}, problem, task.steering);
+}
+
 TEST(Bender, LeavesOutWhatIsNotFree) {
   const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {box(14, 0, 15, 3)});
   const Task task = task_of(problem, {}, Steering::reeds_shepp);

@@ -26,9 +26,10 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::int64_t first_later_round = 2;   // with a route: of islands that join late
-constexpr std::int64_t first_adapt_round = 16;  // between stops; bending brings more before
-constexpr std::int64_t first_survey = 3000;     // iteration; before, it would be in the way
+constexpr std::int64_t first_later_round = 2;    // with a route: of islands that join late
+constexpr std::int64_t first_adapt_round = 16;   // between stops; bending brings more before
+constexpr std::int64_t first_survey = 3000;      // iteration; before, it would be in the way,
+constexpr std::int64_t glance_of_survey = 1000;  // but for the first way
 // Rounds until the bound with headings is raised where a gap is to be proven: boxes take long to
 // make.
 constexpr std::int64_t first_raise = 24;
@@ -89,6 +90,7 @@ class Run {
   [[nodiscard]] bool knows_enough() const { return target_gap_ || is_warm_ || rule_.is_length(); }
   [[nodiscard]] bool has_work(std::size_t island) const;
   [[nodiscard]] std::int64_t share_of(std::size_t island) const;
+  [[nodiscard]] std::int64_t share_of_survey(std::int64_t later) const;
   [[nodiscard]] std::int64_t far_share(Work work, std::int64_t share) const;
   [[nodiscard]] double least_found() const;
   [[nodiscard]] double lower_bound() const;
@@ -297,11 +299,16 @@ std::int64_t Run::share_of(std::size_t island) const {
   if (after == 0) return 0;
   if (!(target_gap_ || is_warm_)) {
     if (!bends_ || rule_.is_length()) return after * growth(rounds_);
-    const bool is_first_look = island == survey_island && islands_[island].is_first_look();
-    return share_with_bending(is_first_look ? first_look : after, rounds_with_route_);
+    return share_with_bending(island == survey_island ? share_of_survey(after) : after,
+                              rounds_with_route_);
   }
   const GapPlan& gap_plan = gap_plans[island];
   return rounds_with_route_ < gap_plan.first_round ? 0 : gap_plan.share * growth(rounds_);
+}
+
+std::int64_t Run::share_of_survey(std::int64_t later) const {
+  const Island& survey = islands_[survey_island];
+  return survey.is_glance() ? first_glance : survey.is_first_look() ? first_look : later;
 }
 
 // Over a whole site a detour changes a small part of a route, and refining another one: each has
@@ -372,7 +379,10 @@ bool Run::has_work(std::size_t island) const {
   if (work == Work::bound && target_gap_) return false;  // it has worked
   const bool may_jump = task_.steering == Steering::continuous_between_stops;
   if (work == Work::adapt && may_jump && rounds_ < first_adapt_round) return false;
-  if (work == Work::survey) return budget_.iterations() >= first_survey;
+  if (work == Work::survey) {
+    const bool is_glance = islands_[island].is_glance();
+    return budget_.iterations() >= (is_glance ? glance_of_survey : first_survey);
+  }
   if (work == Work::refine) return route_for(island) != nullptr;
   if (work == Work::detours && route_for(island) == nullptr) return false;
   return islands_[island].has_work();

@@ -3,12 +3,14 @@
 #include "planners/anytime/bend.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace vandplan::anytime {
 namespace {
 
 constexpr std::size_t most_waiting = 6;
+constexpr std::size_t most_challengers = 4;
 constexpr double hopeless_drive = 6.0;  // excess over the cheapest drive, times the trials
 
 }  // namespace
@@ -20,24 +22,31 @@ Bender::Bender(const Task& task, const CostRule& rule, std::uint64_t seed, Measu
       ends_(commands::wheel_ends(task)),
       closer_(task.vehicle, task.steering),
       seed_(seed),
-      measure_(std::move(measure)) {}
+      measure_(std::move(measure)),
+      follower_(task, ends_, closer_, stream_seed(seed, 1000)) {}
 
 void Bender::offer(const Route& route) {
   if (!kinds_.is_new(route, task_.vehicle.min_turning_radius)) return;
-  offer(path_of(route).segments);
+  wait({path_of(route).segments, route.cost});
 }
 
 void Bender::offer(std::vector<Segment> segments) {
+  wait({std::move(segments), std::numeric_limits<double>::infinity()});
+}
+
+void Bender::wait(Waiting route) {
   if (waiting_.size() == most_waiting) waiting_.erase(waiting_.begin());
-  waiting_.push_back(std::move(segments));
+  waiting_.push_back(std::move(route));
 }
 
 std::int64_t Bender::checks() const {
-  return checks_ + (best_ ? best_->checks() : 0) + (challenger_ ? challenger_->checks() : 0);
+  std::int64_t sum = checks_ + follower_.checks() + (best_ ? best_->checks() : 0);
+  for (const Challenger& challenger : challengers_) sum += challenger.drive->checks();
+  return sum;
 }
 
-/// Null if it cannot be driven by commands from start to goal.
-Bender::Drive Bender::drive_along(std::span<const Segment> segments) {
+/// True if a challenger drives along the segments now.
+bool Bender::drive_along(std::span<const Segment> segments) {
   std::vector<Segment> drive = wheels_.commands(segments, ends_);
   const double sharpest = 1 / task_.vehicle.min_turning_radius;
   for (Segment& command : drive) {
@@ -45,43 +54,93 @@ Bender::Drive Bender::drive_along(std::span<const Segment> segments) {
   }
   const RigState from{task_.start, task_.hitch_angles.start};
   const RigState to{task_.goal, task_.hitch_angles.goal};
-  if (drive.empty() || !closer_.close(from, drive, to, ends_)) return nullptr;
+  if (drive.empty() || !closer_.close(from, drive, to, ends_)) return false;
   ++checks_;
-  if (!task_.checker->is_free(task_.start, wheels_.driven(drive, ends_.before))) return nullptr;
-  return std::make_unique<commands::DriveShortener>(task_, rule_, drive,
-                                                    stream_seed(seed_, drives_++), measure_);
-}
-
-bool Bender::is_hopeless() const {
-  const double excess = challenger_->cost() / best_->cost() - 1.0;
-  return challenger_->is_stalled() || excess * static_cast<double>(trials_) > hopeless_drive;
-}
-
-/// The challenger becomes the best drive if it is cheaper now.
-bool Bender::challenge() {
-  if (best_ && challenger_->cost() >= best_->cost()) return false;
-  if (best_) checks_ += best_->checks();
-  best_ = std::move(challenger_);
+  if (!task_.checker->is_free(task_.start, wheels_.driven(drive, ends_.before))) return false;
+  add(drive);
   return true;
 }
 
+/// How little a challenger promises: by how much it is dearer than the best drive, times the trials
+/// that it took.
+double Bender::doubt(const Challenger& challenger) const {
+  if (!best_) return 0.0;
+  const double excess = challenger.drive->cost() / best_->cost() - 1.0;
+  return excess * static_cast<double>(challenger.trials);
+}
+
+void Bender::drop(std::size_t i) {
+  checks_ += challengers_[i].drive->checks();
+  challengers_.erase(challengers_.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+/// The challenger becomes the best drive if it is cheaper now.
+bool Bender::challenge(std::size_t i) {
+  Challenger& challenger = challengers_[i];
+  if (best_ && challenger.drive->cost() >= best_->cost()) return false;
+  if (best_) checks_ += best_->checks();
+  best_ = std::move(challenger.drive);
+  challengers_.erase(challengers_.begin() + static_cast<std::ptrdiff_t>(i));
+  return true;
+}
+
+void Bender::add(std::span<const Segment> drive) {
+  if (challengers_.size() == most_challengers) {
+    std::size_t worst = 0;
+    for (std::size_t i = 1; i < challengers_.size(); ++i) {
+      if (doubt(challengers_[i]) > doubt(challengers_[worst])) worst = i;
+    }
+    drop(worst);
+  }
+  challengers_.push_back({std::make_unique<commands::DriveShortener>(
+      task_, rule_, drive, stream_seed(seed_, drives_++), measure_)});
+}
+
+/// Takes a route that waits. True if it is cheaper than the best drive.
+bool Bender::begin() {
+  const Waiting route = std::move(waiting_.back());
+  waiting_.pop_back();
+  if (drive_along(route.segments)) return challenge(challengers_.size() - 1);
+  // What is no free route, or none when the wheels turn at once, is not worth it.
+  if (route.cost == std::numeric_limits<double>::infinity() || wheels_.are_free()) return false;
+  follower_.follow(route.segments);
+  followed_cost_ = route.cost;
+  is_following_ = true;
+  return false;
+}
+
+/// The same of one that is followed part by part.
+bool Bender::follow() {
+  if (follower_.step()) return false;
+  is_following_ = false;
+  const std::optional<std::vector<Segment>> drive = follower_.drive();
+  if (!drive) return false;
+  add(*drive);
+  return challenge(challengers_.size() - 1);
+}
+
+/// The one that promises most, the newest one of those.
+std::size_t Bender::next_challenger() const {
+  std::size_t next = challengers_.size() - 1;
+  for (std::size_t i = next; i-- > 0;) {
+    if (doubt(challengers_[i]) < doubt(challengers_[next])) next = i;
+  }
+  return next;
+}
+
 bool Bender::step() {
-  if (!challenger_ && !waiting_.empty()) {
-    challenger_ = drive_along(waiting_.back());
-    waiting_.pop_back();
-    trials_ = 0;
-    return challenger_ && challenge();
-  }
-  if (!best_) return false;
+  if (!waiting_.empty() && !is_following_) return begin();
+  if (is_following_ && best_ && followed_cost_ < best_->cost()) return follow();
   is_turn_of_best_ = !is_turn_of_best_;
-  if (!challenger_ || is_turn_of_best_) return best_->step();
-  challenger_->step();
-  ++trials_;
-  if (challenge()) return true;
-  if (is_hopeless()) {
-    checks_ += challenger_->checks();
-    challenger_.reset();
-  }
+  if (best_ && is_turn_of_best_) return best_->step();
+  if (is_following_) return follow();
+  if (challengers_.empty()) return best_ && best_->step();
+  const std::size_t i = next_challenger();
+  Challenger& challenger = challengers_[i];
+  challenger.drive->step();
+  ++challenger.trials;
+  if (challenge(i)) return true;
+  if (challenger.drive->is_stalled() || doubt(challenger) > hopeless_drive) drop(i);
   return false;
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "planners/anytime/follow.h"
 #include "planners/anytime/kinds.h"
 #include "planners/commands/closer.h"
 #include "planners/commands/shorten_drive.h"
@@ -46,7 +47,8 @@ class Bender {
   bool step();
   /// Whether there is anything to try that many trials did not try in vain.
   [[nodiscard]] bool has_work() const {
-    return challenger_ || !waiting_.empty() || (best_ && !best_->is_stalled());
+    return is_following_ || !challengers_.empty() || !waiting_.empty() ||
+           (best_ && !best_->is_stalled());
   }
 
   /// The cheapest drive so far; `step` was true once.
@@ -58,9 +60,27 @@ class Bender {
  private:
   using Drive = std::unique_ptr<commands::DriveShortener>;
 
-  [[nodiscard]] Drive drive_along(std::span<const Segment> segments);
-  bool challenge();
-  [[nodiscard]] bool is_hopeless() const;
+  /// A drive that may become cheaper than the best one yet.
+  struct Challenger {
+    Drive drive;
+    std::int64_t trials = 0;  // spent on it
+  };
+
+  /// A route that was not tried yet.
+  struct Waiting {
+    std::vector<Segment> segments;
+    double cost;  // as it is [m]
+  };
+
+  void wait(Waiting route);
+  [[nodiscard]] bool drive_along(std::span<const Segment> segments);
+  void add(std::span<const Segment> drive);
+  bool begin();
+  bool follow();
+  bool challenge(std::size_t i);
+  [[nodiscard]] double doubt(const Challenger& challenger) const;
+  [[nodiscard]] std::size_t next_challenger() const;
+  void drop(std::size_t i);
 
   const Task& task_;
   const CostRule& rule_;
@@ -69,13 +89,15 @@ class Bender {
   commands::Closer closer_;
   std::uint64_t seed_;
   Measure measure_;
-  std::uint64_t drives_ = 0;                   // so far; each has a seed
-  Kinds kinds_;                                // that were offered
-  std::vector<std::vector<Segment>> waiting_;  // the next one last
+  std::uint64_t drives_ = 0;      // so far; each has a seed
+  Kinds kinds_;                   // that were offered
+  std::vector<Waiting> waiting_;  // the newest one last
   Drive best_;
-  Drive challenger_;         // may become cheaper yet
-  std::int64_t trials_ = 0;  // spent on it
+  std::vector<Challenger> challengers_;
   std::int64_t checks_ = 0;  // of drives that are gone
+  Follower follower_;
+  bool is_following_ = false;
+  double followed_cost_ = 0.0;  // of that route, as it was
   bool is_turn_of_best_ = false;
 };
 

@@ -166,6 +166,8 @@ bool Island::step() {
   const bool won = candidate_->cost() < best_cost_;
   if (won) {
     best_cost_ = candidate_->cost();
+    // Another one that has won in this slice may be of another kind.
+    if (offer_ && keeps_losers_) losers_.push_back(*std::move(offer_));
     if (work_ != Work::refine) offer_ = candidate_->route();
   }
   if (work_ != Work::refine && !won && is_hopeless()) give_up();
@@ -192,6 +194,7 @@ void Island::take_over(const Route& best) {
 Slice Island::run(std::int64_t iterations, const Route* best, const Budget& budget, double enough) {
   Slice slice;
   losers_.clear();
+  offer_.reset();
   if (best != nullptr) take_over(*best);
   if (!is_prepared_ && iterations > 0) prepare();
   if ((detours_ || bender_) && best != nullptr && best->cost < handed_on_cost_) {

@@ -78,8 +78,10 @@ class Island {
   /// Whether that may bring anything.
   [[nodiscard]] bool may_raise() const { return flood_ && !flood_is_final_; }
 
-  /// Of a survey: whether its first look around is not over.
-  [[nodiscard]] bool is_first_look() const { return !survey_ || survey_->is_first_look(); }
+  /// Of a survey: whether it looks for its first way,
+  [[nodiscard]] bool is_glance() const { return !survey_ || survey_->is_glance(); }
+  /// or around for the first time.
+  [[nodiscard]] bool is_first_look() const { return survey_ && survey_->is_first_look(); }
 
   [[nodiscard]] std::int64_t solves() const;
   [[nodiscard]] std::int64_t checks() const;

@@ -15,12 +15,14 @@ namespace {
 // matter of luck. So no look is like the one before it.
 constexpr std::array<FieldOptions, 4> survey_looks = {
     {{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
-constexpr double shift = 0.618;               // of the cells, each time around [cells]
+constexpr FieldOptions survey_glance = {16, 0.4, 2.0};  // before the first look
+constexpr double shift = 0.618;                         // of the cells, each time around [cells]
 constexpr double excess = 1.1;                // of ways that are led through, over the cheapest one
 constexpr double worth_a_look = 1.2;          // of any, over the best route: they are crooked
 constexpr int most_routes = 6;                // of one look
 constexpr std::int64_t most_poses = 200'000;  // of one field
-constexpr double most_cells = 1e6;            // of places and headings
+constexpr std::int64_t most_poses_of_glance = 50'000;
+constexpr double most_cells = 1e6;  // of places and headings
 constexpr int poses_of_step = 32;
 constexpr double survey_guide_side = 0.5;  // of a cell of the grid [vehicle widths]
 constexpr double border = 2.0;             // around the scene [turning radii]
@@ -64,11 +66,12 @@ bool Survey::prepare() {
 
 void Survey::look_back() {
   most_ = worth_a_look * cutoff_;
-  options_ = survey_looks[looks_ % survey_looks.size()];
+  const std::size_t look = looks_ - (is_glance() ? 0 : 1);
+  options_ = is_glance() ? survey_glance : survey_looks[look % survey_looks.size()];
   const double area = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min);
   const double least_cell = std::sqrt(area * options_.headings / most_cells) / forth_.radius();
   options_.cell = std::max(options_.cell, least_cell);
-  const std::size_t times_around = looks_ / survey_looks.size();
+  const std::size_t times_around = look / survey_looks.size();
   const double shifts = shift * static_cast<double>(times_around);
   const double offset = std::fmod(shifts, 1.0) * options_.cell * forth_.radius();
   cells_ = {box_.x_min - offset, box_.x_max, box_.y_min - offset, box_.y_max};
@@ -79,25 +82,43 @@ void Survey::look_back() {
   routes_ = 0;
 }
 
-// The first way that comes to the start tells what ways cost with such cells.
-void Survey::meet(const DriveField::Node& node) {
+// The first way that comes to the start tells what ways cost with such cells. True when it becomes
+// a route.
+bool Survey::meet(std::int32_t id) {
+  const DriveField::Node& node = from_goal_->node(id);
   const double side = options_.cell * forth_.radius();
-  const Pose pose = from_goal_->pose(node);
-  if (!(std::hypot(task_.start.x - pose.x, task_.start.y - pose.y) < side)) return;
-  if (std::abs(wrap_angle(task_.start.heading - pose.heading)) >
-      std::numbers::pi / options_.headings)
-    return;
+  const double dx = task_.start.x - static_cast<double>(node.x);
+  const double dy = task_.start.y - static_cast<double>(node.y);
+  if (dx * dx + dy * dy >= side * side || static_cast<double>(node.cost) > most_) return false;
+  const double turn = wrap_angle(task_.start.heading - from_goal_->pose(node).heading);
+  if (std::abs(turn) > std::numbers::pi / options_.headings) return false;
   has_met_ = true;
-  from_goal_->set_cutoff(excess * static_cast<double>(node.cost) + forth_.radius());
+  if (!is_glance()) {
+    from_goal_->set_cutoff(excess * static_cast<double>(node.cost) + forth_.radius());
+  }
+  if (!join({{}, {task_.start}}, branch(*from_goal_, task_.goal, id))) return false;
+  price(forth_, route_);
+  if (is_glance()) end();
+  return kinds_.is_new(route_, forth_.radius());
 }
 
-void Survey::go_back() {
+// True when there is a route.
+bool Survey::go_back() {
   for (int i = 0; i < poses_of_step && !from_goal_->is_exhausted(); ++i) {
     const std::int32_t id = from_goal_->step();
     ++poses_;
-    if (id != DriveField::none && !has_met_) meet(from_goal_->node(id));
+    if (id == DriveField::none || (has_met_ && !is_glance())) continue;
+    if (meet(id)) return true;
+    if (!from_goal_) return false;
   }
-  if (from_goal_->is_exhausted() || poses_ > most_poses) go_forth();
+  const std::int64_t most = is_glance() ? most_poses_of_glance : most_poses;
+  if (!from_goal_->is_exhausted() && poses_ <= most) return false;
+  if (is_glance()) {
+    end();
+  } else {
+    go_forth();
+  }
+  return false;
 }
 
 void Survey::go_forth() {
@@ -137,11 +158,8 @@ bool Survey::step() {
     return false;
   }
   if (from_start_) return go_on();
-  if (from_goal_) {
-    go_back();
-  } else {
-    look_back();
-  }
+  if (from_goal_) return go_back();
+  look_back();
   return false;
 }
 

@@ -24,7 +24,8 @@ using namespace search;
 
 /// Looks everywhere: what driving costs from the goal back to each place, and from the start to it.
 /// Where both add up to little more than what the cheapest way costs, a way leads through; those of
-/// different kinds become routes of arcs and lines. Cells are coarse at first.
+/// different kinds become routes of arcs and lines. Cells are coarse at first. The very first way
+/// that is found in a hurry becomes a route at once.
 class Survey {
  public:
   /// The task and the rule outlive the survey.
@@ -35,8 +36,10 @@ class Survey {
   [[nodiscard]] const Route& route() const { return route_; }
   /// What the best route costs: ways that cost much more are of no interest. To be said first.
   void set_cutoff(double cost) { cutoff_ = cost; }
-  /// The first and coarsest look around is not over yet.
-  [[nodiscard]] bool is_first_look() const { return looks_ == 0; }
+  /// It looks for the first way alone yet,
+  [[nodiscard]] bool is_glance() const { return looks_ == 0; }
+  /// or for the first time around: the coarsest look.
+  [[nodiscard]] bool is_first_look() const { return looks_ == 1; }
 
   [[nodiscard]] std::int64_t solves() const { return forth_.solves() + back_.solves(); }
   [[nodiscard]] std::int64_t checks() const { return forth_.checks() + back_.checks(); }
@@ -50,8 +53,8 @@ class Survey {
 
   [[nodiscard]] bool prepare();
   void look_back();
-  void meet(const DriveField::Node& node);
-  void go_back();
+  [[nodiscard]] bool meet(std::int32_t id);
+  [[nodiscard]] bool go_back();
   void go_forth();
   [[nodiscard]] bool go_on();
   [[nodiscard]] bool lead_through(std::int32_t node);

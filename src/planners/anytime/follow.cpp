@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/follow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "vandplan/search.h"
+
+namespace vandplan::anytime {
+namespace {
+
+using search::Driven, search::gear_of;
+
+constexpr std::size_t most_stages_back = 3;  // that a part may begin at
+constexpr std::size_t most_cuts_ahead = 4;   // that it may end at, if some failed
+constexpr int most_idle_trials = 100;        // that leave as much in the way
+constexpr std::size_t most_beside = 4;       // commands that are changed, on either side
+constexpr double never = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Follower::Follower(const Task& task, const commands::WheelEnds& ends, commands::Closer& closer,
+                   std::uint64_t seed)
+    : task_(task), ends_(ends), wheels_(task.vehicle, task.steering), closer_(closer), rng_(seed) {}
+
+/// Where turning the wheels beside a segment leaves them as it says for a while, its middle is a
+/// cut.
+void Follower::cut(std::span<const Segment> way) {
+  way_.clear();
+  cuts_.clear();
+  Pose pose = task_.start;
+  Driven before = ends_.before;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Segment& segment = way[i];
+    const Driven last = search::last_driven(segment);
+    const bool begins_free = wheels_.may_jump(before, last.gear);
+    const bool is_last = i + 1 == way.size();
+    const bool is_stop = !is_last && wheels_.may_jump(last, gear_of(way[i + 1]));
+    const double ahead = begins_free ? 0.0 : wheels_.way(before.curvature, segment.curvature) / 2;
+    const double behind =
+        is_last || is_stop ? 0.0 : wheels_.way(last.curvature, way[i + 1].curvature) / 2;
+    const double steady = std::abs(segment.length) - ahead - behind;
+    Segment rest = segment;
+    if (segment.curvature_rate == 0.0 && steady > 0.0) {
+      const Segment head{segment.curvature, last.gear * (ahead + steady / 2)};
+      way_.push_back(head);
+      cuts_.push_back({way_.size(), advance(pose, head), segment.curvature});
+      rest.length -= head.length;
+    }
+    way_.push_back(rest);
+    pose = advance(pose, segment);
+    if (is_stop) cuts_.push_back({way_.size(), pose, std::nullopt});
+    before = last;
+  }
+  cuts_.push_back({way_.size(), task_.goal, ends_.after});
+}
+
+void Follower::follow(std::span<const Segment> way) {
+  cut(way);
+  drive_.clear();
+  stages_.assign(1, {0, 0, task_.start, ends_.before});
+  next_ = 0;
+  tried_ = 0;
+  nearly_.reset();
+  left_ = never;
+  idle_ = 0;
+}
+
+std::optional<std::vector<Segment>> Follower::drive() const {
+  if (left_ > 0.0) return std::nullopt;
+  return drive_;
+}
+
+/// How much of the commands runs into something; anything more than `most` if it is more.
+double Follower::blocked(std::span<const Segment> commands, Pose pose, Driven driven, double most) {
+  double sum = 0.0;
+  for (const Segment& segment : wheels_.driven(commands, driven)) {
+    ++checks_;
+    if (!task_.checker->is_free(pose, segment)) sum += std::abs(segment.length);
+    if (sum > most) break;
+    pose = advance(pose, segment);
+  }
+  return sum;
+}
+
+/// Commands from a stage to a cut. False if they cannot be bent until they lead there.
+bool Follower::lead(Part& part) {
+  const Cut& to = cuts_[part.cut];
+  const commands::WheelEnds ends{part.from.driven, to.curvature};
+  part.commands = wheels_.commands(
+      std::span(way_).subspan(part.from.segment, to.segment - part.from.segment), ends);
+  const double sharpest = 1 / task_.vehicle.min_turning_radius;
+  for (Segment& command : part.commands) {
+    command.curvature = std::clamp(command.curvature, -sharpest, sharpest);
+  }
+  return !part.commands.empty() &&
+         closer_.close({part.from.pose, 0.0}, part.commands, {to.pose, 0.0}, ends);
+}
+
+void Follower::take(const Part& part) {
+  Driven driven = part.from.driven;
+  for (const Segment& command : part.commands) (void)wheels_.obey(command, driven);
+  while (stages_.back().commands > part.from.commands) stages_.pop_back();
+  drive_.resize(part.from.commands);
+  drive_.insert(drive_.end(), part.commands.begin(), part.commands.end());
+  const Cut& to = cuts_[part.cut];
+  stages_.push_back({to.segment, drive_.size(), to.pose, driven});
+  next_ = part.cut + 1;
+  tried_ = 0;
+  nearly_.reset();
+}
+
+/// Drives to the next cut, or if that is not free to one behind it. False if that leads nowhere.
+bool Follower::go_on() {
+  if (tried_ == most_cuts_ahead || next_ + tried_ == cuts_.size()) {
+    if (nearly_) {
+      take(*nearly_);
+      return true;
+    }
+    if (next_ + tried_ == cuts_.size()) return false;
+  }
+  const std::size_t to = next_ + tried_++;
+  for (std::size_t back = 1; back <= std::min(most_stages_back, stages_.size()); ++back) {
+    Part part{stages_[stages_.size() - back], to, {}, 0.0};
+    if (!lead(part)) continue;
+    part.blocked = blocked(part.commands, part.from.pose, part.from.driven,
+                           nearly_ ? nearly_->blocked : never);
+    if (part.blocked == 0.0) {
+      take(part);
+      return true;
+    }
+    if (!nearly_ || part.blocked < nearly_->blocked) nearly_ = std::move(part);
+  }
+  return true;
+}
+
+/// Finds where commands begin, and how much of them is blocked.
+void Follower::measure(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    blocked_[i] = blocked(std::span(drive_).subspan(i, 1), poses_[i], driven_[i], never);
+    Driven driven = driven_[i];
+    Pose pose = poses_[i];
+    for (const Segment& segment : wheels_.obey(drive_[i], driven).view()) {
+      pose = advance(pose, segment);
+    }
+    if (i + 1 == last && last < drive_.size()) break;  // what is behind them is as it was
+    poses_[i + 1] = pose;
+    driven_[i + 1] = driven;
+  }
+  left_ = std::accumulate(blocked_.begin(), blocked_.end(), 0.0);
+}
+
+/// Some commands about one that is blocked.
+Follower::Window Follower::any_window() {
+  std::size_t middle = rng_() % drive_.size();
+  while (blocked_[middle] == 0.0) middle = (middle + 1) % drive_.size();
+  const std::size_t before = 1 + rng_() % most_beside;
+  const std::size_t after = 1 + rng_() % most_beside;
+  return {middle - std::min(middle, before), std::min(middle + 1 + after, drive_.size())};
+}
+
+commands::WheelEnds Follower::ends_of(const Window& window) const {
+  commands::WheelEnds ends{driven_[window.first], ends_.after};
+  if (window.last == drive_.size()) return ends;
+  const Driven& behind = driven_[window.last];
+  ends.after.reset();
+  if (!wheels_.may_jump(behind, gear_of(drive_[window.last]))) ends.after = behind.curvature;
+  return ends;
+}
+
+/// Changes some commands at random, and keeps that if no more is blocked.
+void Follower::shake() {
+  const Window window = any_window();
+  const auto [first, last] = window;
+  const std::span<Segment> old = std::span(drive_).subspan(first, last - first);
+  std::vector<Segment> trial(old.begin(), old.end());
+  const double scale = std::exp2(uniform(-6.0, -1.0, rng_));
+  const double radius = task_.vehicle.min_turning_radius;
+  for (Segment& command : trial) {
+    const double curvature = command.curvature + scale * uniform(-1.0, 1.0, rng_) / radius;
+    command.curvature = std::clamp(curvature, -1 / radius, 1 / radius);
+    const double longer = std::abs(command.length) + scale * uniform(-1.0, 1.0, rng_) * radius;
+    command.length = gear_of(command) * std::max(longer, std::abs(command.length) / 2);
+  }
+  if (!closer_.close({poses_[first], 0.0}, trial, {poses_[last], 0.0}, ends_of(window))) return;
+  const auto of_window = std::span(blocked_).subspan(first, last - first);
+  const double before = std::accumulate(of_window.begin(), of_window.end(), 0.0);
+  if (blocked(trial, poses_[first], driven_[first], before) > before) return;
+  std::ranges::copy(trial, old.begin());
+  const double left_before = left_;
+  measure(first, last);
+  if (left_ < left_before) idle_ = 0;
+}
+
+bool Follower::step() {
+  if (next_ < cuts_.size()) {
+    if (!go_on()) return false;
+    if (next_ < cuts_.size()) return true;
+    poses_.assign(drive_.size() + 1, task_.start);
+    driven_.assign(drive_.size() + 1, ends_.before);
+    blocked_.assign(drive_.size(), 0.0);
+    measure(0, drive_.size());
+    return true;
+  }
+  if (left_ == 0.0 || idle_ == most_idle_trials) return false;
+  ++idle_;
+  shake();
+  return true;
+}
+
+}  // namespace vandplan::anytime
