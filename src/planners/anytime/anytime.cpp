@@ -26,10 +26,10 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::int64_t first_later_round = 2;    // with a route: of islands that join late
-constexpr std::int64_t first_adapt_round = 16;   // between stops; bending brings more before
-constexpr std::int64_t first_survey = 3000;      // iteration; before, it would be in the way,
-constexpr std::int64_t glance_of_survey = 1000;  // but for the first way
+constexpr std::int64_t first_later_round = 2;   // with a route: of islands that join late
+constexpr std::int64_t first_adapt_round = 16;  // between stops; bending brings more before
+constexpr std::int64_t first_survey = 3000;     // iteration; before, it would be in the way,
+constexpr std::int64_t early_survey = 1000;     // where iterations take longer, for the first way
 // Rounds until the bound with headings is raised where a gap is to be proven: boxes take long to
 // make.
 constexpr std::int64_t first_raise = 24;
@@ -308,7 +308,8 @@ std::int64_t Run::share_of(std::size_t island) const {
 
 std::int64_t Run::share_of_survey(std::int64_t later) const {
   const Island& survey = islands_[survey_island];
-  return survey.is_glance() ? first_glance : survey.is_first_look() ? first_look : later;
+  if (survey.is_glance()) return has_relaxed() ? first_glance : first_look;
+  return survey.is_first_look() ? first_look : later;
 }
 
 // Over a whole site a detour changes a small part of a route, and refining another one: each has
@@ -380,8 +381,8 @@ bool Run::has_work(std::size_t island) const {
   const bool may_jump = task_.steering == Steering::continuous_between_stops;
   if (work == Work::adapt && may_jump && rounds_ < first_adapt_round) return false;
   if (work == Work::survey) {
-    const bool is_glance = islands_[island].is_glance();
-    return budget_.iterations() >= (is_glance ? glance_of_survey : first_survey);
+    const bool is_early = has_relaxed() && islands_[island].is_glance();
+    return budget_.iterations() >= (is_early ? early_survey : first_survey);
   }
   if (work == Work::refine) return route_for(island) != nullptr;
   if (work == Work::detours && route_for(island) == nullptr) return false;

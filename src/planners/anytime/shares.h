@@ -55,8 +55,8 @@ inline constexpr std::size_t adapt_island = 13;
 static_assert(plans[bound_island].work == Work::bound && plans[bend_island].work == Work::bend &&
               plans[survey_island].work == Work::survey && plans[adapt_island].work == Work::adapt);
 
-/// Of the survey until its first way is found, and of its first look: what that brings cannot come
-/// too soon.
+/// Of the survey until its first way is found, beside relaxed islands, and of its first look: what
+/// that brings cannot come too soon.
 inline constexpr std::int64_t first_glance = 200;
 inline constexpr std::int64_t first_look = 100;
 
