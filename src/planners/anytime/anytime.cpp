@@ -37,7 +37,10 @@ constexpr std::uint64_t fastest_stream = 7;  // of random numbers
 constexpr int tidy_trials = 1000;
 constexpr int repairs_of_known = 12;              // of a known path that something is in the way of
 constexpr std::int64_t first_look_for_walls = 4;  // round; who has a route by then does not
-constexpr std::int64_t first_look_far = 100;      // over a whole site, where a look takes longer
+// Where trees found nothing by then the way is tight: only the lattices get through, by and by.
+constexpr std::int64_t first_late_round = 16;
+constexpr std::int64_t late_samples = 1;      // of a round
+constexpr std::int64_t first_look_far = 100;  // over a whole site, where a look takes longer
 constexpr std::int64_t rounds_of_far_cycle = 4;
 constexpr std::int64_t far_detours = 4096;  // iterations of one round
 constexpr int early_looks = 64;             // for walls: most are found by then
@@ -290,7 +293,10 @@ std::int64_t Run::raising_steps() const {
 
 std::int64_t Run::share_of(std::size_t island) const {
   const Plan& plan = is_far_ ? far_plans[island] : plans[island];
-  if (!best_) return rounds_ < plan.first_round ? 0 : plan.before;
+  if (!best_) {
+    const bool is_late = plan.work == Work::random_trees && rounds_ >= first_late_round;
+    return rounds_ < plan.first_round ? 0 : is_late ? late_samples : plan.before;
+  }
   const std::int64_t after = rule_.is_length() ? plan.after
                              : !bends_         ? plan.after_with_prices
                              : has_relaxed()   ? plan.beside_relaxed

@@ -31,16 +31,16 @@ struct Plan {
 inline constexpr std::array<Plan, island_count> plans = {
     {{Work::search_from_goal, 1, 64, 64, 160, 40, 24},
      {Work::search_from_start, 2, 64, 64, 160, 40, 24},
-     {Work::random_trees, 0, 16, 32, 32, 8, 1},
-     {Work::refine, 0, 0, 256, 96, 16, 4},
+     {Work::random_trees, 0, 16, 32, 32, 1, 1},
+     {Work::refine, 0, 0, 256, 96, 2, 1},
      {Work::bound, 0, 0, 2, 2, 1, 1},
      {Work::detours, 0, 0, 0, 96, 24, 16},
-     {Work::bend, 0, 0, 24, 0, 48, 48},
+     {Work::bend, 0, 0, 24, 0, 96, 96},
      {Work::survey, 0, 0, 0, 0, 16, 16},
-     {Work::search_from_goal, 0, 0, 0, 0, 0, 40},
-     {Work::search_from_start, 0, 0, 0, 0, 0, 40},
-     {Work::random_trees, 0, 0, 0, 0, 0, 2},
-     {Work::refine, 0, 0, 0, 0, 0, 16},
+     {Work::search_from_goal, 0, 0, 0, 0, 0, 60},
+     {Work::search_from_start, 0, 0, 0, 0, 0, 60},
+     {Work::random_trees, 0, 0, 0, 0, 0, 1},
+     {Work::refine, 0, 0, 0, 0, 0, 5},
      {Work::detours, 0, 0, 0, 0, 0, 24},
      {Work::adapt, 0, 0, 0, 0, 0, 16}}};
 
