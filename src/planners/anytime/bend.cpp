@@ -10,7 +10,7 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr std::size_t most_waiting = 6;
-constexpr std::size_t most_challengers = 4;
+constexpr std::size_t most_challenging = 4;
 constexpr double hopeless_drive = 6.0;  // excess over the cheapest drive, times the trials
 
 }  // namespace
@@ -85,7 +85,7 @@ bool Bender::challenge(std::size_t i) {
 }
 
 void Bender::add(std::span<const Segment> drive) {
-  if (challengers_.size() == most_challengers) {
+  if (challengers_.size() == most_challenging) {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < challengers_.size(); ++i) {
       if (doubt(challengers_[i]) > doubt(challengers_[worst])) worst = i;

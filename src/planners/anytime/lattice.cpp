@@ -18,7 +18,7 @@ constexpr std::size_t rare_shot = 256;  // poses expanded for one from afar
 // a hundred is cheaper: one for so many poses is enough, but from nearby [turning radii].
 constexpr std::size_t continuous_shot = 4;
 constexpr double always_shot = 2.0;
-constexpr int looks = 8;                // at open ground, for one entry
+constexpr int looks = 8;  // at open ground, for one entry
 
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
