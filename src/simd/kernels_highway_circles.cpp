@@ -21,6 +21,13 @@
 #include "hwy/highway.h"
 #include "simd/kernels_highway_angles-inl.h"
 
+// Clang takes minutes to put AddressSanitizer's checks into functions as large as these would be.
+#if HWY_IS_ASAN
+#define VANDPLAN_PART HWY_NOINLINE
+#else
+#define VANDPLAN_PART HWY_INLINE
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace vandplan::simd::HWY_NAMESPACE {
 namespace {
@@ -49,7 +56,7 @@ HWY_INLINE Arrow operator*(Arrow a, Arrow b) {
 }
 HWY_INLINE Arrow arrow(double re, double im) { return {set(re), set(im)}; }
 HWY_INLINE Arrow opposite(Arrow a) { return {a.re, hn::Neg(a.im)}; }
-HWY_INLINE V angle(Arrow a) { return Angles<V>::atan_2(a.im, a.re); }
+VANDPLAN_PART V angle(Arrow a) { return Angles<V>::atan_2(a.im, a.re); }
 HWY_INLINE V squared(Arrow a) { return hn::Add(hn::Mul(a.re, a.re), hn::Mul(a.im, a.im)); }
 
 /// Words by their circles.
@@ -104,7 +111,7 @@ enum : std::size_t { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l
 constexpr bool has_line(std::size_t formula) { return formula < l_r_l || formula > r_lr_l; }
 
 template <std::size_t formula>
-HWY_INLINE Words with_line(const Between& b, const CircleTurns& t) {
+VANDPLAN_PART Words with_line(const Between& b, const CircleTurns& t) {
   const Arrow &a = b.a, &v = b.v;
   const Arrow left = arrow(0, 1);
   const V across = set(2 * t.aside);
@@ -132,7 +139,7 @@ HWY_INLINE Words with_line(const Between& b, const CircleTurns& t) {
 }
 
 template <std::size_t formula>
-HWY_INLINE Words of_arcs(const Between& b, const CircleTurns& t) {
+VANDPLAN_PART Words of_arcs(const Between& b, const CircleTurns& t) {
   const Arrow &a = b.a, &v = b.v;
   const V no_line = hn::Zero(D());
   const Arrow skew = arrow(t.aside, -t.ahead);
@@ -179,7 +186,7 @@ HWY_INLINE V in_one_turn(V angle) {
 
 /// Where the angle of an arrow is below -low or too far beyond a quarter turn.
 template <std::size_t formula>
-HWY_INLINE Which unlikely(const Arrow& arrow, V low, const CircleTurns& t) {
+VANDPLAN_PART Which unlikely(const Arrow& arrow, V low, const CircleTurns& t) {
   const V zero = hn::Zero(D());
   const V square = squared(arrow);
   const V least = hn::Add(hn::Mul(low, low), set(1e-24));
@@ -192,7 +199,7 @@ HWY_INLINE Which unlikely(const Arrow& arrow, V low, const CircleTurns& t) {
 }
 
 /// What a turn lacks of its angle and a ramp, in ramps.
-HWY_INLINE V lacking(V angle, const SmallTurn& turn, const CircleTurns& t) {
+VANDPLAN_PART V lacking(V angle, const SmallTurn& turn, const CircleTurns& t) {
   const V u = hn::Sub(set(1), hn::Mul(angle, set(1 / t.ramp)));
   const V square = hn::Mul(u, u);
   const V growth = hn::Mul(hn::Mul(set(turn.growth), square), square);

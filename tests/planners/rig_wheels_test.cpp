@@ -133,6 +133,16 @@ TEST(RigWheels, LeadAlongArcsWhoseCurvatureJumps) {
   }
 }
 
+// A stroke that closing a chain left next to nothing of is none, or the wheels would turn there
+// that do not once it is left out.
+TEST(RigWheels, DoNotTurnAtAStrokeOfAHairsBreadth) {
+  const commands::Wheels wheels(towing_vehicle(), Steering::continuous_between_stops);
+  const std::vector<Segment> with = {{0.1, -4}, {-0.1, 1e-12}, {-0.1, -3}};
+  const std::vector<Segment> without = {{0.1, -4}, {-0.1, -3}};
+  EXPECT_EQ(wheels.driven(with, {}), wheels.driven(without, {}));
+  EXPECT_EQ(wheels.driven(wheels.tidied(with, {}), {}), wheels.driven(with, {}));
+}
+
 TEST(RigWheels, AreFreeForArcsAndLines) {
   const commands::Wheels wheels(towing_vehicle(), Steering::reeds_shepp);
   const std::vector<Segment> arcs = {{0.1, 4}, {-0.1, 3}, {0.1, -2}};

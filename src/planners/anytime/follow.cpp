@@ -186,6 +186,9 @@ void Follower::shake() {
     command.length = gear_of(command) * std::max(longer, std::abs(command.length) / 2);
   }
   if (!closer_.close({poses_[first], 0.0}, trial, {poses_[last], 0.0}, ends_of(window))) return;
+  Driven behind = driven_[first];
+  for (const Segment& command : trial) (void)wheels_.obey(command, behind);
+  if (behind.gear != driven_[last].gear) return;  // a stroke is gone: what is next may turn no more
   const auto of_window = std::span(blocked_).subspan(first, last - first);
   const double before = std::accumulate(of_window.begin(), of_window.end(), 0.0);
   if (blocked(trial, poses_[first], driven_[first], before) > before) return;

@@ -41,7 +41,7 @@ bool Wheels::may_jump(const Driven& before, GearSign next) const {
 double Wheels::way(double from, double to) const { return std::abs(to - from) / rate_; }
 
 Obeyed Wheels::obey(const Segment& command, Driven& before) const {
-  if (command.length == 0.0) return {};
+  if (std::abs(command.length) < crumb) return {};
   const GearSign gear = gear_of(command);
   Obeyed result;
   result.reaches_command = true;

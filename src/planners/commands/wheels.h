@@ -48,7 +48,7 @@ class Wheels {
   [[nodiscard]] bool may_jump(const search::Driven& before, search::GearSign next) const;
 
   /// What is driven after `before`, which becomes how that ends. Nothing if the command has no
-  /// length.
+  /// length, or next to none: nobody stops for a stroke of less than 1e-10 m.
   [[nodiscard]] Obeyed obey(const Segment& command, search::Driven& before) const;
 
   /// What is driven along the whole chain.
