@@ -143,9 +143,8 @@ void Follower::measure(std::size_t first, std::size_t last) {
     blocked_[i] = blocked(std::span(drive_).subspan(i, 1), poses_[i], driven_[i], never);
     Driven driven = driven_[i];
     Pose pose = poses_[i];
-    for (const Segment& segment : wheels_.obey(drive_[i], driven).view()) {
-      pose = advance(pose, segment);
-    }
+    const commands::Obeyed obeyed = wheels_.obey(drive_[i], driven);
+    for (const Segment& segment : obeyed.view()) pose = advance(pose, segment);
     if (i + 1 == last && last < drive_.size()) break;  // what is behind them is as it was
     poses_[i + 1] = pose;
     driven_[i + 1] = driven;
