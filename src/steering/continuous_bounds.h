@@ -103,9 +103,10 @@ inline double clothoids_add(double angle, double ramp) {
 
 /// The share of a word of Reeds and Shepp in what clothoids add to it.
 struct Shares {
-  double moved,
-      ramps;  ///< of how they move the circles at both ends, and of so many more clothoids
-  double turns, inner;  ///< of how much longer turns would be, and how often the inner one counts
+  double moved;  ///< of how they move the circles at both ends,
+  double ramps;  ///< and of so many more clothoids
+  double turns;  ///< of how much longer turns would be,
+  double inner;  ///< and how often the inner one counts
 };
 
 constexpr std::array<Shares, 9> shares = {{

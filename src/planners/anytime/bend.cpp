@@ -48,10 +48,7 @@ std::int64_t Bender::checks() const {
 /// True if a challenger drives along the segments now.
 bool Bender::drive_along(std::span<const Segment> segments) {
   std::vector<Segment> drive = wheels_.commands(segments, ends_);
-  const double sharpest = 1 / task_.vehicle.min_turning_radius;
-  for (Segment& command : drive) {
-    command.curvature = std::clamp(command.curvature, -sharpest, sharpest);
-  }
+  commands::hold_curvatures(drive, task_.vehicle.min_turning_radius);
   const RigState from{task_.start, task_.hitch_angles.start};
   const RigState to{task_.goal, task_.hitch_angles.goal};
   if (drive.empty() || !closer_.close(from, drive, to, ends_)) return false;

@@ -92,10 +92,7 @@ bool Follower::lead(Part& part) {
   const commands::WheelEnds ends{part.from.driven, to.curvature};
   part.commands = wheels_.commands(
       std::span(way_).subspan(part.from.segment, to.segment - part.from.segment), ends);
-  const double sharpest = 1 / task_.vehicle.min_turning_radius;
-  for (Segment& command : part.commands) {
-    command.curvature = std::clamp(command.curvature, -sharpest, sharpest);
-  }
+  commands::hold_curvatures(part.commands, task_.vehicle.min_turning_radius);
   return !part.commands.empty() &&
          closer_.close({part.from.pose, 0.0}, part.commands, {to.pose, 0.0}, ends);
 }
@@ -161,19 +158,9 @@ Follower::Window Follower::any_window() {
   return {middle - std::min(middle, before), std::min(middle + 1 + after, drive_.size())};
 }
 
-commands::WheelEnds Follower::ends_of(const Window& window) const {
-  commands::WheelEnds ends{driven_[window.first], ends_.after};
-  if (window.last == drive_.size()) return ends;
-  const Driven& behind = driven_[window.last];
-  ends.after.reset();
-  if (!wheels_.may_jump(behind, gear_of(drive_[window.last]))) ends.after = behind.curvature;
-  return ends;
-}
-
 /// Changes some commands at random, and keeps that if no more is blocked.
 void Follower::shake() {
-  const Window window = any_window();
-  const auto [first, last] = window;
+  const auto [first, last] = any_window();
   const std::span<Segment> old = std::span(drive_).subspan(first, last - first);
   std::vector<Segment> trial(old.begin(), old.end());
   const double scale = std::exp2(uniform(-6.0, -1.0, rng_));
@@ -184,7 +171,8 @@ void Follower::shake() {
     const double longer = std::abs(command.length) + scale * uniform(-1.0, 1.0, rng_) * radius;
     command.length = gear_of(command) * std::max(longer, std::abs(command.length) / 2);
   }
-  if (!closer_.close({poses_[first], 0.0}, trial, {poses_[last], 0.0}, ends_of(window))) return;
+  const commands::WheelEnds ends = wheels_.ends_of_part(drive_, driven_, first, last, ends_);
+  if (!closer_.close({poses_[first], 0.0}, trial, {poses_[last], 0.0}, ends)) return;
   Driven behind = driven_[first];
   for (const Segment& command : trial) (void)wheels_.obey(command, behind);
   if (behind.gear != driven_[last].gear) return;  // a stroke is gone: what is next may turn no more

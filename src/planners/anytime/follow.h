@@ -68,7 +68,6 @@ class Follower {
   void take(const Part& part);
   void measure(std::size_t first, std::size_t last);
   [[nodiscard]] Window any_window();
-  [[nodiscard]] commands::WheelEnds ends_of(const Window& window) const;
   [[nodiscard]] double blocked(std::span<const Segment> commands, Pose pose, search::Driven driven,
                                double most);
   void shake();

@@ -146,23 +146,11 @@ void DriveShortener::split(const Window& window) {
   trial_.insert(trial_.begin() + static_cast<std::ptrdiff_t>(at) + 1, second);
 }
 
-/// The wheels at both ends of a window. Where the vehicle rolls on they stay as they are, for the
-/// sake of what comes next.
-WheelEnds DriveShortener::ends_of(const Window& window) const {
-  WheelEnds ends{driving_.driven[window.first], {}};
-  const search::Driven& last = driving_.driven[window.last];
-  if (window.last == commands_.size()) {
-    ends.after = ends_.after;
-  } else if (!wheels_.may_jump(last, search::gear_of(commands_[window.last]))) {
-    ends.after = last.curvature;
-  }
-  return ends;
-}
-
 /// Changes the trial so that it leads where the window ends.
 bool DriveShortener::closes(const Window& window) {
-  return closer_.close(driving_.states[window.first], trial_, driving_.states[window.last],
-                       ends_of(window));
+  return closer_.close(
+      driving_.states[window.first], trial_, driving_.states[window.last],
+      wheels_.ends_of_part(commands_, driving_.driven, window.first, window.last, ends_));
 }
 
 /// What is driven in the trial and behind it, and its prices.

@@ -67,7 +67,6 @@ class DriveShortener {
   void split(const Window& window);
   [[nodiscard]] double near_cost(const RigState& from, std::span<const Segment> segments,
                                  double cutoff) const;
-  [[nodiscard]] WheelEnds ends_of(const Window& window) const;
   [[nodiscard]] bool closes(const Window& window);
   bool try_trial(const Window& window, double limit);
   void price_trial(const Window& window);

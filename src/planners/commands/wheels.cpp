@@ -118,6 +118,21 @@ std::vector<Segment> Wheels::tidied(std::span<const Segment> commands, Driven be
   return merged(result);
 }
 
+WheelEnds Wheels::ends_of_part(std::span<const Segment> chain, std::span<const Driven> driven,
+                               std::size_t first, std::size_t last, const WheelEnds& ends) const {
+  if (last == chain.size()) return {driven[first], ends.after};
+  WheelEnds result{driven[first], {}};
+  if (!may_jump(driven[last], gear_of(chain[last]))) result.after = driven[last].curvature;
+  return result;
+}
+
+void hold_curvatures(std::span<Segment> commands, double turning_radius) {
+  const double sharpest = 1 / turning_radius;
+  for (Segment& command : commands) {
+    command.curvature = std::clamp(command.curvature, -sharpest, sharpest);
+  }
+}
+
 WheelEnds wheel_ends(const Task& task) {
   if (task.steering != Steering::continuous) return {};
   return {{0, task.curvatures.start}, task.curvatures.goal};

@@ -65,6 +65,13 @@ class Wheels {
   [[nodiscard]] std::vector<Segment> tidied(std::span<const Segment> commands,
                                             search::Driven before) const;
 
+  /// The wheels at both ends of a part of a chain, from command `first` to the one before `last`,
+  /// which is about to change. Where the vehicle rolls on they stay as they are, for the sake of
+  /// what comes next. `driven`: before each command, and at the end; `ends`: of the whole chain.
+  [[nodiscard]] WheelEnds ends_of_part(std::span<const Segment> chain,
+                                       std::span<const search::Driven> driven, std::size_t first,
+                                       std::size_t last, const WheelEnds& ends) const;
+
   /// What is driven from one curvature to another [m].
   [[nodiscard]] double way(double from, double to) const;
 
@@ -76,6 +83,9 @@ class Wheels {
 /// Segments shorter than this are crumbs, which no driver drives: a seventieth of the turning
 /// radius, 0.1 m for a truck [m].
 [[nodiscard]] constexpr double crumb_length(double turning_radius) { return turning_radius / 70; }
+
+/// Leaves no command sharper than the vehicle turns.
+void hold_curvatures(std::span<Segment> commands, double turning_radius);
 
 /// How the wheels of the task are at its start and at its goal.
 [[nodiscard]] WheelEnds wheel_ends(const Task& task);
