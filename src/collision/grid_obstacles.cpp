@@ -3,6 +3,7 @@
 #include "collision/grid_obstacles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,10 +14,11 @@
 namespace vandplan::collision {
 namespace {
 
-constexpr double block = 0.4;          // side of blocks of edge cells, about [m]
-constexpr double field_block = 0.8;    // side of the blocks of the coarse field, about [m]
-constexpr double longest_piece = 1.5;  // of a segment whose cells are looked for at once [m]
-constexpr double longest_part = 50.0;  // that is not halved first [m]
+constexpr double block = 0.4;                // side of blocks of edge cells, about [m]
+constexpr double field_block = 0.8;          // side of the blocks of the coarse field, about [m]
+constexpr double longest_piece = 1.5;        // of a segment whose cells are looked for at once [m]
+constexpr double longest_part = 50.0;        // that is not halved first [m]
+constexpr std::size_t most_candidates = 32;  // that wait for a look
 
 /// How often cells of that side are doubled to come near to a length; at least once.
 int doublings(double side, double wanted) {
@@ -36,6 +38,12 @@ double squared_beyond(double beyond) { return beyond > 0 ? beyond * beyond : 0.0
 CellBox blocks_in(const CellBox& cells, int shift) {
   return {cells.x_min >> shift, cells.x_max >> shift, cells.y_min >> shift, cells.y_max >> shift};
 }
+
+/// Cells that may be nearest.
+struct Candidate {
+  double gap;  // they are no nearer, squared
+  Bounds box;
+};
 
 /// The cells of a run of blocks.
 CellBox cells_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, int shift) {
@@ -61,15 +69,35 @@ class GridObstacles::Neighbourhood {
     const Footprint& body = shape_.box;
     const Rectangle slim{near.middle, near.forward, (body.front + body.rear) / 2, body.half_width};
     double least = margin * margin;
-    (void)any_run(near, [&](const CellBox& run) {
-      const Bounds box = square(run);
-      if (slim.squared_gap(box) >= least) return false;  // most of them
+    const auto look = [&](const Bounds& box) {
       const double distance = shape_.corners.empty()
                                   ? slim.squared_distance(box)
                                   : squared_distance(shape_, placed_.from, sides_of(box));
       least = std::min(least, distance);
+    };
+    // What may be nearest is looked at first: then hardly anything else is.
+    std::array<Candidate, most_candidates> candidates;
+    std::size_t count = 0;
+    (void)any_run(near, [&](const CellBox& run) {
+      const Bounds box = square(run);
+      const double gap = slim.squared_gap(box);
+      if (gap >= least) return false;
+      if (count == candidates.size()) {
+        look(box);
+      } else {
+        candidates[count++] = {gap, box};
+      }
       return least == 0;
     });
+    for (; count > 0; --count) {
+      std::size_t next = 0;
+      for (std::size_t i = 1; i < count; ++i) {
+        if (candidates[i].gap < candidates[next].gap) next = i;
+      }
+      if (candidates[next].gap >= least) break;
+      look(candidates[next].box);
+      candidates[next] = candidates[count - 1];
+    }
     return std::sqrt(least);
   }
 

@@ -110,6 +110,37 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracle) {
   EXPECT_GT(apart, cases(count) / 8);
 }
 
+// With many cells about as near as the nearest one.
+TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracleInACrowd) {
+  constexpr int count = 200;
+  constexpr std::int32_t side = 60;
+  int crowded = 0;
+  for_each_case(6, count, [&](Rng& rng) {
+    const Vehicle vehicle = any_body(rng);
+    const OracleBody body(vehicle);
+    OccupancyGrid grid = random_grid(side, side, 0.5, rng);
+    grid.resolution = 0.25;
+    grid.origin.heading = uniform(-3, 3, rng);
+    Pose pose = compose(grid.origin, {side * 0.125, side * 0.125, uniform(-3, 3, rng)});
+    const double room = any_size(0.1, 2, rng);
+    std::vector<Cell> cells = *grid.cells;
+    std::vector<double> gaps;
+    for (std::int32_t i = 0; i < side * side; ++i) {
+      const Polygon square = square_of(grid, i % side, i / side);
+      const double gap = gap_at(body, {&square, 1}, pose).distance;
+      Cell& cell = cells[static_cast<std::size_t>(i)];
+      if (gap < room) cell = Cell::free;
+      if (cell == Cell::occupied) gaps.push_back(gap);
+    }
+    grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+    const CollisionChecker checker(vehicle, Surroundings{.bounds = wide, .map = grid});
+    const double gap = gap_at(body, squares_of(grid), pose).distance;
+    EXPECT_NEAR(checker.clearance(pose, 100), gap, 1e-9) << as_code(pose);
+    crowded += std::ranges::count_if(gaps, [&](double g) { return g < gap + 0.2; }) > 40;
+  });
+  EXPECT_GT(crowded, cases(count) / 10);
+}
+
 /// The grid in the lower left corner of so much free ground.
 OccupancyGrid in_free_ground(const OccupancyGrid& grid, std::int32_t columns, std::int32_t rows) {
   std::vector<Cell> cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
