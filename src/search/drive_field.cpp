@@ -22,7 +22,7 @@ constexpr float unasked = -1.0F;
 
 }  // namespace
 
-DriveField::DriveField(Connector& connector, const Room& room, const Bounds& box,
+DriveField::DriveField(Connector& connector, Room& room, const Bounds& box,
                        const FieldOptions& options, const Pose& root, GearSign driven, double most)
     : connector_(connector),
       room_(room),
@@ -162,7 +162,7 @@ double DriveField::least_cost() {
   return static_cast<double>(static_cast<float>(front_) / buckets_of_metre_);
 }
 
-float DriveField::room_at(const Node& node) const noexcept {
+float DriveField::room_at(const Node& node) noexcept {
   const auto heading = static_cast<std::size_t>(node.heading);
   return room_.clearance(node.x, node.y, cos_[heading], sin_[heading]);
 }

@@ -45,7 +45,7 @@ class DriveField {
   /// Ways begin at the root after something was driven in that gear; those that cost more than
   /// `most` in all are of no interest [m]. The connector has the rule of their direction. It and
   /// the room, which is complete, outlive the field.
-  DriveField(Connector& connector, const Room& room, const Bounds& box, const FieldOptions& options,
+  DriveField(Connector& connector, Room& room, const Bounds& box, const FieldOptions& options,
              const Pose& root, GearSign driven, double most);
 
   /// What going on costs: what the guide says, or what is known to a field of the other direction,
@@ -98,13 +98,13 @@ class DriveField {
   [[nodiscard]] float to_go(const Node& node, std::int64_t cell);
   void push(const Entry& entry);
   void find_front();
-  [[nodiscard]] float room_at(const Node& node) const noexcept;
+  [[nodiscard]] float room_at(const Node& node) noexcept;
   [[nodiscard]] float near_at(float room) const noexcept;
   [[nodiscard]] bool enter(Node& node, float& rank);
   void expand(std::int32_t id);
 
   Connector& connector_;
-  const Room& room_;
+  Room& room_;
   Pose root_;
   int headings_;
   double turn_;

@@ -38,6 +38,7 @@ Room::Room(const Task& task, const Bounds& box, double most)
   rows_ = static_cast<std::int32_t>(height / side_) + 2;
   distances_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
                     static_cast<float>(furthest_));
+  if (map_ != nullptr) is_asked_.assign(distances_.size(), false);
   for (const Point& corner : body_outline(task.vehicle)) {
     discs_.push_back(
         {static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(margin_)});
@@ -86,16 +87,6 @@ std::int64_t Room::mark(const Point& a, const Point& b) {
   return looks;
 }
 
-void Room::mark_map_row() {
-  const double y = box_.y_min + (map_row_ + 0.5) * side_;
-  for (std::int32_t column = 0; column < columns_; ++column) {
-    const auto range = map_->map_distance({box_.x_min + (column + 0.5) * side_, y});
-    float& distance = distances_[static_cast<std::size_t>(map_row_ * columns_ + column)];
-    distance = std::min(distance, static_cast<float>(range.most));
-  }
-  ++map_row_;
-}
-
 bool Room::step() {
   const std::vector<Polygon>& obstacles = ground_->obstacles;
   for (std::int64_t looks = 0; looks < looks_of_step && polygon_ < obstacles.size();) {
@@ -105,13 +96,21 @@ bool Room::step() {
     corner_ = 0;
     ++polygon_;
   }
-  if (polygon_ < obstacles.size()) return true;
-  if (map_ == nullptr || map_row_ == rows_) return false;
-  mark_map_row();
-  return true;
+  return polygon_ < obstacles.size();
 }
 
-float Room::distance(float x, float y) const noexcept {
+/// From the centre of a cell. Most cells are never asked for, and a map takes long to look all up.
+float Room::distance_of(std::int32_t column, std::int32_t row) noexcept {
+  const auto cell = static_cast<std::size_t>(row * columns_ + column);
+  float& distance = distances_[cell];
+  if (map_ == nullptr || is_asked_[cell]) return distance;
+  is_asked_[cell] = true;
+  const Point centre{box_.x_min + (column + 0.5) * side_, box_.y_min + (row + 0.5) * side_};
+  distance = std::min(distance, static_cast<float>(map_->map_distance(centre).most));
+  return distance;
+}
+
+float Room::distance(float x, float y) noexcept {
   const float column = (x - static_cast<float>(box_.x_min)) * per_side_ - 0.5F;
   const float row = (y - static_cast<float>(box_.y_min)) * per_side_ - 0.5F;
   const bool is_inside = column >= 0.0F && row >= 0.0F &&
@@ -122,13 +121,16 @@ float Room::distance(float x, float y) const noexcept {
   const auto j = static_cast<std::int32_t>(row);
   const float right = column - static_cast<float>(i);
   const float up = row - static_cast<float>(j);
-  const float* at = distances_.data() + j * columns_ + i;
-  const float below = at[0] + right * (at[1] - at[0]);
-  const float above = at[columns_] + right * (at[columns_ + 1] - at[columns_]);
+  const auto along = [&](std::int32_t row_of_two) {
+    const float left = distance_of(i, row_of_two);
+    return left + right * (distance_of(i + 1, row_of_two) - left);
+  };
+  const float below = along(j);
+  const float above = along(j + 1);
   return below + up * (above - below);
 }
 
-float Room::clearance(float x, float y, float cos, float sin) const noexcept {
+float Room::clearance(float x, float y, float cos, float sin) noexcept {
   float least = most_;
   const float around = distance(x + cos * middle_, y + sin * middle_);
   if (around - reach_ >= least) return least;

@@ -26,8 +26,8 @@ class Room {
   bool step();
 
   /// At a pose with that sine and cosine of the heading [m]: less than 0 where they overlap. To be
-  /// asked when there is no more to do.
-  [[nodiscard]] float clearance(float x, float y, float cos, float sin) const noexcept;
+  /// asked when there is no more to do. What a map says is looked up when it is first asked for.
+  [[nodiscard]] float clearance(float x, float y, float cos, float sin) noexcept;
   /// Whether what has much room is free: there are no kerbs, and the body is a rectangle.
   [[nodiscard]] bool is_trusted() const noexcept { return is_trusted_; }
   /// How far that may be off, about [m].
@@ -40,10 +40,10 @@ class Room {
   };
 
   std::int64_t mark(const Point& a, const Point& b);
-  void mark_map_row();
   [[nodiscard]] std::int32_t column_of(double x) const noexcept;
   [[nodiscard]] std::int32_t row_of(double y) const noexcept;
-  [[nodiscard]] float distance(float x, float y) const noexcept;
+  [[nodiscard]] float distance_of(std::int32_t column, std::int32_t row) noexcept;
+  [[nodiscard]] float distance(float x, float y) noexcept;
 
   const Surroundings* ground_;
   const CollisionChecker* map_;  // null without a map
@@ -56,11 +56,11 @@ class Room {
   float per_side_;
   std::int32_t columns_, rows_;
   std::vector<float> distances_;  // from the centres of cells to what is nearest [m]
+  std::vector<bool> is_asked_;    // whether the map was, for each of them
   std::vector<Disc> discs_;
   bool is_trusted_;
   std::size_t polygon_ = 0;  // what is marked next,
-  std::size_t corner_ = 0;   // from the side that ends there;
-  std::int32_t map_row_ = 0;
+  std::size_t corner_ = 0;   // from the side that ends there
 };
 
 }  // namespace vandplan::search

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "../support/problems.h"
+#include "planners/anytime/shares.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
@@ -66,6 +67,19 @@ TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
       EXPECT_EQ(many.anytime[i].iteration, one.anytime[i].iteration) << threads;
       EXPECT_EQ(many.anytime[i].cost, one.anytime[i].cost) << threads;
     }
+  }
+}
+
+// However short the first rounds are: the least share is an iteration in some of them only.
+TEST(Anytime, IslandsGetTheirSharesWithBending) {
+  std::int64_t of_one = 0, of_many = 0;
+  for (std::int64_t round = 0; round < 300; ++round) {
+    const std::int64_t many = anytime::share_with_bending(96, round);
+    EXPECT_GE(many, round == 0 ? 24 : anytime::share_with_bending(96, round - 1));
+    of_one += anytime::share_with_bending(1, round);
+    of_many += many;
+    EXPECT_LE(96 * of_one, of_many);
+    EXPECT_LT(of_many, 96 * (of_one + 1));
   }
 }
 

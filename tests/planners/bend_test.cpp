@@ -400,6 +400,20 @@ TEST(Bender, TriesANewRouteAtOnce) {
   EXPECT_LT(bender.cost(), 0.9 * dear);
 }
 
+// However many dearer ones came after it: following those may take long, and be in vain.
+TEST(Bender, TriesTheCheapestRouteFirst) {
+  const Problem problem = problem_of({-50, 0, 0}, {50, 0, 0}, {});
+  const Task task = task_of(problem, {}, Steering::reeds_shepp);
+  Bender bender(task, priced, 1);
+  const Route cheap = route_by_way_of(task, {0, -20, 0});
+  bender.offer(cheap);
+  for (const double y : {30.0, 45.0, 60.0, -30.0, -45.0, -60.0}) {
+    bender.offer(route_by_way_of(task, {0, y, 0}));
+  }
+  EXPECT_TRUE(bender.step());
+  EXPECT_LE(bender.cost(), cheap.cost + 1e-9);
+}
+
 // The commands of the whole way run into the posts, as what turning the wheels takes at one place
 // moves all that comes after it.
 TEST(Bender, FollowsAWayPartByPart) {

@@ -65,7 +65,7 @@ Room finished(Room room) {
   return room;
 }
 
-double room_at(const Room& room, const Pose& pose) {
+double room_at(Room& room, const Pose& pose) {
   const base::SinCos heading = base::sin_cos(pose.heading);
   return room.clearance(static_cast<float>(pose.x), static_cast<float>(pose.y),
                         static_cast<float>(heading.cos), static_cast<float>(heading.sin));
@@ -76,7 +76,7 @@ double room_at(const Room& room, const Pose& pose) {
 TEST(Room, IsAboutTheClearance) {
   for_each_case(1, 40, [](Rng& rng) {
     const Problem problem = some_problem(rng);
-    const Room room = finished(Room(problem.task(), area, 3.0));
+    Room room = finished(Room(problem.task(), area, 3.0));
     for (int i = 0; i < 50; ++i) {
       const Pose pose = free_pose(*problem.task().checker, rng);
       const double clearance = problem.task().checker->clearance(pose, 3.0);
@@ -96,7 +96,7 @@ TEST(Room, IsAboutTheClearanceFromTheCellsOfAMap) {
                           .rows = rows,
                           .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))};
   const Problem problem = problem_in({.bounds = area, .map = map}, {-20, 10, 0}, {20, 10, 0});
-  const Room room = finished(Room(problem.task(), area, 3.0));
+  Room room = finished(Room(problem.task(), area, 3.0));
   for_each_case(2, 200, [&](Rng& rng) {
     const Pose pose = free_pose(*problem.task().checker, rng);
     const double clearance = problem.task().checker->clearance(pose, 3.0);
@@ -110,9 +110,9 @@ TEST(Room, IsCountedFromTheMargin) {
   const Pose pose{0, 0, 0};
   const Problem problem = problem_in(wall, pose, {20, 0, 0});
   Task task = problem.task();
-  const Room room = finished(Room(task, area, 9.0));
+  Room room = finished(Room(task, area, 9.0));
   task.least_margin = 1.5;
-  const Room with_margin = finished(Room(task, area, 9.0));
+  Room with_margin = finished(Room(task, area, 9.0));
   EXPECT_NEAR(room_at(room, pose), 10 - task.vehicle.width / 2, 0.3);
   EXPECT_NEAR(room_at(room, pose) - room_at(with_margin, pose), 1.5, 1e-4);
 }

@@ -26,8 +26,8 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::int64_t first_later_round = 2;   // with a route: of islands that join late
-constexpr std::int64_t first_adapt_round = 16;  // between stops; bending brings more before
+constexpr std::int64_t first_later_round = 6;   // with a route: of islands that join late
+constexpr std::int64_t first_adapt_round = 32;  // between stops; bending brings more before
 constexpr std::int64_t first_survey = 3000;     // iteration; before, it would be in the way,
 constexpr std::int64_t early_survey = 1000;     // where iterations take longer, for the first way
 // Rounds until the bound with headings is raised where a gap is to be proven: boxes take long to

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t most_waiting = 6;
 constexpr std::size_t most_challenging = 4;
+constexpr std::int64_t grace = 30;      // trials: new ones are told apart by what they cost
 constexpr double hopeless_drive = 6.0;  // excess over the cheapest drive, times the trials
 
 }  // namespace
@@ -34,9 +35,11 @@ void Bender::offer(std::vector<Segment> segments) {
   wait({std::move(segments), std::numeric_limits<double>::infinity()});
 }
 
+/// The cheapest one comes first: following another one may take long, and be in vain.
 void Bender::wait(Waiting route) {
-  if (waiting_.size() == most_waiting) waiting_.erase(waiting_.begin());
-  waiting_.push_back(std::move(route));
+  const auto is_dearer = [](const Waiting& a, const Waiting& b) { return a.cost > b.cost; };
+  waiting_.insert(std::ranges::upper_bound(waiting_, route, is_dearer), std::move(route));
+  if (waiting_.size() > most_waiting) waiting_.erase(waiting_.begin());
 }
 
 std::int64_t Bender::checks() const {
@@ -59,11 +62,11 @@ bool Bender::drive_along(std::span<const Segment> segments) {
 }
 
 /// How little a challenger promises: by how much it is dearer than the best drive, times the trials
-/// that it took.
-double Bender::doubt(const Challenger& challenger) const {
+/// that it took and so many more.
+double Bender::doubt(const Challenger& challenger, std::int64_t more) const {
   if (!best_) return 0.0;
   const double excess = challenger.drive->cost() / best_->cost() - 1.0;
-  return excess * static_cast<double>(challenger.trials);
+  return excess * static_cast<double>(challenger.trials + more);
 }
 
 void Bender::drop(std::size_t i) {
@@ -85,7 +88,7 @@ void Bender::add(std::span<const Segment> drive) {
   if (challengers_.size() == most_challenging) {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < challengers_.size(); ++i) {
-      if (doubt(challengers_[i]) > doubt(challengers_[worst])) worst = i;
+      if (doubt(challengers_[i], grace) > doubt(challengers_[worst], grace)) worst = i;
     }
     drop(worst);
   }

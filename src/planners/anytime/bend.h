@@ -78,7 +78,7 @@ class Bender {
   bool begin();
   bool follow();
   bool challenge(std::size_t i);
-  [[nodiscard]] double doubt(const Challenger& challenger) const;
+  [[nodiscard]] double doubt(const Challenger& challenger, std::int64_t more = 0) const;
   [[nodiscard]] std::size_t next_challenger() const;
   void drop(std::size_t i);
 
@@ -91,7 +91,7 @@ class Bender {
   Measure measure_;
   std::uint64_t drives_ = 0;      // so far; each has a seed
   Kinds kinds_;                   // that were offered
-  std::vector<Waiting> waiting_;  // the newest one last
+  std::vector<Waiting> waiting_;  // the cheapest one last, of those the newest
   Drive best_;
   std::vector<Challenger> challengers_;
   std::int64_t checks_ = 0;  // of drives that are gone

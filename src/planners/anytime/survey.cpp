@@ -24,6 +24,7 @@ constexpr std::int64_t most_poses = 200'000;  // of one field
 constexpr std::int64_t most_poses_of_glance = 50'000;
 constexpr double most_cells = 1e6;  // of places and headings
 constexpr int poses_of_step = 32;
+constexpr int steps_of_preparing = 8;      // of its grid and its raster, in one of its own
 constexpr double survey_guide_side = 0.5;  // of a cell of the grid [vehicle widths]
 constexpr double border = 2.0;             // around the scene [turning radii]
 constexpr double room_of_step = 0.2;       // that the longest step asks for [turning radii]
@@ -61,7 +62,10 @@ bool Survey::prepare() {
         task_, box_, std::max(rule.clearance_distance, room_of_step * forth_.radius()));
     return false;
   }
-  return !guide_->step() && !room_->step();
+  for (int i = 0; i < steps_of_preparing; ++i) {
+    if (!guide_->step() && !room_->step()) return true;
+  }
+  return false;
 }
 
 void Survey::look_back() {
