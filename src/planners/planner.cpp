@@ -122,13 +122,18 @@ void settle_table(const Planner& planner, const PlanOptions& all) {
   }
 }
 
-/// What the judge says of standing at a pose.
+/// Why a start or goal is refused: what the judge says of standing there, or that planning asks for
+/// a little more.
 std::string reason_at(const Problem& problem, const RigState& state,
                       const ClearanceOptions& options) {
   const auto& [pose, angle] = state;
   const Problem there =
       make_problem(problem.world(), problem.vehicle(), pose, pose, {}, {angle, angle});
-  return check_path(there, Path{pose, {}}, {.clearance = options}).reason;
+  std::string reason = check_path(there, Path{pose, {}}, {.clearance = options}).reason;
+  if (!reason.empty()) return reason;
+  return "the pose keeps the margin of " + base::shortest_text(options.margin) +
+         " m, but planning asks for up to " +
+         base::shortest_text(1e3 * CollisionChecker::tolerance) + " mm more";
 }
 
 /// What needs no search: a start or goal that cannot be, and a goal that is the start.

@@ -164,6 +164,18 @@ TEST(Margin, AStartOrGoalThatIsNearerIsNamed) {
   EXPECT_EQ(at_goal.reason, "the footprint is only 0.200 m from obstacles[0], the margin is 0.3 m");
 }
 
+// What is exactly as far away as it has to be is valid, and still no path can be planned there.
+TEST(Margin, AStartOrGoalThatJustKeepsItIsToldApart) {
+  const Problem wall = problem_of({0, 0, 0}, {30, 0, 0}, {box(28, 1.8, 40, 2)});
+  const PlanResult at_goal = plan(wall, with_margin(1.8 - Vehicle{}.width / 2));
+  EXPECT_EQ(at_goal.status, PlanStatus::goal_in_collision);
+  EXPECT_TRUE(at_goal.reason.starts_with("the pose keeps the margin of 0.5")) << at_goal.reason;
+  const PlanResult at_start = plan(beside_a_kerb(1e-4), with_margin(0));
+  EXPECT_EQ(at_start.status, PlanStatus::start_in_collision);
+  EXPECT_EQ(at_start.reason,
+            "the pose keeps the margin of 0 m, but planning asks for up to 1 mm more");
+}
+
 TEST(Margin, ARampLeadsAwayFromAKerb) {
   const Problem problem = beside_a_kerb(0.1);
   const PlanResult result = plan(problem, with_margin(0.3, 15));
