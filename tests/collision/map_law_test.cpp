@@ -121,7 +121,7 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracleInACrowd) {
     OccupancyGrid grid = random_grid(side, side, 0.5, rng);
     grid.resolution = 0.25;
     grid.origin.heading = uniform(-3, 3, rng);
-    Pose pose = compose(grid.origin, {side * 0.125, side * 0.125, uniform(-3, 3, rng)});
+    const Pose pose = compose(grid.origin, {side * 0.125, side * 0.125, uniform(-3, 3, rng)});
     const double room = any_size(0.1, 2, rng);
     std::vector<Cell> cells = *grid.cells;
     std::vector<double> gaps;
