@@ -11,6 +11,7 @@
 
 #include "base/hash.h"
 #include "support/pose_pairs.h"
+#include "support/shared_files.h"
 #include "support/temporary_folder.h"
 #include "vandplan/dubins.h"
 #include "vandplan/path.h"
@@ -70,7 +71,7 @@ void print_steering() {
 
 void print_plans(const std::string& name, std::int64_t iterations) {
   const Problem problem =
-      make_problem(read_scenario(VANDPLAN_REPOSITORY "/scenarios/thesis/" + name + ".yaml"));
+      make_problem(read_scenario((repository() / "scenarios/thesis" / name).string() + ".yaml"));
   PlanOptions options{.cost = shortest_style};
   options.budget.max_iterations = iterations;
   for (const Planner& planner : planners()) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/cases.h"
+#include "support/shared_files.h"
 #include "vandplan/planner.h"
 #include "vandplan/scenario_file.h"
 
@@ -26,7 +27,7 @@ class TrailerScenarios : public testing::TestWithParam<TrailerScenario> {};
 
 TEST_P(TrailerScenarios, AreSolved) {
   const std::string path =
-      std::string(VANDPLAN_REPOSITORY "/scenarios/trailer/") + GetParam().file + ".yaml";
+      (repository() / "scenarios/trailer" / GetParam().file).string() + ".yaml";
   PlanOptions options;
   options.cost = driver_style;
   options.budget = {.max_iterations = is_sanitized ? 100 : 10000, .seed = 1};
@@ -52,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(All, TrailerScenarios,
 TEST(TrailerScenarioFiles, AllAreTried) {
   int files = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(VANDPLAN_REPOSITORY "/scenarios/trailer")) {
+       std::filesystem::directory_iterator(repository() / "scenarios/trailer")) {
     files += entry.path().extension() == ".yaml" ? 1 : 0;
   }
   EXPECT_EQ(files, 5) << "a scenario that is not in the list above";

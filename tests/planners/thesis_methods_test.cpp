@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "support/cases.h"
+#include "support/shared_files.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
@@ -16,7 +17,7 @@
 namespace vandplan {
 namespace {
 
-const std::string thesis = VANDPLAN_REPOSITORY "/scenarios/thesis/";
+const std::filesystem::path thesis = repository() / "scenarios/thesis";
 
 std::vector<ScenarioProblems> thesis_problems() {
   std::vector<std::string> files;
@@ -72,7 +73,7 @@ TEST_P(ThesisMethod, FindsOnlyPathsThatTheJudgeAccepts) {
 }
 
 TEST_P(ThesisMethod, GrowsATreeWhoseEveryEdgeTheJudgeAccepts) {
-  const Problem cage = read_problems(thesis + "5-leave-cage.yaml").problems[0];
+  const Problem cage = read_problems((thesis / "5-leave-cage.yaml").string()).problems[0];
   PlanOptions options;
   options.budget.max_iterations = 300;
   options.planner.set("region", "scene");
@@ -104,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(All, ThesisMethod, testing::ValuesIn(thesis_methods()),
 
 TEST(Rrt, LeastTotalCostIsNeverLongerOnTheSameSamplesThanNearest) {
   // Both draw the same samples; on open ground every one is connected at once.
-  const Problem open = read_problems(thesis + "1-open.yaml").problems[0];
+  const Problem open = read_problems((thesis / "1-open.yaml").string()).problems[0];
   PlanOptions options;
   options.budget.max_iterations = 200;
   const PlanResult nearest = plan(open, planner_named("rrt-bsc-euc"), options);
@@ -115,7 +116,7 @@ TEST(Rrt, LeastTotalCostIsNeverLongerOnTheSameSamplesThanNearest) {
 }
 
 TEST(Rrt, TheParentByExactLengthIsTheNearestOfAll) {
-  const Problem open = read_problems(thesis + "1-open.yaml").problems[0];
+  const Problem open = read_problems((thesis / "1-open.yaml").string()).problems[0];
   PlanOptions options;
   options.budget.max_iterations = cases(500);
   options.planner.set("keep_tree", true);
@@ -134,7 +135,7 @@ TEST(Rrt, TheParentByExactLengthIsTheNearestOfAll) {
 }
 
 TEST(Rrt, WithoutGoalSamplesOnlyTryingTheGoalFromEveryNodeSolves) {
-  const Problem open = read_problems(thesis + "1-open.yaml").problems[0];
+  const Problem open = read_problems((thesis / "1-open.yaml").string()).problems[0];
   PlanOptions options;
   options.budget.max_iterations = 200;
   options.planner.set("goal_bias", 0.0);

@@ -11,7 +11,8 @@
 
 namespace vandplan {
 
-inline std::filesystem::path repository() { return VANDPLAN_REPOSITORY; }
+/// The root of the checkout that this test was built from.
+std::filesystem::path repository();
 
 /// The folder of material that may lie beside the repository: tests of it skip where it is absent.
 inline std::filesystem::path shared_folder() {
