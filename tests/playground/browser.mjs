@@ -54,8 +54,8 @@ export class Browser {
     return new Promise((resolve, reject) => this.#waiting.set(id, {resolve, reject}));
   }
 
-  /** A page of that size, and what it complains of in `faults`. */
-  async page(url, {width, height, touch = false, dark = false}) {
+  /** A page of that size, once the expression `ready` holds on it, and what it complains of in `faults`. */
+  async page(url, {width, height, touch = false, dark = false, ready = 'globalThis.vandplanPage?.painted'}) {
     const {targetId} = await this.send('Target.createTarget', {url: 'about:blank'});
     const {sessionId} = await this.send('Target.attachToTarget', {targetId, flatten: true});
     const page = new Page((method, params) => this.send(method, params, sessionId));
@@ -68,7 +68,7 @@ export class Browser {
     if (touch) await page.send('Emulation.setTouchEmulationEnabled', {enabled: true});
     await page.send('Page.bringToFront');
     await page.send('Page.navigate', {url});
-    await page.until('globalThis.vandplanPage?.painted');
+    await page.until(ready);
     return page;
   }
 
