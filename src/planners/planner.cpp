@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "planners/drive_time.h"
+#include "planners/pricing.h"
 #include "planners/registered.h"
 #include "planners/shared_options.h"
 #include "vandplan/goal_estimate.h"
@@ -210,16 +210,9 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
 /// The cost of the path to all digits, which is also the last one of the trace: a planner looks at
 /// the clearance less finely.
 void settle_cost(const Task& task, const CostOptions& options, PlanResult& result) {
-  const search::CostRule rule = search::cost_rule(options);
-  search::Driven driven = rule.initial_gear;
-  const std::vector<Segment>& segments = result.path->segments;
-  if (options.measure == CostMeasure::time) {
-    result.cost = planning::drive_time(task, segments);
-  } else {
-    result.cost = drive_cost(rule, segments, driven);
-    if (rule.clearance_weight == 0.0) return;
-    result.cost += search::clearance_cost(task, rule, task.start, segments, search::Looks::answer);
-  }
+  const planning::Pricing pricing(task, options);
+  result.cost = pricing.cost(result.path->segments, search::Looks::answer);
+  if (!pricing.is_time() && options.clearance_weight == 0.0) return;
   std::vector<CostSample>& trace = result.anytime;
   while (trace.size() > 1 && trace[trace.size() - 2].cost <= result.cost) trace.pop_back();
   if (!trace.empty()) trace.back().cost = result.cost;
@@ -400,10 +393,6 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
                          ", expected reeds-shepp for a vehicle with a trailer, or a planner that "
                          "steers it so: " +
                          base::joined(others));
-  }
-  if (options.cost.measure == CostMeasure::time) {
-    throw InputError(std::string(cost_key),
-                     "is time, expected prices for a vehicle with a trailer");
   }
   all.steering = steering;
   return all;

@@ -92,8 +92,7 @@ class Judgement {
       options.clearance.margin = any_size(1e-4, 0.5, rng_) * scenario_.vehicle.width;
       if (chance(0.6, rng_)) options.clearance.margin_ramp = any_size(0.01, 100, rng_);
     }
-    const bool has_strokes = !is_rig() && honours(planner, "min_stroke");
-    if (has_strokes && chance(0.15, rng_)) {
+    if (honours(planner, "min_stroke") && chance(0.15, rng_)) {
       options.planner.set("min_stroke", any_size(0.01, 10, rng_));
     }
     constexpr Steering kinds[] = {Steering::reeds_shepp, Steering::continuous_between_stops,
@@ -101,7 +100,7 @@ class Judgement {
     const bool steers = is_rig() ? planner.properties.honours_steering_of_rigs
                                  : planner.properties.honours_steering;
     if (steers && chance(0.7, rng_)) options.steering = kinds[rng_() % 3];
-    if (!is_rig() && planner.properties.honours_time && chance(0.1, rng_)) {
+    if (planner.properties.honours_time && chance(0.1, rng_)) {
       options.cost.measure = CostMeasure::time;
       return options;
     }

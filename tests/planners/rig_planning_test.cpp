@@ -5,20 +5,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "planners/commands/closer.h"
 #include "planners/grown_tree.h"
+#include "planners/pricing.h"
 #include "planners/rig/towed.h"
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/problems.h"
-#include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/rig.h"
+#include "vandplan/speed.h"
 
 namespace vandplan {
 namespace {
@@ -305,11 +307,71 @@ TEST(RigBound, KnowsThatATrailerMayGoFartherThanItsTractor) {
   EXPECT_GT(rig::least_cost(task, {}), 0.95 * arc.length);
 }
 
-TEST(RigPlanning, KnowsNoTimes) {
-  PlanOptions options = with_iterations(10);
+TEST(RigPlanning, WhereTheCostIsTheTimeDrivesAreFaster) {
+  PlanOptions options = with_iterations(is_sanitized ? 200 : 4000);
   options.cost = driver_style;
+  options.steering = Steering::continuous_between_stops;
+  const PlanResult by_prices = plan(make_problem(dock()), options);
   options.cost.measure = CostMeasure::time;
-  EXPECT_THROW((void)plan(make_problem(dock()), options), InputError);
+  const PlanResult by_time = plan(make_problem(dock()), options);
+  if (is_sanitized) return;
+  ASSERT_EQ(by_prices.status, PlanStatus::solved) << by_prices.reason;
+  ASSERT_EQ(by_time.status, PlanStatus::solved) << by_time.reason;
+  EXPECT_LT(by_time.cost, 0.95 * speed_profile(*by_prices.path, semitrailer()).duration);
+}
+
+// No drive takes less time than is proven, whatever its path, limits and gears are.
+TEST(RigBoundLaw, NoDriveTakesLess) {
+  for_each_case(2, 1000, [&](Rng& rng) {
+    Scenario scenario{.name = "any", .vehicle = semitrailer(), .bounds = {-500, 500, -500, 500}};
+    Vehicle& vehicle = scenario.vehicle;
+    vehicle.hitch = uniform(-2, 1, rng);
+    vehicle.max_hitch_angle = uniform(0.5, 1.4, rng);
+    vehicle.limits.max_speed = {uniform(0.5, 9, rng), uniform(0.5, 9, rng)};
+    vehicle.limits.max_acceleration = uniform(0.3, 3, rng);
+    if (uniform01(rng) < 0.5) vehicle.limits.max_braking = uniform(0.3, 5, rng);
+    RigState state{{0, 0, 0}, uniform(-1, 1, rng) * vehicle.max_hitch_angle};
+    scenario.hitch_angles.start = state.hitch_angle;
+    std::vector<Segment> segments;
+    for (std::uint64_t i = 0, n = 1 + rng() % 4; i < n; ++i) {
+      const double sharpest = rng() % 2 == 0 ? 0.0 : 1 / 5.9;
+      const Segment segment{uniform(-1, 1, rng) * sharpest, any_sign(uniform(0.1, 20, rng), rng)};
+      if (largest_hitch_angle(vehicle, state.hitch_angle, segment) > vehicle.max_hitch_angle)
+        continue;
+      segments.push_back(segment);
+      state = advance(vehicle, state, segment);
+    }
+    scenario.goal = state.pose;
+    scenario.hitch_angles.goal = state.hitch_angle;
+    const Problem problem = make_problem(scenario);
+    CostOptions time = shortest_style;
+    time.measure = CostMeasure::time;
+    const double duration = speed_profile({{0, 0, 0}, segments}, vehicle).duration;
+    const planning::Pricing seconds(problem.task(), time);
+    EXPECT_LE(rig::least_cost(problem.task(), seconds), duration + 1e-6);
+    EXPECT_EQ(seconds.cost(segments, 0), duration);
+    const planning::Pricing both(problem.task(), shortest_style, 2.0);
+    EXPECT_LE(rig::least_cost(problem.task(), both), both.cost(segments, 0) + 1e-6);
+    EXPECT_NEAR(both.cost(segments, 0), length(segments) + 2 * duration, 1e-9);
+  });
+}
+
+TEST(RigPlanning, StrokesAreAsLongAsIsAskedFor) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    PlanOptions options = with_iterations(is_sanitized ? 200 : 3000, seed);
+    options.planner.set("min_stroke", 6.0);
+    const PlanResult result = plan(make_problem(dock()), options);
+    if (is_sanitized) return;
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    std::vector<double> strokes(1);
+    for (std::size_t i = 0; i < result.path->segments.size(); ++i) {
+      const double driven = result.path->segments[i].length;
+      if (i > 0 && driven * result.path->segments[i - 1].length < 0) strokes.push_back(0);
+      strokes.back() += std::abs(driven);
+    }
+    EXPECT_GT(strokes.size(), 1U);
+    EXPECT_GE(*std::ranges::min_element(strokes), 6 - 1e-9);
+  }
 }
 
 TEST(RigPlanning, WithPricesBothBodiesStayAway) {

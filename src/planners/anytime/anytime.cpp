@@ -16,7 +16,7 @@
 #include "planners/anytime/shares.h"
 #include "planners/anytime/strokes.h"
 #include "planners/anytime/tidy.h"
-#include "planners/drive_time.h"
+#include "planners/pricing.h"
 #include "planners/rig/rig_planner.h"
 #include "planners/shared_options.h"
 #include "search/enclosure.h"
@@ -57,26 +57,26 @@ constexpr std::int64_t quickening = 192;  // trials of a round
 constexpr double no_time = 1e-12;         // relative
 constexpr double no_gain = 1e-6;          // of a whole drive, relative: ends may be off by as much
 
-/// Prices by which routes are found; about those of the whole drive where a second has a price [m].
-CostRule rule_of(const Task& task, const CostOptions& cost, double time_price) {
-  if (cost.measure == CostMeasure::time) return planning::prices_like_time(task);
-  if (time_price == 0.0) return cost_rule(cost);
-  return planning::with_time(cost_rule(cost), task, time_price);
-}
+/// What is driven, and its cost.
+struct Drivable {
+  std::vector<Segment> segments;
+  double cost;
+};
 
 class Run {
  public:
-  Run(const Task& task, const PlanOptions& options, double time_price);
+  Run(const Task& task, const PlanOptions& options, const planning::Pricing& pricing);
 
   void try_open_ground(const CostRule& rule);
   void try_along(const Path& known);
   void round();
   void look_for_walls();
   void tidy(std::uint64_t seed);
-  void make_drivable(double min_stroke);
+  void make_drivable();
   [[nodiscard]] bool is_optimal() const;
-  /// Whether the best route is proven to be as near to the optimum as was asked for.
-  [[nodiscard]] bool is_good_enough() const;
+  /// Whether the best route is proven to be as near to the optimum as was asked for, with strokes
+  /// as long as was asked for.
+  [[nodiscard]] bool is_good_enough();
   [[nodiscard]] bool is_walled_in() const { return enclosure_ && enclosure_->is_proven(); }
   [[nodiscard]] Budget& budget() { return budget_; }
   [[nodiscard]] PlannerAnswer result() const;
@@ -103,14 +103,12 @@ class Run {
   void quicken();
   void offer_to_fastest();
   [[nodiscard]] std::vector<Segment> bent_segments() const;
-  [[nodiscard]] double cost_of_drive(std::span<const Segment> segments,
-                                     double clearance_cost) const;
+  [[nodiscard]] std::vector<Segment> raw_segments() const;
+  [[nodiscard]] std::optional<Drivable> drivable(const std::vector<Segment>& raw) const;
 
   const Task& task_;
-  CostRule rule_;
-  CostRule prices_;              // of the path, where not only the time counts
-  bool is_time_;                 // does
-  double time_price_;            // of a second, beside the prices [m]
+  const planning::Pricing& pricing_;
+  const CostRule& rule_;         // by which routes are found
   bool is_far_;                  // over a whole site
   bool bends_;                   // routes: the shortest of arcs and lines has no use for it
   std::optional<Task> relaxed_;  // the task of wheels that turn at once, once it helps
@@ -118,7 +116,10 @@ class Run {
   std::uint64_t seed_;
   int threads_;
   std::optional<double> target_gap_;
-  bool is_warm_ = false;  // began with a route along a known path
+  double min_stroke_;                 // that is asked for [m]
+  double cost_before_strokes_ = 0.0;  // of the route that was made drivable last,
+  double cost_with_strokes_ = 0.0;    // and what it costs then
+  bool is_warm_ = false;              // began with a route along a known path
   Budget budget_;
   std::deque<Island> islands_;
   std::optional<search::Enclosure> enclosure_;
@@ -136,22 +137,21 @@ class Run {
   std::int64_t rounds_with_route_ = 0;
 };
 
-Run::Run(const Task& task, const PlanOptions& options, double time_price)
+Run::Run(const Task& task, const PlanOptions& options, const planning::Pricing& pricing)
     : task_(task),
-      rule_(rule_of(task, options.cost, time_price)),
-      prices_(cost_rule(options.cost)),
-      is_time_(options.cost.measure == CostMeasure::time),
-      time_price_(time_price),
+      pricing_(pricing),
+      rule_(pricing.rule()),
       is_far_(search::FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
-      bends_((!rule_.is_length() || task.steering != Steering::reeds_shepp) && !is_time_ &&
-             time_price == 0.0 && !is_far_),
+      bends_((!rule_.is_length() || task.steering != Steering::reeds_shepp) &&
+             !pricing.counts_time() && !is_far_),
       region_(sampling_region(task, planning::region_of(options))),
       seed_(options.budget.seed),
       threads_(options.budget.threads),
       target_gap_(options.budget.target_gap),
+      min_stroke_(options.planner.number("min_stroke")),
       budget_(options.budget),
       open_ground_(open_ground(task, rule_)) {
-  const bool is_whole = is_time_ || time_price > 0.0;
+  const bool is_whole = pricing.counts_time();
   for (std::size_t i = 0; i < first_later; ++i) {
     islands_.emplace_back(plans[i].work, task, rule_, region_, stream_seed(seed_, i),
                           is_whole || bends_);
@@ -160,10 +160,12 @@ Run::Run(const Task& task, const PlanOptions& options, double time_price)
     const auto of_route = [this](const Route& route) {
       double clearance_cost = 0.0;
       for (const Leg& leg : route.legs) clearance_cost += leg.clearance_cost;
-      return cost_of_drive(path_of(route).segments, clearance_cost);
+      return pricing_.cost(path_of(route).segments, clearance_cost);
     };
     Bender::Measure of_drive;  // where the time is all that counts
-    if (is_time_) of_drive = [this](std::span<const Segment> s) { return cost_of_drive(s, 0.0); };
+    if (pricing.is_time()) {
+      of_drive = [this](std::span<const Segment> s) { return pricing_.cost(s, 0.0); };
+    }
     fastest_.emplace(task, rule_, stream_seed(seed_, fastest_stream), of_route, of_drive);
   }
 }
@@ -211,14 +213,6 @@ void Run::offer_to_fastest() {
   trace_.push_back({budget_.elapsed(), budget_.iterations(), fastest_->cost()});
 }
 
-// Of a path that is driven as fast as it can be.
-double Run::cost_of_drive(std::span<const Segment> segments, double clearance_cost) const {
-  const double time = planning::drive_time(task_, segments);
-  if (is_time_) return time;
-  Driven driven = prices_.initial_gear;
-  return drive_cost(prices_, segments, driven) + clearance_cost + time_price_ * time;
-}
-
 // [8b] Makes the cheapest route cheaper yet, by the whole drive.
 void Run::quicken() {
   const std::int64_t trials = budget_.left(quickening * growth(rounds_), 0);
@@ -233,7 +227,8 @@ void Run::quicken() {
 
 bool Run::is_optimal() const {
   if (fastest_) {
-    return best_ && fastest_->cost() <= lower_bound() * (1 + (is_time_ ? no_time : no_gain));
+    return best_ &&
+           fastest_->cost() <= lower_bound() * (1 + (pricing_.is_time() ? no_time : no_gain));
   }
   return best_ &&
          least_found() <= least_cost(open_ground_, rule_, 0.0) * (1 + 1e-12) + open_ground_.leeway;
@@ -251,8 +246,7 @@ double Run::lower_bound() const {
   }
   if (fastest_) {
     const double length = std::max(open_ground_.shortest, around);
-    const double time = planning::least_drive_time(task_.vehicle, length);
-    return is_time_ ? time : length + time_price_ * time;
+    return pricing_.least_cost(length, length);
   }
   return least_cost(open_ground_, rule_, around);
 }
@@ -260,8 +254,16 @@ double Run::lower_bound() const {
 // What a path may cost to be as near to the optimum as was asked for, as far as is proven.
 double Run::enough() const { return target_gap_ ? (1 + *target_gap_) * lower_bound() : 0.0; }
 
-bool Run::is_good_enough() const {
-  return best_ && target_gap_ && (fastest_ ? fastest_->cost() : least_found()) <= enough();
+bool Run::is_good_enough() {
+  if (!best_ || !target_gap_) return false;
+  const double cost = fastest_ ? fastest_->cost() : least_found();
+  if (cost > enough()) return false;
+  if (min_stroke_ == 0.0) return true;
+  if (cost != cost_before_strokes_) {
+    cost_before_strokes_ = cost;
+    cost_with_strokes_ = drivable(raw_segments())->cost;
+  }
+  return cost_with_strokes_ <= enough();
 }
 
 // Raises the bound, no further than it takes for the gap that was asked for.
@@ -472,34 +474,44 @@ std::vector<Segment> Run::bent_segments() const {
   return drive.segments();
 }
 
-// Under prices and for those who ask for strokes: the shortest path is what it is.
-void Run::make_drivable(double min_stroke) {
-  if (!best_) return;
-  const Route& route = fastest_ ? *fastest_->route() : *best_;
-  const bool is_bent = bent_ && bent_->cost < route.cost;
-  segments_ = fastest_ ? fastest_->segments() : is_bent ? bent_segments() : path_of(route).segments;
+// The best route as it is.
+std::vector<Segment> Run::raw_segments() const {
+  const bool is_bent = bent_ && bent_->cost < best_->cost;
+  if (fastest_) return fastest_->segments();
+  return is_bent ? bent_segments() : path_of(*best_).segments;
+}
+
+// The best route tidied, with strokes as long as is asked for where there is room; nothing where it
+// stays as it is: the shortest path is what it is.
+std::optional<Drivable> Run::drivable(const std::vector<Segment>& raw) const {
+  const bool is_bent = !fastest_ && bent_ && bent_->cost < best_->cost;
   const bool is_continuous = task_.steering != Steering::reeds_shepp;
-  if (min_stroke == 0.0 && !is_bent && (is_continuous || rule_.is_length())) return;
+  if (min_stroke_ == 0.0 && !is_bent && (is_continuous || rule_.is_length())) return std::nullopt;
   Connector connector(task_, rule_);
-  std::vector<Segment> neat = segments_;
+  Drivable drivable{raw, 0.0};
   if (!is_continuous) {
-    neat = tidied(connector, task_.start, segments_, min_stroke);
-  } else if (min_stroke > 0.0) {
-    const Route legs = is_bent ? legs_along({task_.start, segments_}, task_.goal) : route;
-    neat = path_of(with_strokes(connector, gears_at_ends(task_, rule_), legs, min_stroke)).segments;
+    drivable.segments = tidied(connector, task_.start, raw, min_stroke_);
+  } else if (min_stroke_ > 0.0) {
+    const Route& route = fastest_ ? *fastest_->route() : *best_;
+    const Route legs = is_bent ? legs_along({task_.start, raw}, task_.goal) : route;
+    drivable.segments =
+        path_of(with_strokes(connector, gears_at_ends(task_, rule_), legs, min_stroke_)).segments;
   }
-  if (fastest_) {
-    const double cost = cost_of_drive(neat, connector.clearance_cost(task_.start, neat));
-    if (min_stroke == 0.0 && cost > fastest_->cost() * (1 + no_time)) return;
-    segments_ = std::move(neat);
-    return;
-  }
-  segments_ = std::move(neat);
-  Driven driven = rule_.initial_gear;
-  const double cost =
-      drive_cost(rule_, segments_, driven) + connector.clearance_cost(task_.start, segments_);
-  while (trace_.size() > 1 && trace_[trace_.size() - 2].cost <= cost) trace_.pop_back();
-  trace_.back().cost = cost;
+  drivable.cost =
+      pricing_.cost(drivable.segments, connector.clearance_cost(task_.start, drivable.segments));
+  return drivable;
+}
+
+void Run::make_drivable() {
+  if (!best_) return;
+  segments_ = raw_segments();
+  std::optional<Drivable> neat = drivable(segments_);
+  if (!neat) return;
+  if (fastest_ && min_stroke_ == 0.0 && neat->cost > fastest_->cost() * (1 + no_time)) return;
+  segments_ = std::move(neat->segments);
+  if (fastest_) return;
+  while (trace_.size() > 1 && trace_[trace_.size() - 2].cost <= neat->cost) trace_.pop_back();
+  trace_.back().cost = neat->cost;
 }
 
 PlannerAnswer Run::result() const {
@@ -528,19 +540,19 @@ PlannerAnswer Run::result() const {
 // The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
 PlannerAnswer planned(const Task& task, const PlanOptions& options, double time_price,
                       const Path* known) {
-  if (task.vehicle.trailer) return rig::plan_rig(task, options);
-  Run run(task, options, time_price);
+  const planning::Pricing pricing(task, options.cost, time_price);
+  if (task.vehicle.trailer) return rig::plan_rig(task, options, pricing);
+  Run run(task, options, pricing);
   run.try_open_ground({});  // [1]
-  const CostRule rule = rule_of(task, options.cost, time_price);
-  if (!rule.is_length()) run.try_open_ground(rule);
+  if (!pricing.rule().is_length()) run.try_open_ground(pricing.rule());
   if (known != nullptr) run.try_along(*known);
   std::optional<PlanStatus> end;
   while (!run.is_optimal() && !run.is_good_enough() && !run.is_walled_in() && !end) {
     end = run.budget().exhausted();
     if (!end) run.round();  // [2] to [9]
   }
-  if (run.is_optimal()) run.tidy(options.budget.seed);      // [10]
-  run.make_drivable(options.planner.number("min_stroke"));  // [11]
+  if (run.is_optimal()) run.tidy(options.budget.seed);  // [10]
+  run.make_drivable();                                  // [11]
   PlannerAnswer answer = run.result();
   if (answer.segments) return answer;
   answer.status = end.value_or(PlanStatus::no_path);

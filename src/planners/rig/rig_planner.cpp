@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +15,6 @@
 #include "planners/rig/rig_search.h"
 #include "planners/rig/towed.h"
 #include "search/enclosure.h"
-#include "vandplan/input_error.h"
 #include "vandplan/random.h"
 #include "vandplan/search.h"
 
@@ -23,7 +23,9 @@ namespace {
 
 using namespace search;
 
-constexpr double rounding = 1e-9;  // of the bound, relative
+constexpr double rounding = 1e-9;      // of the bound, relative
+constexpr double worth_a_trial = 1.3;  // price of a route beside that of the best drive
+constexpr double price_of_lack = 1e3;  // of a metre that strokes are too short [m or s]
 
 /// A way to look, for what is open, narrow or full of turns.
 struct Kind {
@@ -34,18 +36,35 @@ struct Kind {
 constexpr std::array<Kind, 4> kinds = {
     {{3, 8, 1, 1}, {2.2, 8, 2, 1}, {1.5, 8, 4, 1}, {1, 1.7, 1, 3}}};
 
+/// By how much the strokes before and after gear changes are shorter than `least`, in all [m].
+double missing(std::span<const Segment> segments, double least) {
+  double sum = 0.0;
+  double stroke = 0.0;
+  bool changes_gear = false;
+  for (const Segment& segment : segments) {
+    if (segment.length * stroke < 0.0) {
+      sum += std::max(0.0, least - std::abs(stroke));
+      stroke = 0.0;
+      changes_gear = true;
+    }
+    stroke += segment.length;
+  }
+  return changes_gear ? sum + std::max(0.0, least - std::abs(stroke)) : 0.0;
+}
+
 /// What came of a run so far.
 class Run {
  public:
-  Run(const Task& task, const PlanOptions& options)
+  Run(const Task& task, const PlanOptions& options, const planning::Pricing& pricing)
       : task_(task),
         options_(options),
+        pricing_(pricing),
+        min_stroke_(options.planner.number("min_stroke")),
         budget_(options.budget),
-        rule_(cost_rule(options.cost)),
         unit_(0.3 * std::sqrt(turning_radius(task.vehicle) * task.vehicle.trailer->wheelbase)),
         guides_(task),
         towed_(towed_task(task)),
-        bound_(least_cost(task, rule_)) {}
+        bound_(least_cost(task, pricing)) {}
 
   /// Searches for a drive, in several ways by turns. False when the budget is spent.
   bool search();
@@ -66,17 +85,19 @@ class Run {
   void look_for_walls();
   void begin(Search& search);
   void end(Search& search);
-  void keep(const std::vector<Segment>& segments, double cost);
+  [[nodiscard]] double cutoff() const;
+  void keep(const std::vector<Segment>& segments, double wanted);
+  [[nodiscard]] commands::DriveShortener::Measure measure() const;
   [[nodiscard]] bool is_good_enough() const {
-    const auto& gap = options_.budget.target_gap;
-    return best_ &&
-           (best_cost_ <= bound_ * (1 + rounding) || (gap && best_cost_ <= bound_ * (1 + *gap)));
+    const double gap = options_.budget.target_gap.value_or(0.0);
+    return best_ && best_wanted_ <= bound_ * (1 + std::max(gap, rounding));
   }
 
   const Task& task_;
   const PlanOptions& options_;
+  const planning::Pricing& pricing_;
+  double min_stroke_;  // that is asked for [m]
   Budget budget_;
-  CostRule rule_;
   double unit_;  // of the steps of a search [m]
   Guides guides_;
   std::array<Search, kinds.size()> searches_;
@@ -89,6 +110,7 @@ class Run {
   std::optional<std::vector<Segment>> found_;  // commands
   std::optional<std::vector<Segment>> best_;   // what is driven
   double best_cost_ = 0.0;
+  double best_wanted_ = 0.0;  // its cost, and more where strokes are shorter than is asked for
   std::vector<CostSample> trace_;
   std::int64_t nodes_ = 0, checks_ = 0, closings_ = 0, bridges_ = 0, trials_ = 0;
   std::uint64_t shortened_ = 0;
@@ -103,7 +125,7 @@ void Run::begin(Search& search) {
   constexpr double finer = 0.7;
   const int finest = std::min(round, most_rounds);
   search.now.emplace(
-      task_, rule_, guides_,
+      task_, pricing_.rule(), guides_,
       Fineness{.step = unit_ * step * std::pow(finer, finest % 6),
                .weight = round % 2 == 0 ? weight : 1 + weight / 4,
                .levels = levels,
@@ -132,7 +154,7 @@ bool Run::search() {
   while (!found_) {
     Search& search = searches_[turn_];
     if (!search.now) begin(search);
-    if (best_) search.now->set_cutoff(best_cost_);
+    if (best_) search.now->set_cutoff(cutoff());
     bool goes_on = true;
     for (; left_ > 0 && goes_on && !found_ && budget_.next(); --left_) {
       goes_on = search.now->step();
@@ -152,17 +174,36 @@ bool Run::search() {
   return !budget_.exhausted() && !is_walled_in();
 }
 
-void Run::keep(const std::vector<Segment>& segments, double cost) {
-  if (best_ && cost >= best_cost_) return;
+/// Measure that drives are compared by; none where the cost is a sum over segments. A metre that
+/// strokes are too short costs more than any detour.
+commands::DriveShortener::Measure Run::measure() const {
+  if (!pricing_.counts_time() && min_stroke_ == 0.0) return {};
+  return [this](std::span<const Segment> segments) {
+    return pricing_.cost(segments, Looks::search) + price_of_lack * missing(segments, min_stroke_);
+  };
+}
+
+/// From what price on routes are of no interest to a search.
+double Run::cutoff() const {
+  if (!pricing_.counts_time()) return best_wanted_;
+  Driven driven = pricing_.rule().initial_gear;
+  return worth_a_trial * drive_cost(pricing_.rule(), *best_, driven);
+}
+
+void Run::keep(const std::vector<Segment>& segments, double wanted) {
+  if (best_ && wanted >= best_wanted_) return;
   best_ = segments;
-  best_cost_ = cost;
-  trace_.push_back({budget_.elapsed(), budget_.iterations(), cost});
+  best_wanted_ = wanted;
+  best_cost_ = wanted - price_of_lack * missing(segments, min_stroke_);
+  // A drive with longer strokes may cost more than the one before.
+  std::erase_if(trace_, [&](const CostSample& sample) { return sample.cost <= best_cost_; });
+  trace_.push_back({budget_.elapsed(), budget_.iterations(), best_cost_});
 }
 
 bool Run::shorten() {
   if (!found_) return !budget_.exhausted();
-  DriveShortener shortener(task_, rule_, *std::exchange(found_, std::nullopt),
-                           stream_seed(options_.budget.seed, shortened_++));
+  DriveShortener shortener(task_, pricing_.rule(), *std::exchange(found_, std::nullopt),
+                           stream_seed(options_.budget.seed, shortened_++), measure());
   keep(shortener.segments(), shortener.cost());
   while (!shortener.is_stalled() && !is_good_enough() && budget_.next()) {
     ++trials_;
@@ -202,11 +243,9 @@ PlannerAnswer Run::answer() {
 //   [1]   search, forward from the start and back from the goal, until exact steering joins two
 //         states or two of them are near: a drive by way of both is bent until it ends at the goal
 //   [2]   change a few segments at random and close the gap; keep what is cheaper and free
-PlannerAnswer plan_rig(const Task& task, const PlanOptions& options) {
-  if (options.planner.number("min_stroke") > 0.0) {
-    throw InputError("min_stroke", "is for a vehicle without a trailer");
-  }
-  Run run(task, options);
+PlannerAnswer plan_rig(const Task& task, const PlanOptions& options,
+                       const planning::Pricing& pricing) {
+  Run run(task, options, pricing);
   while (run.search() && run.shorten()) {
   }
   return run.answer();

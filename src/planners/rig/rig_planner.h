@@ -5,6 +5,7 @@
 //
 // Method: docs/algorithms/trailers.md.
 
+#include "planners/pricing.h"
 #include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
@@ -13,6 +14,7 @@ namespace vandplan::rig {
 
 /// Plans for a vehicle with a trailer, which stands free of everything at both ends: what `anytime`
 /// does with such a task.
-[[nodiscard]] PlannerAnswer plan_rig(const Task& task, const PlanOptions& options);
+[[nodiscard]] PlannerAnswer plan_rig(const Task& task, const PlanOptions& options,
+                                     const planning::Pricing& pricing);
 
 }  // namespace vandplan::rig

@@ -43,4 +43,10 @@ double least_cost(const Task& task, const CostRule& rule) {
   return std::max(of_tractor, of_trailer / trailer.most_way);
 }
 
+double least_cost(const Task& task, const planning::Pricing& pricing) {
+  const double length = pricing.counts_time() ? least_cost(task, CostRule{}) : 0.0;
+  const double priced = pricing.is_time() ? 0.0 : least_cost(task, pricing.prices());
+  return pricing.least_cost(length, priced);
+}
+
 }  // namespace vandplan::rig

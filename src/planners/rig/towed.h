@@ -5,6 +5,7 @@
 //
 // Proofs: docs/algorithms/trailers.md.
 
+#include "planners/pricing.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
@@ -17,5 +18,8 @@ namespace vandplan::rig {
 
 /// No drive of the rig costs less [m].
 [[nodiscard]] double least_cost(const Task& task, const search::CostRule& rule);
+
+/// The same where the time may be a part of the cost [m], or all of it [s].
+[[nodiscard]] double least_cost(const Task& task, const planning::Pricing& pricing);
 
 }  // namespace vandplan::rig

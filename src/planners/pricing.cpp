@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/pricing.h"
+
+#include "planners/drive_time.h"
+
+namespace vandplan::planning {
+namespace {
+
+search::CostRule rule_of(const Task& task, const CostOptions& cost, double time_price) {
+  if (cost.measure == CostMeasure::time) return prices_like_time(task);
+  if (time_price == 0.0) return search::cost_rule(cost);
+  return with_time(search::cost_rule(cost), task, time_price);
+}
+
+}  // namespace
+
+Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price)
+    : task_(task),
+      prices_(search::cost_rule(cost)),
+      rule_(rule_of(task, cost, time_price)),
+      is_time_(cost.measure == CostMeasure::time),
+      time_price_(time_price) {}
+
+double Pricing::cost(std::span<const Segment> segments, double near) const {
+  if (is_time_) return drive_time(task_, segments);
+  search::Driven driven = prices_.initial_gear;
+  const double cost = search::drive_cost(prices_, segments, driven) + near;
+  return time_price_ == 0.0 ? cost : cost + time_price_ * drive_time(task_, segments);
+}
+
+double Pricing::cost(std::span<const Segment> segments, search::Looks looks) const {
+  if (is_time_ || prices_.clearance_weight == 0.0) return cost(segments, 0.0);
+  return cost(segments, search::clearance_cost(task_, prices_, task_.start, segments, looks));
+}
+
+double Pricing::least_cost(double length, double priced) const {
+  if (!counts_time()) return priced;
+  const double time = least_drive_time(task_.vehicle, length);
+  return is_time_ ? time : priced + time_price_ * time;
+}
+
+}  // namespace vandplan::planning
