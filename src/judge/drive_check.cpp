@@ -12,6 +12,7 @@
 #include "judge/meetings.h"
 #include "judge/text.h"
 #include "judge/track.h"
+#include "judge/trailing.h"
 
 namespace vandplan {
 namespace {
@@ -23,6 +24,7 @@ using judge::Real;
 using judge::Stretch;
 using judge::text;
 using judge::Track;
+using judge::Trailing;
 
 constexpr Real time_slack = 1e-6;      // [s]
 constexpr Real distance_slack = 1e-6;  // [m]
@@ -269,33 +271,42 @@ std::optional<DriveFault> rushed_stop(const SpeedProfile& speeds, const Track& t
   return std::nullopt;
 }
 
-/// The vehicle of a drive, to look who comes near it.
-Driver driver_of(const SpeedProfile& speeds, const Track& track, const Vehicle& vehicle) {
-  Driver driver{.body = judge::outlines_of(vehicle).body, .curvature = 0, .where = {}};
+/// The vehicle of a drive, or the trailer that it pulls, to look who comes near it.
+Driver driver_of(const SpeedProfile& speeds, const Track& track, const Vehicle& vehicle,
+                 const Trailing* trailing) {
+  Driver driver;
+  driver.body = trailing != nullptr ? judge::outlines_of(*vehicle.trailer).body
+                                    : judge::outlines_of(vehicle).body;
+  const double reach = judge::reach_of(driver.body);
   for (const Stretch& stretch : track.stretches) {
-    driver.curvature = std::max(driver.curvature, judge::steepest(stretch));
+    const Real swing = trailing != nullptr ? trailing->speed(stretch, reach)
+                                           : 1 + judge::steepest(stretch) * reach;
+    driver.swing = std::max(driver.swing, swing);
   }
-  driver.where = [&speeds, &track](Real t) -> Moment {
+  const auto position = [&track, trailing](const Place& place) {
+    if (trailing != nullptr) return trailing->position(place);
+    return judge::after(track.stretches[place.stretch], place.t);
+  };
+  driver.where = [&speeds, &track, position](Real t) -> Moment {
     const std::vector<SpeedKnot>& knots = speeds.knots;
     const auto later =
         std::ranges::upper_bound(knots, t, {}, [](const SpeedKnot& knot) { return Real{knot.t}; });
     if (later == knots.end()) {
-      return {track.end, 0, std::numeric_limits<Real>::infinity()};
+      return {position(place_at(track, track.length)), 0, std::numeric_limits<Real>::infinity()};
     }
     const SpeedKnot& knot = *std::prev(later);
     const Real lasts = static_cast<Real>(later->t) - knot.t;
     const Place place = place_at(track, after_knot(knot, t - knot.t).s);
     const Real bulge = std::abs(static_cast<Real>(knot.jerk)) * lasts * lasts / 8;
-    return {judge::after(track.stretches[place.stretch], place.t),
-            std::max(std::abs(knot.v), std::abs(later->v)) + bulge, later->t};
+    return {position(place), std::max(std::abs(knot.v), std::abs(later->v)) + bulge, later->t};
   };
   return driver;
 }
 
-std::optional<DriveFault> bad_company(const judge::Company& company, const DriveClaims& claims,
-                                      const SpeedProfile& speeds, const Track& track) {
-  if (!company.too_near) return std::nullopt;
-  const auto& [obstacle, t, distance] = *company.too_near;
+/// What is wrong with a meeting, in words that follow the name of the body.
+DriveFault bad_company(const judge::Encounter& met, const DriveClaims& claims,
+                       const SpeedProfile& speeds, const Track& track) {
+  const auto& [obstacle, t, distance] = met;
   const Real clamped = std::min<Real>(t, speeds.duration);
   Place place = place_at(track, track.length);
   for (std::size_t i = 0; i + 1 < speeds.knots.size(); ++i) {
@@ -305,10 +316,9 @@ std::optional<DriveFault> bad_company(const judge::Company& company, const Drive
     }
   }
   const std::string name = "moving[" + std::to_string(obstacle) + "]";
-  if (distance == 0) return DriveFault{"the footprint hits " + name, t, place};
-  return DriveFault{text("the footprint is only %.3f m from %s, the margin is %g m", distance,
-                         name.c_str(), claims.margin),
-                    t, place};
+  if (distance == 0) return {"hits " + name, t, place};
+  return {text("is only %.3f m from %s, the margin is %g m", distance, name.c_str(), claims.margin),
+          t, place};
 }
 
 /// The findings of the judge in the scenario's frame.
@@ -329,16 +339,32 @@ Track track_of(const World& world, const Path& path) {
   return judge::integrate({to_local(world, path.start), path.segments});
 }
 
-/// Who is met; the clearance goes into the check.
+/// Who is met first, by the vehicle or by its trailer; the clearance goes into the check.
 std::optional<DriveFault> company_fault(const Task& task, const SpeedProfile& speeds,
                                         const Track& track, const DriveClaims& claims,
                                         DriveCheck& check) {
   constexpr double margin_slack = 1e-6;  // [m]
-  const judge::Company company =
-      judge::company_on(driver_of(speeds, track, task.vehicle), task.moving, speeds.duration,
-                        std::max(claims.margin - margin_slack, 0.0));
-  check.clearance = company.clearance;
-  return bad_company(company, claims, speeds, track);
+  const double kept = std::max(claims.margin - margin_slack, 0.0);
+  const auto company = [&](const Trailing* trailing) {
+    return judge::company_on(driver_of(speeds, track, task.vehicle, trailing), task.moving,
+                             speeds.duration, kept);
+  };
+  judge::Company met = company(nullptr);
+  std::string part = "the footprint";
+  if (task.vehicle.trailer && !task.moving.empty()) {
+    const Trailing trailing(track, task.vehicle, task.hitch_angles.start);
+    const judge::Company behind = company(&trailing);
+    met.clearance = std::min(met.clearance, behind.clearance);
+    if (behind.too_near && (!met.too_near || behind.too_near->t < met.too_near->t)) {
+      met.too_near = behind.too_near;
+      part = "the trailer's footprint";
+    }
+  }
+  check.clearance = met.clearance;
+  if (!met.too_near) return std::nullopt;
+  DriveFault fault = bad_company(*met.too_near, claims, speeds, track);
+  fault.reason = part + " " + fault.reason;
+  return fault;
 }
 
 }  // namespace

@@ -85,7 +85,6 @@ class Neighbour {
 Company company_on(const Driver& driver, std::span<const MovingObstacle> moving, Real end,
                    double kept) {
   Company company{infinity_of_distance, {}};
-  const Real swing = 1 + driver.curvature * reach_of(driver.body);
   for (std::size_t i = 0; i < moving.size(); ++i) {
     const Neighbour neighbour(moving[i]);
     const Real rest = std::max<Real>(end, moving[i].trajectory.back().t);
@@ -103,7 +102,7 @@ Company company_on(const Driver& driver, std::span<const MovingObstacle> moving,
       }
       if (is_near || t >= rest) break;
       // Until then nothing comes nearer by more than that, and what is said of speeds holds.
-      const Real speed = moment.speed * swing + other.speed;
+      const Real speed = moment.speed * driver.swing + other.speed;
       const double beyond = std::max(distance - company.clearance, 0.0) + look_share * distance;
       const Real safe = std::min(beyond, distance - kept) + look_at_most;
       const Real next = speed > 0 ? t + safe / speed : rest;

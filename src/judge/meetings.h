@@ -17,17 +17,17 @@
 
 namespace vandplan::judge {
 
-/// Where the vehicle is at a time, and for how long what is said of its speed holds.
+/// Where a body of the vehicle is at a time, and for how long what is said of its speed holds.
 struct Moment {
   Position position;
-  Real speed = 0;  ///< of the rear axle until `until`, at most [m/s]
+  Real speed = 0;  ///< of the rear axle of the vehicle until `until`, at most [m/s]
   Real until = 0;  ///< a later time [s]
 };
 
-/// The vehicle on its drive.
+/// The vehicle on its drive, or its trailer.
 struct Driver {
   Outline body;
-  Real curvature = 0;                   ///< the largest on its path [1/m]
+  Real swing = 1;                       ///< no point of it moves further for each metre driven [m]
   std::function<Moment(Real t)> where;  ///< at any time from 0 on
 };
 
@@ -38,7 +38,7 @@ struct Encounter {
   double distance = 0;  ///< [m]
 };
 
-/// How near the vehicle comes to what moves.
+/// How near a body comes to what moves.
 struct Company {
   double clearance = 0.0;  ///< least, too large by 1 mm and a twentieth at most [m]; or infinity
   std::optional<Encounter> too_near;  ///< the first one nearer than `kept`, or that touches

@@ -72,24 +72,46 @@ double core_of(std::span<const Point> outline, const Bounds& box) noexcept {
 
 }  // namespace
 
-Encounters::Encounters(const Path& path, const Vehicle& vehicle,
-                       std::span<const MovingObstacle> moving, double margin)
-    : way_(path), margin_(margin) {
-  const Footprint body = footprint(vehicle);
-  body_ = {body.rear, body.front, body.half_width};
-  if (!vehicle.outline.empty()) corners_ = body_outline(vehicle);
-  const double reach = std::hypot(std::max(body.rear, body.front), body.half_width);
-  Begin begin{};
+Encounters::Body Encounters::body_of(const auto& part) {
+  const Footprint box = footprint(part);
+  return {{box.rear, box.front, box.half_width},
+          part.outline.empty() ? Polygon{} : body_outline(part),
+          std::hypot(std::max(box.rear, box.front), box.half_width)};
+}
+
+Encounters::Encounters(const Course& course, std::span<const MovingObstacle> moving, double margin)
+    : vehicle_(course.vehicle), way_(course.path), body_(body_of(course.vehicle)), margin_(margin) {
+  if (vehicle_.trailer) trailer_ = body_of(*vehicle_.trailer);
+  Begin begin{0.0, 0.0, course.hitch_angle};
   for (const Segment& segment : way_.segments()) {
     begins_.push_back(begin);
     const double way = std::abs(segment.length);
     const double bend = std::max(std::abs(segment.curvature), std::abs(curvature_at(segment, way)));
+    double fastest = 1.0 + bend * body_.reach;
+    if (trailer_) {
+      const double of_hitch = std::hypot(1.0, vehicle_.hitch * bend);
+      const double turn = trailer_->reach / vehicle_.trailer->wheelbase;
+      fastest = std::max(fastest, of_hitch * (1.0 + turn));
+    }
     begin.s += way;
-    begin.driven += way * (1.0 + bend * reach);
+    begin.driven += way * fastest;
+    begin.hitch_angle = hitch_angle_after(vehicle_, begin.hitch_angle, segment);
   }
   begins_.push_back(begin);
   movers_.reserve(moving.size());
   for (const MovingObstacle& obstacle : moving) movers_.push_back(mover_of(obstacle));
+}
+
+RigState Encounters::state_at(double s) const {
+  const Pose pose = way_.at(s, true).pose;
+  if (!trailer_) return {pose, 0.0};
+  const auto later = std::ranges::upper_bound(begins_, s, {}, &Begin::s);
+  const auto after = static_cast<std::size_t>(later - begins_.begin());
+  const std::size_t i = std::clamp<std::size_t>(after, 1, begins_.size()) - 1;
+  const double angle = begins_[i].hitch_angle;
+  if (i + 1 == begins_.size()) return {pose, angle};
+  return {pose,
+          hitch_angle_after(vehicle_, angle, part_of(way_.segments()[i], 0.0, s - begins_[i].s))};
 }
 
 Encounters::Mover Encounters::mover_of(const MovingObstacle& obstacle) {
@@ -118,33 +140,45 @@ Encounters::Mover Encounters::mover_of(const MovingObstacle& obstacle) {
   return mover;
 }
 
-double Encounters::gap(std::size_t i, const Pose& pose, double t, double enough) const noexcept {
-  const Mover& mover = movers_[i];
+double Encounters::gap(std::size_t i, const RigState& state, double t,
+                       double enough) const noexcept {
+  const double least = gap(movers_[i], body_, state.pose, t, enough);
+  if (!trailer_) return least;
+  return std::min(least, gap(movers_[i], *trailer_, trailer_pose(vehicle_, state), t, enough));
+}
+
+double Encounters::gap(const Mover& mover, const Body& body, const Pose& pose, double t,
+                       double enough) const noexcept {
   const MovingObstacle& obstacle = *mover.obstacle;
   const double kept = margin_ + growth_at(obstacle, t);
   const Frame frame = frame_of(*vandplan::pose_at(obstacle, t), pose);
   // 1. A circle around the outline is far enough.
   const Point centre = frame.place(mover.centre);
-  const double dx = std::max({-body_.back - centre.x, centre.x - body_.front, 0.0});
-  const double dy = std::max(std::abs(centre.y) - body_.half_width, 0.0);
+  const double dx = std::max({-body.box.back - centre.x, centre.x - body.box.front, 0.0});
+  const double dy = std::max(std::abs(centre.y) - body.box.half_width, 0.0);
   const double coarse = std::hypot(dx, dy) - mover.reach - kept;
   if (coarse >= enough) return coarse;
   // 2. The outline itself.
-  return std::sqrt(squared_gap(body_, corners_, obstacle.outline, frame)) - kept;
+  return std::sqrt(squared_gap(body.box, body.corners, obstacle.outline, frame)) - kept;
 }
 
-double Encounters::depth(std::size_t i, const Pose& pose, double t) const noexcept {
+double Encounters::depth(std::size_t i, const RigState& state, double t) const noexcept {
   const Mover& mover = movers_[i];
   const MovingObstacle& obstacle = *mover.obstacle;
-  const Point centre = frame_of(*vandplan::pose_at(obstacle, t), pose).place(mover.centre);
-  return mover.core + margin_ + growth_at(obstacle, t) - distance_of(centre);
+  const Pose there = *vandplan::pose_at(obstacle, t);
+  double nearest = distance_of(body_, frame_of(there, state.pose).place(mover.centre));
+  if (trailer_) {
+    const Frame frame = frame_of(there, trailer_pose(vehicle_, state));
+    nearest = std::min(nearest, distance_of(*trailer_, frame.place(mover.centre)));
+  }
+  return mover.core + margin_ + growth_at(obstacle, t) - nearest;
 }
 
-/// Of a point, as the vehicle sees it, from the body; inside of the body it is negative.
-double Encounters::distance_of(const Point& point) const noexcept {
-  if (!corners_.empty()) return geometry::signed_distance(corners_, point);
-  const double x = std::max(-body_.back - point.x, point.x - body_.front);
-  const double y = std::abs(point.y) - body_.half_width;
+/// Distance of a point from a body that sees it [m]; inside of the body it is negative.
+double Encounters::distance_of(const Body& body, const Point& point) noexcept {
+  if (!body.corners.empty()) return geometry::signed_distance(body.corners, point);
+  const double x = std::max(-body.box.back - point.x, point.x - body.box.front);
+  const double y = std::abs(point.y) - body.box.half_width;
   return x > 0.0 && y > 0.0 ? std::hypot(x, y) : std::max(x, y);
 }
 

@@ -14,29 +14,38 @@
 #include "collision/rectangle.h"
 #include "speed/way.h"
 #include "vandplan/moving.h"
+#include "vandplan/rig.h"
 
 namespace vandplan::moving {
 
+/// A path and who drives it.
+struct Course {
+  const Path& path;
+  const Vehicle& vehicle;
+  double hitch_angle = 0.0;  ///< at the start of the path [rad]; 0 without a trailer
+};
+
 class Encounters {
  public:
-  /// Everything in one frame. The obstacles stay where they are as long as this is used.
-  Encounters(const Path& path, const Vehicle& vehicle, std::span<const MovingObstacle> moving,
-             double margin);
+  /// Everything in one frame. Vehicle and obstacles stay where they are as long as this is used.
+  Encounters(const Course& course, std::span<const MovingObstacle> moving, double margin);
 
   [[nodiscard]] std::size_t size() const noexcept { return movers_.size(); }
   [[nodiscard]] double length() const noexcept { return begins_.back().s; }
-  [[nodiscard]] Pose pose_at(double s) const { return way_.at(s, true).pose; }
+  /// Where the vehicle is after `s` metres; the hitch angle is 0 without a trailer.
+  [[nodiscard]] RigState state_at(double s) const;
 
-  /// How far the vehicle at that pose is from obstacle `i` at time `t`, beyond the margin and the
-  /// growth of the outline [m]; at most 0: they meet. From `enough` on any number from it to that
-  /// will do. Not asked for an obstacle that has left.
-  [[nodiscard]] double gap(std::size_t i, const Pose& pose, double t, double enough) const noexcept;
+  /// How far the vehicle and its trailer in that state are from obstacle `i` at time `t`, beyond
+  /// the margin and the growth of the outline [m]; at most 0: they meet. From `enough` on any
+  /// number from it to that will do. Not asked for an obstacle that has left.
+  [[nodiscard]] double gap(std::size_t i, const RigState& state, double t,
+                           double enough) const noexcept;
 
-  /// How deep the vehicle at that pose is in what must be free of it, at least: so far it is from
-  /// any pose without a meeting [m]. At most 0 where nothing is known.
-  [[nodiscard]] double depth(std::size_t i, const Pose& pose, double t) const noexcept;
+  /// How deep the vehicle or its trailer in that state is in what must be free of it, at least: so
+  /// far it is from any state without a meeting [m]. At most 0 where nothing is known.
+  [[nodiscard]] double depth(std::size_t i, const RigState& state, double t) const noexcept;
 
-  /// A measure of the way: no point of the vehicle moves further than it grows [m].
+  /// A measure of the way: no point of the vehicle or its trailer moves further than it grows [m].
   [[nodiscard]] double driven(double s) const noexcept;
   /// A measure of the motion of obstacle `i`: no point of its outline moves further than it grows,
   /// growth of the outline included [m].
@@ -58,17 +67,33 @@ class Encounters {
   struct Begin {
     double s;
     double driven;
+    double hitch_angle;
+  };
+  /// The vehicle, or its trailer.
+  struct Body {
+    collision::Rectangle box;
+    Polygon corners;  // of the body, if that is not the box
+    double reach;     // of the box from the axle [m]
   };
 
   [[nodiscard]] static Mover mover_of(const MovingObstacle& obstacle);
-  [[nodiscard]] double distance_of(const Point& point) const noexcept;
+  [[nodiscard]] static Body body_of(const auto& part);
+  [[nodiscard]] static double distance_of(const Body& body, const Point& point) noexcept;
+  [[nodiscard]] double gap(const Mover& mover, const Body& body, const Pose& pose, double t,
+                           double enough) const noexcept;
 
+  const Vehicle& vehicle_;
   speed::Way way_;
   std::vector<Begin> begins_;  // of the segments, and the end
   std::vector<Mover> movers_;
-  collision::Rectangle body_;  // the box around the vehicle
-  Polygon corners_;            // of its body, if that is not the box
+  Body body_;
+  std::optional<Body> trailer_;
   double margin_;
 };
+
+/// `vandplan::first_meeting` of a course that is driven so.
+[[nodiscard]] std::optional<Meeting> first_meeting(const Course& course, const SpeedProfile& speeds,
+                                                   std::span<const MovingObstacle> moving,
+                                                   double margin);
 
 }  // namespace vandplan::moving

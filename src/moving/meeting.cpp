@@ -31,7 +31,7 @@ struct Approach {
     const double middle = begin + (end - begin) / 2;
     const double moved_middle = moved(middle);
     const double most = std::max(moved_middle - moved_begin, moved_end - moved_middle);
-    const double gap = encounters.gap(obstacle, encounters.pose_at(place(middle)), middle,
+    const double gap = encounters.gap(obstacle, encounters.state_at(place(middle)), middle,
                                       std::max(most, meeting_tolerance) * (1.0 + 1e-9));
     if (gap > most) return std::nullopt;
     const bool is_split = begin < middle && middle < end;
@@ -43,22 +43,28 @@ struct Approach {
 
 }  // namespace
 
-std::optional<Meeting> first_meeting(const TimedPath& drive, const Vehicle& vehicle,
-                                     std::span<const MovingObstacle> moving, double margin) {
-  const Encounters encounters(drive.path, vehicle, moving, margin);
-  double end = std::max(drive.speeds.duration, end_of_motion(moving));
+std::optional<Meeting> moving::first_meeting(const Course& course, const SpeedProfile& speeds,
+                                             std::span<const MovingObstacle> moving,
+                                             double margin) {
+  const Encounters encounters(course, moving, margin);
+  double end = std::max(speeds.duration, end_of_motion(moving));
   std::optional<Meeting> meeting;
   for (std::size_t i = 0; i < moving.size(); ++i) {
-    const Approach approach{encounters, drive.speeds, i};
+    const Approach approach{encounters, speeds, i};
     const double last = std::min(end, encounters.leaves(i).value_or(end));
     if (last < 0.0) continue;
     const auto t = approach.first(0.0, approach.moved(0.0), last, approach.moved(last));
     if (!t || (meeting && *t >= meeting->t)) continue;
     const double s = approach.place(*t);
-    meeting = {*t, s, encounters.pose_at(s), i};
+    meeting = {*t, s, encounters.state_at(s).pose, i};
     end = *t;
   }
   return meeting;
+}
+
+std::optional<Meeting> first_meeting(const TimedPath& drive, const Vehicle& vehicle,
+                                     std::span<const MovingObstacle> moving, double margin) {
+  return moving::first_meeting({drive.path, vehicle}, drive.speeds, moving, margin);
 }
 
 }  // namespace vandplan

@@ -60,11 +60,11 @@ void Occupied::add(const Box& box) {
   const double moved = std::max(then - encounters_.moved(obstacle, span.begin),
                                 encounters_.moved(obstacle, span.end) - then);
   // 2. Far enough, or surely too near, whatever they do within the box.
-  const Pose pose = encounters_.pose_at(place);
+  const RigState state = encounters_.state_at(place);
   const double most = driven + moved;
-  if (encounters_.gap(obstacle, pose, time, most * (1.0 + 1e-9) + 1e-9) > most) return;
+  if (encounters_.gap(obstacle, state, time, most * (1.0 + 1e-9) + 1e-9) > most) return;
   const bool is_fine = most <= 2 * finest && last - first == 1;
-  if (is_fine || encounters_.depth(obstacle, pose, time) >= most) {
+  if (is_fine || encounters_.depth(obstacle, state, time) >= most) {
     mark(first, last, {span.begin, is_for_ever ? forever : span.end});
     return;
   }

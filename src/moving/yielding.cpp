@@ -302,22 +302,21 @@ class Writer {
   double t_ = 0.0;
 };
 
-/// The drive that begins as much later as it must to meet nothing.
-std::optional<SpeedProfile> begun_later(const TimedPath& fastest, const Vehicle& vehicle,
+/// The fastest drive, begun as much later as it must to meet nothing.
+std::optional<SpeedProfile> begun_later(const Course& course, const SpeedProfile& fastest,
                                         const Traffic& traffic) {
   constexpr double longest = 500;  // [s]
   const double latest = std::min(end_of_motion(traffic.moving) + time_step, longest);
   const double curvature = traffic.start_curvature;
   for (double wait = time_step; wait <= latest && !is_interrupted(traffic); wait += time_step) {
-    TimedPath later = fastest;
-    SpeedProfile& speeds = later.speeds;
+    SpeedProfile speeds = fastest;
     for (SpeedKnot& knot : speeds.knots) knot.t += wait;
     for (Stop& stop : speeds.stops) stop.t += wait;
     speeds.knots.insert(speeds.knots.begin(), SpeedKnot{});
     speeds.stops.insert(speeds.stops.begin(), {0.0, 0.0, wait, curvature, curvature});
     speeds.duration += wait;
     speeds.standing += wait;
-    if (!first_meeting(later, vehicle, traffic.moving, traffic.margin)) return speeds;
+    if (!first_meeting(course, speeds, traffic.moving, traffic.margin)) return speeds;
   }
   return std::nullopt;
 }
@@ -328,16 +327,17 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
   std::optional<SpeedProfile> unhindered =
       speed::profile_from(path, vehicle, {traffic.start_curvature, traffic.start_speed});
   if (!unhindered) return {};
-  TimedPath fastest{path, *std::move(unhindered)};
-  if (!first_meeting(fastest, vehicle, traffic.moving, traffic.margin)) {
-    return {std::move(fastest.speeds)};
+  const SpeedProfile& fastest = *unhindered;
+  const Course course{path, vehicle, traffic.start_hitch_angle};
+  if (!first_meeting(course, fastest, traffic.moving, traffic.margin)) {
+    return {*std::move(unhindered)};
   }
-  if (fastest.speeds.knots.back().s <= 0.0) return {};
-  if (fastest.speeds.duration > traffic.longest || traffic.most_states <= 0) return {};
+  if (fastest.knots.back().s <= 0.0) return {};
+  if (fastest.duration > traffic.longest || traffic.most_states <= 0) return {};
   if (vehicle.limits.max_jerk && traffic.start_speed == 0.0)
-    return {begun_later(fastest, vehicle, traffic)};
-  const Encounters encounters(path, vehicle, traffic.moving, traffic.margin);
-  Search search(encounters, fastest.speeds, vehicle.limits, traffic.longest, traffic.most_states);
+    return {begun_later(course, fastest, traffic)};
+  const Encounters encounters(course, traffic.moving, traffic.margin);
+  Search search(encounters, fastest, vehicle.limits, traffic.longest, traffic.most_states);
   const std::optional<std::int32_t> last = search.run(traffic);
   Yielding yielding{{}, search.looked()};
   if (last) yielding.speeds = Writer(search.stations(), path).written(search.chain(*last));

@@ -20,6 +20,7 @@ struct Traffic {
   std::span<const MovingObstacle> moving;  ///< in the frame of the path
   double margin = 0.0;                     ///< that the vehicle keeps from them [m]
   double start_curvature = 0.0;            ///< that the wheels are turned to before the drive [1/m]
+  double start_hitch_angle = 0.0;          ///< before the drive [rad]; 0 without a trailer
   /// With which the vehicle comes to the start, in the gear of the first segment; above 0 it has no
   /// limit of jerk [m/s].
   double start_speed = 0.0;

@@ -13,7 +13,7 @@
 #include "moving/encounters.h"
 #include "moving/yielding.h"
 #include "planners/anytime/anytime.h"
-#include "planners/drive_time.h"
+#include "planners/pricing.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
@@ -22,7 +22,6 @@ namespace vandplan::in_time {
 namespace {
 
 using search::Budget;
-using search::CostRule;
 
 constexpr double share = 0.1;        // of the budget for each round but the last,
 constexpr double least_round = 400;  // and iterations, below which there may be no path yet
@@ -81,11 +80,14 @@ std::optional<Task> task_with(const Task& task, const PlanOptions& options,
                               const std::vector<Polygon>& ghosts) {
   try {
     auto world = std::make_shared<const World>(*task.world, ghosts);
-    const Problem problem =
-        make_problem(std::move(world), task.vehicle, task.start, task.goal, task.curvatures);
+    const Problem problem = make_problem(std::move(world), task.vehicle, task.start, task.goal,
+                                         task.curvatures, task.hitch_angles);
     Task around = task_of(problem, options.clearance, task.steering);
     const CollisionChecker& checker = *around.checker;
-    if (checker.is_free(task.start) && checker.is_free(task.goal)) return around;
+    const auto [first, last] = task.hitch_angles;
+    if (checker.rig_is_free({task.start, first}) && checker.rig_is_free({task.goal, last})) {
+      return around;
+    }
   } catch (const InputError&) {
     // A turned outline may touch itself by a rounding error: it is no obstacle then.
   }
@@ -96,10 +98,7 @@ std::optional<Task> task_with(const Task& task, const PlanOptions& options,
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options)
-      : task_(task),
-        options_(options),
-        rule_(search::cost_rule(options.cost)),
-        budget_(options.budget) {}
+      : task_(task), options_(options), pricing_(task, options.cost), budget_(options.budget) {}
 
   [[nodiscard]] PlannerAnswer answer() {
     // 0. What needs no search: somebody is where the vehicle begins or stays, or it is there.
@@ -134,17 +133,20 @@ class Run {
  private:
   /// Who is where the vehicle has to begin, or stays where it has to stay; empty if nobody is.
   [[nodiscard]] std::string proof_of_none() const {
-    const moving::Encounters encounters({task_.start, {}}, task_.vehicle, task_.moving,
+    const auto [first_angle, last_angle] = task_.hitch_angles;
+    const RigState start{task_.start, first_angle}, goal{task_.goal, last_angle};
+    const Path none{task_.start, {}};
+    const moving::Encounters encounters({none, task_.vehicle}, task_.moving,
                                         options_.clearance.margin);
     for (std::size_t i = 0; i < encounters.size(); ++i) {
       const std::optional<double> leaves = encounters.leaves(i);
       const std::string name = "moving[" + std::to_string(i) + "]";
       const bool is_there = leaves.value_or(0.0) >= 0.0;
-      if (is_there && encounters.gap(i, task_.start, 0.0, 0.0) <= 0.0) {
+      if (is_there && encounters.gap(i, start, 0.0, 0.0) <= 0.0) {
         return name + " is where the start is, or nearer to it than the margin";
       }
       const double rest = std::max(encounters.rests(i), 0.0);
-      if (!leaves && encounters.gap(i, task_.goal, rest, 0.0) <= 0.0) {
+      if (!leaves && encounters.gap(i, goal, rest, 0.0) <= 0.0) {
         return name + " stays where the goal is, or nearer to it than the margin";
       }
     }
@@ -154,6 +156,7 @@ class Run {
   [[nodiscard]] bool is_goal_the_start() const {
     const auto [first, last] = task_.curvatures;
     if (task_.steering == Steering::continuous && first != last) return false;
+    if (task_.hitch_angles.start != task_.hitch_angles.goal) return false;
     return reeds_shepp_length(task_.start, task_.goal, task_.vehicle.min_turning_radius) == 0.0;
   }
 
@@ -187,19 +190,21 @@ class Run {
     const moving::Traffic traffic{.moving = task_.moving,
                                   .margin = options_.clearance.margin,
                                   .start_curvature = task_.curvatures.start,
+                                  .start_hitch_angle = task_.hitch_angles.start,
                                   .most_states = most_states() - states_,
                                   .is_interrupted = [this] { return budget_.is_interrupted(); }};
     moving::Yielding yielding = moving::yielding_speeds(path, task_.vehicle, traffic);
     states_ += yielding.states;
     const SpeedOptions wheels{.start_curvature = task_.curvatures.start};
-    const TimedPath fastest{path, speed_profile(path, task_.vehicle, wheels)};
-    const auto met = first_meeting(fastest, task_.vehicle, task_.moving, traffic.margin);
+    const moving::Course course{path, task_.vehicle, task_.hitch_angles.start};
+    const auto met = moving::first_meeting(course, speed_profile(path, task_.vehicle, wheels),
+                                           task_.moving, traffic.margin);
     if (!meeting_) meeting_ = met;
     if (!yielding.speeds) return false;
     Way way{segments, *std::move(yielding.speeds)};
-    way.path_cost = path_cost(segments);
-    const bool is_time = options_.cost.measure == CostMeasure::time;
-    way.cost = is_time ? way.speeds.duration : way.path_cost + time_price * way.speeds.duration;
+    way.path_cost = pricing_.cost(segments, search::Looks::answer);
+    way.cost =
+        pricing_.is_time() ? way.speeds.duration : way.path_cost + time_price * way.speeds.duration;
     if (best_ && best_->cost <= way.cost) return false;
     // The trace holds the costs of the paths alone, as far as they fall.
     std::erase_if(trace_, [&](const CostSample& sample) { return sample.cost <= way.path_cost; });
@@ -214,14 +219,6 @@ class Run {
     constexpr std::int64_t states_per_iteration = 200;
     if (!options_.budget.max_iterations) return without_limit;
     return std::min(without_limit, states_per_iteration * *options_.budget.max_iterations);
-  }
-
-  /// What the path costs if nothing moves.
-  [[nodiscard]] double path_cost(const std::vector<Segment>& segments) const {
-    if (options_.cost.measure == CostMeasure::time) return planning::drive_time(task_, segments);
-    search::Driven driven = rule_.initial_gear;
-    return search::drive_cost(rule_, segments, driven) +
-           search::clearance_cost(task_, rule_, task_.start, segments, search::Looks::answer);
   }
 
   PlannerAnswer finished(PlannerAnswer&& first) {
@@ -245,7 +242,7 @@ class Run {
 
   const Task& task_;
   const PlanOptions& options_;
-  CostRule rule_;
+  planning::Pricing pricing_;  // of a path, if nothing moves
   Budget budget_;
   std::optional<Way> best_;
   std::optional<Task> best_task_;   // without anything that moves, on which it was found

@@ -136,11 +136,6 @@ Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
 }
 
 Problem with_moving(Problem problem, std::span<const MovingObstacle> moving) {
-  if (!moving.empty() && problem.vehicle().trailer) {
-    throw InputError("moving",
-                     "is there with a vehicle that pulls a trailer, expected one or the "
-                     "other: who is met is not known of trailers");
-  }
   problem.task_.moving = problem::local_moving(moving, problem.world()->origin());
   return problem;
 }

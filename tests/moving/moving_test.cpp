@@ -9,10 +9,12 @@
 #include <limits>
 #include <numbers>
 
+#include "moving/encounters.h"
 #include "support/cases.h"
 #include "support/problems.h"
 #include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
+#include "vandplan/rig.h"
 
 namespace vandplan {
 namespace {
@@ -268,7 +270,123 @@ TEST(DriveCheck, WorksFarFromTheOrigin) {
   EXPECT_NEAR(check.at->pose.x - 5e9, 8.1, 2e-3);
 }
 
+// ---- a trailer ----
+
+/// A tractor whose trailer reaches 11.4 m behind its rear axle when it stands straight.
+Vehicle semitrailer() {
+  Vehicle vehicle{3.6, 1.4, 0.9, 2.55, 5.9};
+  vehicle.hitch = 0.6;
+  vehicle.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
+  return vehicle;
+}
+
+/// A drive of a rig.
+struct RigDrive {
+  Vehicle rig;
+  TimedPath drive;
+  double hitch_angle = 0;  // at the start
+};
+
+std::optional<Meeting> first_meeting(const RigDrive& rig_drive, const MovingObstacle& mover,
+                                     double margin) {
+  const auto& [rig, drive, hitch_angle] = rig_drive;
+  return moving::first_meeting({drive.path, rig, hitch_angle}, drive.speeds, {&mover, 1}, margin);
+}
+
+DriveCheck check_among(const RigDrive& rig_drive, const MovingObstacle& mover, double margin) {
+  const auto& [rig, drive, hitch_angle] = rig_drive;
+  RigState state{drive.path.start, hitch_angle};
+  for (const Segment& segment : drive.path.segments) state = advance(rig, state, segment);
+  const Problem alone = make_problem(world_of({.bounds = wide_bounds}), rig, drive.path.start,
+                                     state.pose, {}, {hitch_angle, state.hitch_angle});
+  return check_drive(with_moving(alone, std::vector{mover}), drive, {.margin = margin});
+}
+
+TEST(TrailerMeeting, WhoDrivesBehindTheTractorHitsTheTrailer) {
+  // The tractor's rear is past x = 3 after 3.9 m; the trailer is there for 11.4 m more.
+  const Path path{{0, 0, 0}, {{0, 30}}};
+  RigDrive rig{semitrailer(), {path, speed_profile(path, semitrailer())}};
+  const MovingObstacle behind{.outline = box(-0.5, -0.5, 0.5, 0.5),
+                              .trajectory = {{0, {3, -12, pi / 2}}, {8, {3, 12, pi / 2}}}};
+  const double at_the_side = (12 - 0.5 - 1.275) / 3;
+  const auto meeting = first_meeting(rig, behind, 0);
+  ASSERT_TRUE(meeting);
+  EXPECT_NEAR(meeting->t, at_the_side, 2e-3);
+  const DriveCheck check = check_among(rig, behind, 0);
+  EXPECT_EQ(check.reason, "the trailer's footprint hits moving[0]");
+  EXPECT_NEAR(*check.t, at_the_side, 2e-3);
+  rig.rig.trailer.reset();
+  EXPECT_FALSE(first_meeting(rig, behind, 0));
+}
+
+TEST(TrailerMeeting, DependsOnTheHitchAngleAtTheStart) {
+  const Path path{{0, 0, 0}, {}};
+  RigDrive stands{semitrailer(), {path, speed_profile(path, semitrailer())}};
+  const MovingObstacle post{.outline = box(-0.2, -0.2, 0.2, 0.2), .trajectory = {{0, {-4, 6, 0}}}};
+  EXPECT_FALSE(first_meeting(stands, post, 0.5));
+  EXPECT_TRUE(check_among(stands, post, 0.5).valid);
+  stands.hitch_angle = 1.0;
+  EXPECT_TRUE(first_meeting(stands, post, 0.5));
+  EXPECT_EQ(check_among(stands, post, 0.5).reason.substr(0, 23), "the trailer's footprint");
+}
+
 // ---- both agree ----
+
+/// A random drive of a rig that does not fold up, in both gears, with clothoids.
+RigDrive any_rig_drive(Rng& rng) {
+  RigDrive any{semitrailer(), {}};
+  Vehicle& rig = any.rig;
+  rig.hitch = uniform(-1.5, 1, rng);
+  rig.trailer->wheelbase = uniform(3, 9, rng);
+  if (uniform01(rng) < 0.3) {
+    rig.trailer->outline = {{-4, -1.2}, {rig.trailer->wheelbase, 0}, {-4, 1.2}};
+  }
+  any.hitch_angle = uniform(-1, 1, rng);
+  Path& path = any.drive.path;
+  path.start = {uniform(-5, 5, rng), uniform(-5, 5, rng), uniform(-pi, pi, rng)};
+  double angle = any.hitch_angle;
+  for (int i = 0; i < 4; ++i) {
+    Segment segment{uniform(-0.16, 0.16, rng),
+                    uniform(2, 12, rng) * (uniform01(rng) < 0.3 ? -1 : 1)};
+    if (uniform01(rng) < 0.3) segment.curvature_rate = uniform(-0.01, 0.01, rng);
+    if (largest_hitch_angle(rig, angle, segment) > rig.max_hitch_angle) continue;
+    path.segments.push_back(segment);
+    angle = hitch_angle_after(rig, angle, segment);
+  }
+  any.drive.speeds = speed_profile(path, rig);
+  return any;
+}
+
+TEST(MeetingLaw, TheJudgeFindsTheSameMeetingsOfTrailers) {
+  int met = 0, by_trailer = 0;
+  for_each_case(2, 1000, [&](Rng& rng) {
+    const RigDrive drive = any_rig_drive(rng);
+    MovingObstacle mover{.outline = {{-2, -1}, {2, -1}, {0.5, 0}, {2, 1}, {-2, 1}}};
+    double t = uniform(-2, 3, rng);
+    for (int i = 0; i < 4; ++i) {
+      mover.trajectory.push_back(
+          {t, {uniform(-25, 25, rng), uniform(-25, 25, rng), uniform(-pi, pi, rng)}});
+      t += uniform(1, 8, rng);
+    }
+    if (uniform01(rng) < 0.5) mover.after = Afterwards::leaves;
+    if (uniform01(rng) < 0.3) mover.inflate = uniform(0, 0.3, rng);
+    const double margin = uniform01(rng) < 0.5 ? 0.0 : uniform(0, 1, rng);
+    const auto meeting = first_meeting(drive, mover, margin);
+    const DriveCheck check = check_among(drive, mover, margin);
+    if (!meeting) {
+      EXPECT_TRUE(check.valid) << check.reason;
+      return;
+    }
+    ++met;
+    EXPECT_LE(*check.clearance, 1.06 * margin + 2 * meeting_tolerance);
+    if (check.valid) return;
+    by_trailer += check.reason.starts_with("the trailer's footprint");
+    EXPECT_LE(meeting->t, *check.t + 1e-9);
+    EXPECT_GE(meeting->t, *check.t - 0.5);
+  });
+  EXPECT_GT(met, cases(1000) / 10);
+  EXPECT_GT(by_trailer, cases(1000) / 50);
+}
 
 TEST(MeetingLaw, TheJudgeFindsTheSameMeetings) {
   int met = 0;

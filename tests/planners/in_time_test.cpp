@@ -12,6 +12,7 @@
 #include "support/problems.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
+#include "vandplan/rig.h"
 
 namespace vandplan {
 namespace {
@@ -144,6 +145,51 @@ TEST(YieldingLaw, WhatIsFoundIsGoodInTheEyesOfTheJudge) {
   });
   if (!is_sanitized) {
     EXPECT_GT(found, cases(150) / 10);
+  }
+}
+
+TEST(YieldingLaw, NobodyHitsATrailerEither) {
+  int found = 0;
+  for_each_case(2, 250, [&](Rng& rng) {
+    Vehicle rig{3.6, 1.4, 0.9, 2.55, 5.9};
+    rig.hitch = uniform(-1, 1, rng);
+    rig.trailer = Trailer{uniform(4, 8, rng), 1.6, 4.3, 2.55};
+    RigState state{{0, 0, uniform(-pi, pi, rng)}, uniform(-0.5, 0.5, rng)};
+    const RigState start = state;
+    Path path{start.pose, {}};
+    for (int i = 0; i < 3; ++i) {
+      const double sign = uniform01(rng) < 0.3 ? -1 : 1;
+      const Segment segment{uniform(-0.1, 0.1, rng), sign * uniform(2, 15, rng)};
+      if (largest_hitch_angle(rig, state.hitch_angle, segment) > rig.max_hitch_angle) continue;
+      path.segments.push_back(segment);
+      state = advance(rig, state, segment);
+    }
+    std::vector<MovingObstacle> moving;
+    for (int k = 0; k < 2; ++k) {
+      MovingObstacle& mover = moving.emplace_back(MovingObstacle{.outline = car});
+      double t = 0;
+      for (int i = 0; i < 3; ++i) {
+        mover.trajectory.push_back(
+            {t, {uniform(-40, 40, rng), uniform(-40, 40, rng), uniform(-pi, pi, rng)}});
+        t += uniform(2, 10, rng);
+      }
+      if (uniform01(rng) < 0.9) mover.after = Afterwards::leaves;
+    }
+    const double margin = uniform01(rng) < 0.5 ? 0.0 : 0.3;
+    const moving::Traffic traffic{
+        .moving = moving, .margin = margin, .start_hitch_angle = start.hitch_angle};
+    const moving::Yielding yields = moving::yielding_speeds(path, rig, traffic);
+    if (!yields.speeds) return;
+    found += yields.states > 0;
+    const Problem problem =
+        with_moving(make_problem(world_of({.bounds = wide_bounds}), rig, start.pose, state.pose, {},
+                                 {start.hitch_angle, state.hitch_angle}),
+                    moving);
+    const DriveCheck check = check_drive(problem, {path, *yields.speeds}, {.margin = margin});
+    EXPECT_TRUE(check.valid) << check.reason << " at " << check.t.value_or(-1) << " s";
+  });
+  if (!is_sanitized) {
+    EXPECT_GT(found, cases(250) / 20);
   }
 }
 
