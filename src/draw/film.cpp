@@ -8,9 +8,11 @@
 #include <cstdio>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vandplan/moving.h"
+#include "vandplan/rig.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::drawing {
@@ -76,6 +78,18 @@ std::string scene_of_actor(const Actor& actor, double duration) {
   return text + "</g>\n";
 }
 
+/// Angle between the vehicle and its trailer after `s` metres of the path [rad].
+double hitch_angle_at(const Scenario& scenario, const Path& path, double s) {
+  double angle = scenario.hitch_angles.start;
+  for (const Segment& segment : path.segments) {
+    const double way = std::min(std::abs(segment.length), s);
+    angle = hitch_angle_after(scenario.vehicle, angle, part_of(segment, 0.0, way));
+    s -= way;
+    if (s <= 0.0) break;
+  }
+  return angle;
+}
+
 /// All who play, the vehicle last.
 std::vector<Actor> actors_of(const Film& film, double step, double count) {
   const Drawing& drawing = film.drawing;
@@ -92,11 +106,19 @@ std::vector<Actor> actors_of(const Film& film, double step, double count) {
       actor.poses.push_back(pose ? std::optional(local(*pose)) : std::nullopt);
     }
   }
-  Actor& vehicle = actors.emplace_back(Actor{body_outline(scenario.vehicle), colour::start, {}});
+  const bool has_trailer = scenario.vehicle.trailer.has_value();
+  Actor vehicle{body_outline(scenario.vehicle), colour::start, {}};
+  Actor trailer{
+      has_trailer ? body_outline(*scenario.vehicle.trailer) : Polygon{}, colour::start, {}};
   for (double i = 0; i <= count; ++i) {
-    vehicle.poses.emplace_back(
-        local(motion_at(*drawing.path, scenario.vehicle, *drawing.speeds, i * step).pose));
+    const auto motion = motion_at(*drawing.path, scenario.vehicle, *drawing.speeds, i * step);
+    vehicle.poses.emplace_back(local(motion.pose));
+    if (!has_trailer) continue;
+    const RigState state{motion.pose, hitch_angle_at(scenario, *drawing.path, motion.s)};
+    trailer.poses.emplace_back(local(trailer_pose(scenario.vehicle, state)));
   }
+  if (has_trailer) actors.push_back(std::move(trailer));
+  actors.push_back(std::move(vehicle));
   return actors;
 }
 

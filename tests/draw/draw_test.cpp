@@ -462,6 +462,19 @@ TEST(Draw, APathWithTimesPlays) {
   EXPECT_EQ(draw(drawing, PictureFormat::png, 600).substr(1, 3), "PNG");
 }
 
+TEST(Draw, ATrailerPlaysBehindItsTractor) {
+  Scenario scenario = yard();
+  scenario.vehicle.trailer = Trailer{};
+  scenario.hitch_angles.start = 0.5;
+  const Path path{scenario.start, {{0, 10}}};
+  const SpeedProfile speeds = speed_profile(path, scenario.vehicle);
+  const std::string film =
+      draw({.scenario = &scenario, .path = &path, .speeds = &speeds}, PictureFormat::svg, 600);
+  // 8.1 m behind the hitch, which is at the start, turned by half a radian to the right.
+  EXPECT_NE(film.find("values=\"-7.108,3.883;"), std::string::npos);
+  EXPECT_NE(film.find("values=\"-28.65;"), std::string::npos);
+}
+
 TEST(Draw, TheSameDrawingGivesTheSameBytes) {
   const Scenario scenario = yard();
   const Path path = yard_path();
