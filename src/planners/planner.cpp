@@ -384,7 +384,9 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
                                     "that know trailers: " +
                                     base::joined(others));
   }
-  const Steering steering = options.steering.value_or(Steering::reeds_shepp);
+  const bool is_time = options.cost.measure == CostMeasure::time;
+  const Steering usual = is_time ? *all.steering : Steering::reeds_shepp;
+  const Steering steering = options.steering.value_or(usual);
   if (steering != Steering::reeds_shepp && !planner.properties.honours_steering_of_rigs) {
     const std::vector<std::string> others = planners_that(
         [](const Planner& other) { return other.properties.honours_steering_of_rigs; });

@@ -320,6 +320,29 @@ TEST(RigPlanning, WhereTheCostIsTheTimeDrivesAreFaster) {
   EXPECT_LT(by_time.cost, 0.95 * speed_profile(*by_prices.path, semitrailer()).duration);
 }
 
+TEST(RigPlanning, WheelsThatTurnSlowlyAreTriedWhereTheCostIsTheTime) {
+  PlanOptions options = with_iterations(is_sanitized ? 200 : 6000);
+  options.cost.measure = CostMeasure::time;
+  Scenario scenario = dock();
+  const PlanResult result = plan(make_problem(scenario), options);
+  scenario.vehicle.limits.max_curvature_rate = 0.5 * max_curvature_rate(scenario.vehicle);
+  const PlanResult slow_wheels = plan(make_problem(scenario), options);
+  if (is_sanitized) return;
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  ASSERT_EQ(slow_wheels.status, PlanStatus::solved) << slow_wheels.reason;
+  EXPECT_LT(result.cost, 1.03 * slow_wheels.cost);
+}
+
+TEST(RigPlanning, SteersBetweenStopsWhereTheCostIsTheTime) {
+  PlanOptions options;
+  EXPECT_EQ(complete(default_planner(), options, semitrailer()).steering, Steering::reeds_shepp);
+  options.cost.measure = CostMeasure::time;
+  EXPECT_EQ(complete(default_planner(), options, semitrailer()).steering,
+            Steering::continuous_between_stops);
+  options.steering = Steering::reeds_shepp;
+  EXPECT_EQ(complete(default_planner(), options, semitrailer()).steering, Steering::reeds_shepp);
+}
+
 // No drive takes less time than is proven, whatever its path, limits and gears are.
 TEST(RigBoundLaw, NoDriveTakesLess) {
   for_each_case(2, 1000, [&](Rng& rng) {

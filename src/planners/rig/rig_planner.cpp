@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "planners/commands/shorten_drive.h"
 #include "planners/rig/rig_search.h"
+#include "planners/rig/softer_wheels.h"
 #include "planners/rig/towed.h"
 #include "search/enclosure.h"
 #include "vandplan/random.h"
@@ -57,6 +59,7 @@ class Run {
  public:
   Run(const Task& task, const PlanOptions& options, const planning::Pricing& pricing)
       : task_(task),
+        tasks_(pricing.counts_time() ? with_softer_wheels(task) : std::deque<Task>{task}),
         options_(options),
         pricing_(pricing),
         min_stroke_(options.planner.number("min_stroke")),
@@ -80,6 +83,7 @@ class Run {
   struct Search {
     std::optional<RigSearch> now;
     int rounds = 0;
+    std::size_t task = 0;  // whose wheels it looks with
   };
 
   void look_for_walls();
@@ -94,6 +98,7 @@ class Run {
   }
 
   const Task& task_;
+  const std::deque<Task> tasks_;  // the task, and where time counts with softer wheels
   const PlanOptions& options_;
   const planning::Pricing& pricing_;
   double min_stroke_;  // that is asked for [m]
@@ -108,6 +113,7 @@ class Run {
   Enclosure tractor_{task_}, trailer_{towed_};
   double bound_;                               // no drive costs less [m]
   std::optional<std::vector<Segment>> found_;  // commands
+  std::size_t found_with_ = 0;                 // task whose wheels obey them
   std::optional<std::vector<Segment>> best_;   // what is driven
   double best_cost_ = 0.0;
   double best_wanted_ = 0.0;  // its cost, and more where strokes are shorter than is asked for
@@ -118,14 +124,15 @@ class Run {
 
 /// A search that is at its end, or has found something, makes way for a finer one of its kind.
 void Run::begin(Search& search) {
-  const auto& [step, weight, levels, share] =
-      kinds[static_cast<std::size_t>(&search - searches_.data())];
+  const auto kind = static_cast<std::size_t>(&search - searches_.data());
+  const auto& [step, weight, levels, share] = kinds[kind];
   const int round = search.rounds++;
+  search.task = best_ ? (kind + static_cast<std::size_t>(round)) % tasks_.size() : 0;
   constexpr int most_rounds = 16;
   constexpr double finer = 0.7;
   const int finest = std::min(round, most_rounds);
   search.now.emplace(
-      task_, pricing_.rule(), guides_,
+      tasks_[search.task], pricing_.rule(), guides_,
       Fineness{.step = unit_ * step * std::pow(finer, finest % 6),
                .weight = round % 2 == 0 ? weight : 1 + weight / 4,
                .levels = levels,
@@ -159,6 +166,7 @@ bool Run::search() {
     for (; left_ > 0 && goes_on && !found_ && budget_.next(); --left_) {
       goes_on = search.now->step();
       found_ = search.now->take_found();
+      found_with_ = search.task;
     }
     if (!goes_on || found_) end(search);
     if (budget_.exhausted()) break;
@@ -202,14 +210,22 @@ void Run::keep(const std::vector<Segment>& segments, double wanted) {
 
 bool Run::shorten() {
   if (!found_) return !budget_.exhausted();
-  DriveShortener shortener(task_, pricing_.rule(), *std::exchange(found_, std::nullopt),
-                           stream_seed(options_.budget.seed, shortened_++), measure());
-  keep(shortener.segments(), shortener.cost());
-  while (!shortener.is_stalled() && !is_good_enough() && budget_.next()) {
-    ++trials_;
-    if (shortener.step()) keep(shortener.segments(), shortener.cost());
+  std::vector<Segment> commands = *std::exchange(found_, std::nullopt);
+  for (std::size_t i = found_with_; i < tasks_.size() && !budget_.exhausted(); ++i) {
+    const Task& task = tasks_[i];
+    std::optional<std::vector<Segment>> chain = commands;
+    if (i != found_with_) chain = obeyed(task, std::move(commands));
+    if (!chain) break;
+    DriveShortener shortener(task, pricing_.rule(), *chain,
+                             stream_seed(options_.budget.seed, shortened_++), measure());
+    keep(shortener.segments(), shortener.cost());
+    while (!shortener.is_stalled() && !is_good_enough() && budget_.next()) {
+      ++trials_;
+      if (shortener.step()) keep(shortener.segments(), shortener.cost());
+    }
+    checks_ += shortener.checks();
+    commands = shortener.commands();
   }
-  checks_ += shortener.checks();
   return !budget_.exhausted() && !is_good_enough();
 }
 

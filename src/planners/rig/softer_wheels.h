@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What if the wheels turned over a longer way, at a higher speed?
+//
+// Method: docs/algorithms/trailers.md.
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "vandplan/path.h"
+#include "vandplan/problem.h"
+
+namespace vandplan::rig {
+
+/// The task, and the same task with wheels that turn more and more slowly for each metre driven;
+/// the task alone if its curvature may jump anywhere.
+[[nodiscard]] std::deque<Task> with_softer_wheels(const Task& task);
+
+/// Commands of a free drive of the task, near those that other wheels obeyed; none if there are
+/// none.
+[[nodiscard]] std::optional<std::vector<Segment>> obeyed(const Task& task,
+                                                         std::vector<Segment> commands);
+
+}  // namespace vandplan::rig
