@@ -329,17 +329,19 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
   if (!unhindered) return {};
   const SpeedProfile& fastest = *unhindered;
   const Course course{path, vehicle, traffic.start_hitch_angle};
-  if (!first_meeting(course, fastest, traffic.moving, traffic.margin)) {
-    return {*std::move(unhindered)};
+  const std::optional<Meeting> met = first_meeting(course, fastest, traffic.moving, traffic.margin);
+  if (!met) return {*std::move(unhindered)};
+  Yielding yielding{.met = met};
+  if (fastest.knots.back().s <= 0.0) return yielding;
+  if (fastest.duration > traffic.longest || traffic.most_states <= 0) return yielding;
+  if (vehicle.limits.max_jerk && traffic.start_speed == 0.0) {
+    yielding.speeds = begun_later(course, fastest, traffic);
+    return yielding;
   }
-  if (fastest.knots.back().s <= 0.0) return {};
-  if (fastest.duration > traffic.longest || traffic.most_states <= 0) return {};
-  if (vehicle.limits.max_jerk && traffic.start_speed == 0.0)
-    return {begun_later(course, fastest, traffic)};
   const Encounters encounters(course, traffic.moving, traffic.margin);
   Search search(encounters, fastest, vehicle.limits, traffic.longest, traffic.most_states);
   const std::optional<std::int32_t> last = search.run(traffic);
-  Yielding yielding{{}, search.looked()};
+  yielding.states = search.looked();
   if (last) yielding.speeds = Writer(search.stations(), path).written(search.chain(*last));
   return yielding;
 }

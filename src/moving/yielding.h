@@ -36,6 +36,8 @@ struct Yielding {
   std::optional<SpeedProfile> speeds = {};  ///< none: none was found, which proves nothing
   /// States that the search looked at, and boxes that were proven free or occupied for it.
   std::int64_t states = 0;
+  /// Who is met first on the fastest drive; none: nobody, or there is no drive.
+  std::optional<Meeting> met = {};
 };
 
 /// A drive along the path that keeps the limits of the vehicle and meets nothing, then or later: as

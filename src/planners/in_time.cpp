@@ -4,27 +4,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/trigonometry.h"
 #include "moving/encounters.h"
 #include "moving/yielding.h"
 #include "planners/anytime/anytime.h"
+#include "planners/drive_time.h"
+#include "planners/ghosts.h"
+#include "planners/path_search.h"
 #include "planners/pricing.h"
-#include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
 
 namespace vandplan::in_time {
 namespace {
 
+using planning::PathSearch;
 using search::Budget;
 
-constexpr double share = 0.1;        // of the budget for each round but the last,
-constexpr double least_round = 400;  // and iterations, below which there may be no path yet
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr std::int64_t states_per_iteration = 200;  // looked at for the times of a path
+constexpr std::int64_t first_states = 20'000;       // most for one path at first
+constexpr double worth_a_way_around = 0.5;          // what waiting costs [m] or [s]
+constexpr std::size_t most_ghosts = 4;              // that one source goes around
+constexpr std::size_t most_sources = 24;
+constexpr double weight_of_best = 4.0;     // share of the work where the best way was found
+constexpr double weight_of_dearer = 0.25;  // and where even the fastest drive costs more
 
 /// A path with its times, and what both cost.
 struct Way {
@@ -34,67 +44,18 @@ struct Way {
   double cost = 0.0;       // with the time that the drive takes
 };
 
-/// The outline of an obstacle at a time, in the frame of the task; empty if it has left.
-Polygon outline_at(const MovingObstacle& obstacle, double t) {
-  const std::optional<Pose> pose = pose_at(obstacle, t);
-  Polygon there;
-  if (!pose) return there;
-  const auto [sin, cos] = base::sin_cos(pose->heading);
-  for (const auto& [x, y] : obstacle.outline) {
-    there.push_back({pose->x + cos * x - sin * y, pose->y + sin * x + cos * y});
-  }
-  return there;
-}
-
-/// What stands for an obstacle that one goes around.
-enum class Ghost {
-  where_met,  ///< where it is at the meeting
-  at_rest,    ///< where everything is in the end
-  whole_way,  ///< wherever it comes
+/// Where paths come from: a search among what stands and some ghosts of what moves.
+struct Source {
+  std::vector<Ghost> ghosts;
+  Task task;                                // nothing moves
+  std::unique_ptr<PathSearch> search = {};  // made when it is its turn
+  std::vector<Segment> path = {};           // the last one that was given times
+  double fastest_cost = endless;            // of the drive along it where nothing moves
+  std::int64_t spent = 0;                   // iterations
+  bool is_finished = false;
 };
 
-std::vector<Polygon> ghosts_of(const Task& task, const Meeting& meeting, Ghost kind) {
-  std::vector<Polygon> ghosts;
-  const auto add = [&](const MovingObstacle& obstacle, double t) {
-    if (Polygon outline = outline_at(obstacle, t); !outline.empty()) {
-      ghosts.push_back(std::move(outline));
-    }
-  };
-  const MovingObstacle& met = task.moving[meeting.obstacle];
-  if (kind == Ghost::where_met) add(met, meeting.t);
-  if (kind == Ghost::at_rest) {
-    for (const MovingObstacle& obstacle : task.moving) {
-      if (obstacle.after == Afterwards::stays) add(obstacle, obstacle.trajectory.back().t);
-    }
-  }
-  if (kind == Ghost::whole_way) {
-    constexpr double places = 24;
-    const double last = std::max(met.trajectory.back().t, 0.0);
-    for (double i = 0; i <= places; ++i) add(met, last * i / places);
-  }
-  return ghosts;
-}
-
-/// The task with more obstacles, and nothing that moves; none if start or goal are not free then.
-std::optional<Task> task_with(const Task& task, const PlanOptions& options,
-                              const std::vector<Polygon>& ghosts) {
-  try {
-    auto world = std::make_shared<const World>(*task.world, ghosts);
-    const Problem problem = make_problem(std::move(world), task.vehicle, task.start, task.goal,
-                                         task.curvatures, task.hitch_angles);
-    Task around = task_of(problem, options.clearance, task.steering);
-    const CollisionChecker& checker = *around.checker;
-    const auto [first, last] = task.hitch_angles;
-    if (checker.rig_is_free({task.start, first}) && checker.rig_is_free({task.goal, last})) {
-      return around;
-    }
-  } catch (const InputError&) {
-    // A turned outline may touch itself by a rounding error: it is no obstacle then.
-  }
-  return std::nullopt;
-}
-
-/// One run: the best way so far, and the budget.
+/// One run: the best way so far, the sources, and the budget.
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options)
@@ -106,28 +67,21 @@ class Run {
         !none.reason.empty()) {
       return none;
     }
-    if (is_goal_the_start()) {
-      (void)consider({});
-      return finished({});
-    }
-    // 1. The best path where nothing moves, as fast as what moves lets it.
     Task alone = task_;
     alone.moving.clear();
-    PlannerAnswer first = try_paths(alone, task_.moving.empty() ? 1.0 : share);
-    if (!first.segments && first.status != PlanStatus::no_path && !budget_.exhausted()) {
-      first = try_paths(alone, 1.0);
+    Source& first = sources_.emplace_back(Source{.ghosts = {}, .task = std::move(alone)});
+    if (is_goal_the_start()) {
+      consider(first, {});
+      return finished({});
     }
-    if (!first.segments) return first;
-    // 2. Around what the fastest drive along it meets.
-    for (const Ghost kind : {Ghost::where_met, Ghost::at_rest, Ghost::whole_way}) {
-      if (!meeting_ || budget_.exhausted()) break;
-      const std::optional<Task> around =
-          task_with(task_, options_, ghosts_of(task_, *meeting_, kind));
-      if (around) (void)try_paths(*around, share);
+    // 1. The sources go on in turn, and each path they find gets its times.
+    while (Source* source = next_source()) go_on(*source);
+    PlannerAnswer alone_answer = first.search ? first.search->answer() : PlannerAnswer{};
+    if (!best_ && !alone_answer.segments && alone_answer.status == PlanStatus::no_path) {
+      alone_answer.iterations = budget_.iterations();
+      return alone_answer;
     }
-    // 3. What is left goes to where the best way was found.
-    if (best_ && !budget_.exhausted()) (void)try_paths(Task(*best_task_), 1.0);
-    return finished(std::move(first));
+    return finished(std::move(alone_answer));
   }
 
  private:
@@ -160,83 +114,143 @@ class Run {
     return reeds_shepp_length(task_.start, task_.goal, task_.vehicle.min_turning_radius) == 0.0;
   }
 
-  /// What a round may spend: so much of all, no more than what is left.
-  [[nodiscard]] BudgetOptions part_of_budget(double part) const {
-    BudgetOptions budget = options_.budget;
-    if (budget.time_limit) {
-      const double left = std::max(*budget.time_limit - budget_.elapsed(), 0.0);
-      budget.time_limit = std::min(*budget.time_limit * part, left);
-    }
-    if (budget.max_iterations) {
-      const double wanted =
-          std::max(std::ceil(static_cast<double>(*budget.max_iterations) * part), least_round);
-      budget.max_iterations = budget_.left(static_cast<std::int64_t>(wanted), 0);
-    }
-    return budget;
-  }
-
-  PlannerAnswer try_paths(const Task& task, double part) {
+  [[nodiscard]] std::unique_ptr<PathSearch> search_of(const Task& task) const {
     PlanOptions options = options_;
-    options.budget = part_of_budget(part);
-    PlannerAnswer answer = anytime::plan_drive(task, options, time_price);
-    budget_.spend(answer.iterations);
-    if (answer.segments && consider(*answer.segments)) best_task_ = task;
-    return answer;
+    options.budget.max_iterations.reset();
+    if (options.budget.time_limit) {
+      *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
+    }
+    return anytime::drive_search(task, options, time_price);
   }
 
-  /// Gives the path its times; whether it is better than the best so far, and becomes it.
-  bool consider(const std::vector<Segment>& segments) {
+  /// Whose turn it is: the source that has done least work for its weight; none at the end.
+  [[nodiscard]] Source* next_source() {
+    if (budget_.exhausted() || is_settled()) return nullptr;
+    Source* next = nullptr;
+    double least = endless;
+    for (Source& source : sources_) {
+      const double work = static_cast<double>(source.spent) / weight_of(source);
+      if (source.is_finished || work >= least) continue;
+      least = work;
+      next = &source;
+    }
+    return next;
+  }
+
+  [[nodiscard]] double weight_of(const Source& source) const {
+    if (!best_) return 1.0;
+    if (&source == best_source_) return weight_of_best;
+    return source.fastest_cost >= best_->cost ? weight_of_dearer : 1.0;
+  }
+
+  /// Whether nobody can find anything better: what is there without movers is proven the best, and
+  /// it is driven as if nothing moved.
+  [[nodiscard]] bool is_settled() const {
+    const Source& alone = sources_.front();
+    if (!alone.is_finished) return false;
+    return alone.path.empty() || (best_ && best_->cost <= alone.fastest_cost);
+  }
+
+  void go_on(Source& source) {
+    const std::int64_t before = budget_.iterations();
+    const bool is_first = !source.search;
+    if (is_first) source.search = search_of(source.task);
+    const std::int64_t done = source.search->iterations();
+    // What is there before the first round gets its times before that.
+    if (is_first) offer(source);
+    const std::int64_t most = budget_.left(std::numeric_limits<std::int64_t>::max() / 4, 0);
+    if (!(is_first && best_)) source.is_finished = !source.search->advance(most);
+    budget_.spend(source.search->iterations() - done);
+    offer(source);
+    source.spent += std::max<std::int64_t>(budget_.iterations() - before, 1);
+  }
+
+  /// Gives the path of a source its times, if it is a new one that may win.
+  void offer(Source& source) {
+    std::optional<std::vector<Segment>> path = source.search->path();
+    if (!path || *path == source.path) return;
+    source.path = *std::move(path);
+    consider(source, source.path);
+  }
+
+  void consider(Source& source, const std::vector<Segment>& segments) {
+    const double path_cost = pricing_.cost(segments, search::Looks::answer);
+    source.fastest_cost = with_time(path_cost, planning::drive_time(task_, segments));
+    if (best_ && best_->cost <= source.fastest_cost) return;
     const Path path{task_.start, segments};
+    const std::int64_t most = budget_.left(states_for_one() / states_per_iteration, 0);
     const moving::Traffic traffic{.moving = task_.moving,
                                   .margin = options_.clearance.margin,
                                   .start_curvature = task_.curvatures.start,
                                   .start_hitch_angle = task_.hitch_angles.start,
-                                  .most_states = most_states() - states_,
+                                  .most_states = most * states_per_iteration,
                                   .is_interrupted = [this] { return budget_.is_interrupted(); }};
     moving::Yielding yielding = moving::yielding_speeds(path, task_.vehicle, traffic);
     states_ += yielding.states;
-    const SpeedOptions wheels{.start_curvature = task_.curvatures.start};
-    const moving::Course course{path, task_.vehicle, task_.hitch_angles.start};
-    const auto met = moving::first_meeting(course, speed_profile(path, task_.vehicle, wheels),
-                                           task_.moving, traffic.margin);
-    if (!meeting_) meeting_ = met;
-    if (!yielding.speeds) return false;
-    Way way{segments, *std::move(yielding.speeds)};
-    way.path_cost = pricing_.cost(segments, search::Looks::answer);
-    way.cost =
-        pricing_.is_time() ? way.speeds.duration : way.path_cost + time_price * way.speeds.duration;
-    if (best_ && best_->cost <= way.cost) return false;
-    // The trace holds the costs of the paths alone, as far as they fall.
-    std::erase_if(trace_, [&](const CostSample& sample) { return sample.cost <= way.path_cost; });
-    trace_.push_back({budget_.elapsed(), budget_.iterations(), way.path_cost});
-    best_ = std::move(way);
-    return true;
+    budget_.spend(budget_.left(yielding.states / states_per_iteration, 0));
+    double cost = endless;
+    if (yielding.speeds) {
+      cost = with_time(path_cost, yielding.speeds->duration);
+      if (!best_ || cost < best_->cost) {
+        trace_.push_back({budget_.elapsed(), budget_.iterations(), cost});
+        best_ = Way{segments, *std::move(yielding.speeds), path_cost, cost};
+        best_source_ = &source;
+      }
+    }
+    if (yielding.met && cost > source.fastest_cost + worth_a_way_around) {
+      go_around(source, *yielding.met);
+    }
   }
 
-  /// That all searches for times may look at together.
-  [[nodiscard]] std::int64_t most_states() const {
-    constexpr std::int64_t without_limit = 1'000'000;
-    constexpr std::int64_t states_per_iteration = 200;
-    if (!options_.budget.max_iterations) return without_limit;
-    return std::min(without_limit, states_per_iteration * *options_.budget.max_iterations);
+  /// Adds sources that go around who is met on the fastest drive along the path of a source.
+  void go_around(const Source& source, const Meeting& meeting) {
+    if (source.ghosts.size() >= most_ghosts) return;
+    for (const Ghost& ghost : ghosts_at(meeting)) {
+      if (sources_.size() >= most_sources) return;
+      std::vector<Ghost> ghosts = source.ghosts;
+      if (std::ranges::find(ghosts, ghost) != ghosts.end()) continue;
+      ghosts.push_back(ghost);
+      const auto is_same = [&](const std::vector<Ghost>& known) {
+        return std::ranges::is_permutation(known, ghosts);
+      };
+      if (std::ranges::any_of(tried_, is_same)) continue;
+      tried_.push_back(ghosts);
+      std::optional<Task> around = task_around(task_, ghosts, options_.clearance);
+      if (around) sources_.push_back({.ghosts = std::move(ghosts), .task = *std::move(around)});
+    }
+  }
+
+  /// States that the search for the times of one path may look at.
+  [[nodiscard]] std::int64_t states_for_one() const {
+    return first_states + states_per_iteration / 10 * budget_.iterations();
+  }
+
+  [[nodiscard]] double with_time(double path_cost, double duration) const {
+    const bool is_time = pricing_.is_time();
+    return is_time ? duration : path_cost + time_price * duration;
   }
 
   PlannerAnswer finished(PlannerAnswer&& first) {
     PlannerAnswer answer{.status = PlanStatus::solved,
                          .iterations = budget_.iterations(),
-                         .anytime = std::move(trace_),
                          .counters = std::move(first.counters),
                          .phases = std::move(first.phases),
                          .tree = std::move(first.tree)};
     answer.counters.push_back({"states_in_time", states_});
     if (best_) {
+      // The trace falls with the cost of the drive, and ends at the cost of the path.
+      for (CostSample& sample : trace_) sample.cost += best_->path_cost - best_->cost;
+      trace_.back().cost = best_->path_cost;
+      answer.anytime = std::move(trace_);
       answer.segments = std::move(best_->segments);
       answer.speeds = std::move(best_->speeds);
       return answer;
     }
     answer.status = budget_.exhausted().value_or(
         options_.budget.max_iterations ? PlanStatus::iteration_limit : PlanStatus::time_limit);
-    answer.reason = "there are paths, but none on which a drive was found that meets nothing";
+    if (!sources_.front().path.empty()) {
+      answer.reason = "there are paths, but none on which a drive was found that meets nothing";
+    }
     return answer;
   }
 
@@ -244,10 +258,11 @@ class Run {
   const PlanOptions& options_;
   planning::Pricing pricing_;  // of a path, if nothing moves
   Budget budget_;
+  std::deque<Source> sources_;             // the first one without ghosts
+  std::vector<std::vector<Ghost>> tried_;  // of all sources, also those that cannot be planned
   std::optional<Way> best_;
-  std::optional<Task> best_task_;   // without anything that moves, on which it was found
-  std::optional<Meeting> meeting_;  // of the fastest drive along the first path
-  std::vector<CostSample> trace_;
+  const Source* best_source_ = nullptr;
+  std::vector<CostSample> trace_;  // costs of drives
   std::int64_t states_ = 0;
 };
 

@@ -78,10 +78,17 @@ class Run {
   /// as long as was asked for.
   [[nodiscard]] bool is_good_enough();
   [[nodiscard]] bool is_walled_in() const { return enclosure_ && enclosure_->is_proven(); }
-  [[nodiscard]] Budget& budget() { return budget_; }
+  [[nodiscard]] const Budget& budget() const { return budget_; }
+  /// Rounds do at most so many more iterations together, until this is called again.
+  void pause_after(std::int64_t iterations) { pause_ = budget_.iterations() + iterations; }
   [[nodiscard]] PlannerAnswer result() const;
 
  private:
+  /// How many of the `wanted` iterations there are when `promised` ones are taken first.
+  [[nodiscard]] std::int64_t left(std::int64_t wanted, std::int64_t promised) const {
+    const std::int64_t most = pause_ - budget_.iterations() - promised;
+    return std::min(budget_.left(wanted, promised), std::max<std::int64_t>(most, 0));
+  }
   void take(Route route);
   void merge(Slice& slice);
   void join();
@@ -121,6 +128,7 @@ class Run {
   double cost_with_strokes_ = 0.0;    // and what it costs then
   bool is_warm_ = false;              // began with a route along a known path
   Budget budget_;
+  std::int64_t pause_ = std::numeric_limits<std::int64_t>::max();  // iteration of the next pause
   std::deque<Island> islands_;
   std::optional<search::Enclosure> enclosure_;
   int looks_ = 0;  // for walls
@@ -215,7 +223,7 @@ void Run::offer_to_fastest() {
 
 // [8b] Makes the cheapest route cheaper yet, by the whole drive.
 void Run::quicken() {
-  const std::int64_t trials = budget_.left(quickening * growth(rounds_), 0);
+  const std::int64_t trials = left(quickening * growth(rounds_), 0);
   std::int64_t done = 0;
   for (; done < trials && (done % 4 != 0 || !budget_.is_interrupted()); ++done) {
     if (fastest_->step()) {
@@ -269,14 +277,14 @@ bool Run::is_good_enough() {
 // Raises the bound, no further than it takes for the gap that was asked for.
 void Run::prove() {
   Island& bound = islands_[bound_island];
-  std::int64_t left = best_ ? share_of(bound_island) : 0;
-  for (; left > 0 && !is_good_enough(); --left) {
+  std::int64_t steps = best_ ? share_of(bound_island) : 0;
+  for (; steps > 0 && !is_good_enough(); --steps) {
     if (!bound.has_work()) {
       if (rounds_with_route_ < first_raise || !bound.may_raise()) return;
       bound.raise(1, budget_);
       continue;
     }
-    Slice slice = bound.run(budget_.left(1, 0), &*best_, budget_, 0.0);
+    Slice slice = bound.run(left(1, 0), &*best_, budget_, 0.0);
     if (slice.iterations == 0) return;
     merge(slice);
   }
@@ -408,7 +416,7 @@ void Run::round() {
   std::int64_t granted = 0;
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     if (!has_work(i)) continue;
-    wanted[i] = budget_.left(share_of(i), granted);
+    wanted[i] = left(share_of(i), granted);
     granted += wanted[i];
   }
   std::array<Slice, island_count> slices;
@@ -538,37 +546,70 @@ PlannerAnswer Run::result() const {
 }
 
 // The steps of docs/algorithms/anytime.md; [2] to [7] are the islands' (island.cpp).
-PlannerAnswer planned(const Task& task, const PlanOptions& options, double time_price,
-                      const Path* known) {
-  const planning::Pricing pricing(task, options.cost, time_price);
-  if (task.vehicle.trailer) return rig::plan_rig(task, options, pricing);
-  Run run(task, options, pricing);
-  run.try_open_ground({});  // [1]
-  if (!pricing.rule().is_length()) run.try_open_ground(pricing.rule());
-  if (known != nullptr) run.try_along(*known);
-  std::optional<PlanStatus> end;
-  while (!run.is_optimal() && !run.is_good_enough() && !run.is_walled_in() && !end) {
-    end = run.budget().exhausted();
-    if (!end) run.round();  // [2] to [9]
+class Search final : public planning::PathSearch {
+ public:
+  Search(const Task& task, const PlanOptions& options, double time_price, const Path* known)
+      : pricing_(task, options.cost, time_price),
+        run_(task, options, pricing_),
+        seed_(options.budget.seed) {
+    run_.try_open_ground({});  // [1]
+    if (!pricing_.rule().is_length()) run_.try_open_ground(pricing_.rule());
+    if (known != nullptr) run_.try_along(*known);
   }
-  if (run.is_optimal()) run.tidy(options.budget.seed);  // [10]
-  run.make_drivable();                                  // [11]
-  PlannerAnswer answer = run.result();
-  if (answer.segments) return answer;
-  answer.status = end.value_or(PlanStatus::no_path);
-  if (!end)
-    answer.reason = "proven: nothing as wide as the vehicle gets from the start to the goal";
-  return answer;
-}
+
+  // [2] to [9]
+  bool advance() {
+    if (run_.is_optimal() || run_.is_good_enough() || run_.is_walled_in()) return false;
+    end_ = run_.budget().exhausted();
+    if (!end_) run_.round();
+    return !end_;
+  }
+  bool advance(std::int64_t most) override {
+    run_.pause_after(most);
+    return advance();
+  }
+
+  [[nodiscard]] std::optional<std::vector<Segment>> path() override {
+    run_.make_drivable();  // [11]
+    return run_.result().segments;
+  }
+  [[nodiscard]] std::int64_t iterations() const override { return run_.budget().iterations(); }
+
+  [[nodiscard]] PlannerAnswer answer() override {
+    if (run_.is_optimal()) run_.tidy(seed_);  // [10]
+    run_.make_drivable();                     // [11]
+    PlannerAnswer answer = run_.result();
+    if (answer.segments) return answer;
+    answer.status = end_.value_or(PlanStatus::no_path);
+    if (!end_)
+      answer.reason = "proven: nothing as wide as the vehicle gets from the start to the goal";
+    return answer;
+  }
+
+ private:
+  planning::Pricing pricing_;
+  Run run_;
+  std::uint64_t seed_;
+  std::optional<PlanStatus> end_;
+};
 
 }  // namespace
 
 PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const Path* known) {
-  return planned(task, options, 0.0, known);
+  if (task.vehicle.trailer) return rig::plan_rig(task, options, {task, options.cost});
+  Search search(task, options, 0.0, known);
+  while (search.advance()) {
+  }
+  return search.answer();
 }
 
-PlannerAnswer plan_drive(const Task& task, const PlanOptions& options, double time_price) {
-  return planned(task, options, time_price, nullptr);
+std::unique_ptr<planning::PathSearch> drive_search(const Task& task, const PlanOptions& options,
+                                                   double time_price) {
+  if (!task.vehicle.trailer) return std::make_unique<Search>(task, options, time_price, nullptr);
+  const auto rig = [&task, time_price](const PlanOptions& round) {
+    return rig::plan_rig(task, round, {task, round.cost, time_price});
+  };
+  return planning::restarted(rig, options);
 }
 
 }  // namespace vandplan::anytime

@@ -4,6 +4,9 @@
 // The default planner: a first path at once, then better ones for as long as it may.
 // How it works and what was tried: docs/algorithms/anytime.md.
 
+#include <memory>
+
+#include "planners/path_search.h"
 #include "vandplan/outcome.h"
 #include "vandplan/path.h"
 #include "vandplan/plan_options.h"
@@ -17,9 +20,11 @@ namespace vandplan::anytime {
 [[nodiscard]] PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options,
                                          const Path* known = nullptr);
 
-/// The same for the path whose prices and fastest drive cost least together: each second costs
-/// `time_price` [m]. Bound and trace are of that sum. Where the cost is the time, it is that alone.
-[[nodiscard]] PlannerAnswer plan_drive(const Task& task, const PlanOptions& options,
-                                       double time_price);
+/// A search for the path whose prices and fastest drive cost least together: each second costs
+/// `time_price` [m]. Where the cost is the time, the seconds are all that counts. Expects start and
+/// goal to be free. The task outlives the search.
+[[nodiscard]] std::unique_ptr<planning::PathSearch> drive_search(const Task& task,
+                                                                 const PlanOptions& options,
+                                                                 double time_price);
 
 }  // namespace vandplan::anytime

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/path_search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "vandplan/search.h"
+
+namespace vandplan::planning {
+namespace {
+
+constexpr std::int64_t first_round = 128;  // iterations
+
+class Restarted final : public PathSearch {
+ public:
+  Restarted(PlannerRun planner, const PlanOptions& options)
+      : planner_(std::move(planner)), options_(options), budget_(options.budget) {}
+
+  bool advance(std::int64_t most) override {
+    if (most <= 0 || budget_.is_interrupted()) return false;
+    PlanOptions options = options_;
+    options.budget.max_iterations = std::min(round_, most);
+    if (options.budget.time_limit) {
+      *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
+    }
+    PlannerAnswer next = planner_(options);
+    const bool goes_on = next.status == PlanStatus::iteration_limit ||
+                         (next.segments && next.iterations >= *options.budget.max_iterations);
+    round_ *= 2;
+    iterations_ += next.iterations;
+    if (next.segments || !answer_.segments) answer_ = std::move(next);
+    return goes_on;
+  }
+
+  [[nodiscard]] std::optional<std::vector<Segment>> path() override { return answer_.segments; }
+  [[nodiscard]] std::int64_t iterations() const override { return iterations_; }
+  [[nodiscard]] PlannerAnswer answer() override {
+    PlannerAnswer answer = answer_;
+    answer.iterations = iterations_;
+    return answer;
+  }
+
+ private:
+  PlannerRun planner_;
+  PlanOptions options_;
+  search::Budget budget_;
+  PlannerAnswer answer_;  // of the last round that had a path
+  std::int64_t round_ = first_round;
+  std::int64_t iterations_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PathSearch> restarted(PlannerRun planner, const PlanOptions& options) {
+  return std::make_unique<Restarted>(std::move(planner), options);
+}
+
+}  // namespace vandplan::planning

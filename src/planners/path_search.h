@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does a planner go on piece by piece?
+//
+// A path search looks for paths where nothing moves. Whoever has several of them, such as the
+// planner among moving obstacles, lets each go on for a while in turn.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "vandplan/outcome.h"
+#include "vandplan/plan_options.h"
+
+namespace vandplan::planning {
+
+/// A planner that can be continued. What it has found after so many iterations does not depend on
+/// how many it is granted later.
+class PathSearch {
+ public:
+  virtual ~PathSearch() = default;
+
+  /// Goes on for one round of at most `most` iterations. False: there is nothing left to do, or the
+  /// time is over.
+  virtual bool advance(std::int64_t most) = 0;
+  /// The cheapest path so far, tidied; none while there is none.
+  [[nodiscard]] virtual std::optional<std::vector<Segment>> path() = 0;
+  /// Iterations so far.
+  [[nodiscard]] virtual std::int64_t iterations() const = 0;
+  /// Status, counters and the path, as if the search ended here.
+  [[nodiscard]] virtual PlannerAnswer answer() = 0;
+};
+
+/// A planner as a function of its options.
+using PlannerRun = std::function<PlannerAnswer(const PlanOptions&)>;
+
+/// A search by a planner that cannot be continued: each round plans anew with twice the iterations
+/// of the round before. The time limit of `options` counts from now on.
+[[nodiscard]] std::unique_ptr<PathSearch> restarted(PlannerRun planner, const PlanOptions& options);
+
+}  // namespace vandplan::planning
