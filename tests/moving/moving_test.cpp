@@ -293,13 +293,14 @@ std::optional<Meeting> first_meeting(const RigDrive& rig_drive, const MovingObst
   return moving::first_meeting({drive.path, rig, hitch_angle}, drive.speeds, {&mover, 1}, margin);
 }
 
-DriveCheck check_among(const RigDrive& rig_drive, const MovingObstacle& mover, double margin) {
+DriveCheck check_among(const RigDrive& rig_drive, const std::vector<MovingObstacle>& moving,
+                       double margin) {
   const auto& [rig, drive, hitch_angle] = rig_drive;
   RigState state{drive.path.start, hitch_angle};
   for (const Segment& segment : drive.path.segments) state = advance(rig, state, segment);
   const Problem alone = make_problem(world_of({.bounds = wide_bounds}), rig, drive.path.start,
                                      state.pose, {}, {hitch_angle, state.hitch_angle});
-  return check_drive(with_moving(alone, std::vector{mover}), drive, {.margin = margin});
+  return check_drive(with_moving(alone, moving), drive, {.margin = margin});
 }
 
 TEST(TrailerMeeting, WhoDrivesBehindTheTractorHitsTheTrailer) {
@@ -312,7 +313,7 @@ TEST(TrailerMeeting, WhoDrivesBehindTheTractorHitsTheTrailer) {
   const auto meeting = first_meeting(rig, behind, 0);
   ASSERT_TRUE(meeting);
   EXPECT_NEAR(meeting->t, at_the_side, 2e-3);
-  const DriveCheck check = check_among(rig, behind, 0);
+  const DriveCheck check = check_among(rig, {behind}, 0);
   EXPECT_EQ(check.reason, "the trailer's footprint hits moving[0]");
   EXPECT_NEAR(*check.t, at_the_side, 2e-3);
   rig.rig.trailer.reset();
@@ -324,10 +325,38 @@ TEST(TrailerMeeting, DependsOnTheHitchAngleAtTheStart) {
   RigDrive stands{semitrailer(), {path, speed_profile(path, semitrailer())}};
   const MovingObstacle post{.outline = box(-0.2, -0.2, 0.2, 0.2), .trajectory = {{0, {-4, 6, 0}}}};
   EXPECT_FALSE(first_meeting(stands, post, 0.5));
-  EXPECT_TRUE(check_among(stands, post, 0.5).valid);
+  EXPECT_TRUE(check_among(stands, {post}, 0.5).valid);
   stands.hitch_angle = 1.0;
   EXPECT_TRUE(first_meeting(stands, post, 0.5));
-  EXPECT_EQ(check_among(stands, post, 0.5).reason.substr(0, 23), "the trailer's footprint");
+  EXPECT_EQ(check_among(stands, {post}, 0.5).reason.substr(0, 23), "the trailer's footprint");
+}
+
+TEST(TrailerMeeting, ATailThatSwingsPastIsSeenAtOnce) {
+  // A tail of 12 m behind an axle that follows 3 m behind its hitch: while the rig straightens its
+  // tip is several times as fast as the tractor, and past the post in a moment.
+  Vehicle rig{3.6, 1.4, 0.9, 2.55, 5.9};
+  rig.trailer = Trailer{.wheelbase = 3};
+  rig.trailer->outline = {{-12, 0}, {2.9, -1.2}, {2.9, 1.2}};
+  const Path path{{0, 0, 0}, {{0, 6}}};
+  const RigDrive drive{rig, {path, speed_profile(path, rig)}, 1.1};
+  // Beside the tip at the start stands another post, 3 mm away: the judge need not look as closely
+  // at anything that is further away.
+  const Pose tail = trailer_pose(rig, {path.start, drive.hitch_angle});
+  const Pose beside = advance(tail, Segment{0, -12.008});
+  const MovingObstacle near{.outline = box(-0.005, -0.005, 0.005, 0.005),
+                            .trajectory = {{0, beside}}};
+  for (const double s : {0.3, 0.6, 0.9}) {
+    const RigState there = advance(rig, {path.start, drive.hitch_angle}, {0, s});
+    const Pose tip = advance(trailer_pose(rig, there), Segment{0, -11.95});
+    const MovingObstacle post{.outline = box(-0.005, -0.005, 0.005, 0.005),
+                              .trajectory = {{0, {tip.x, tip.y, 0}}}};
+    const auto meeting = first_meeting(drive, post, 0);
+    ASSERT_TRUE(meeting);
+    EXPECT_NEAR(meeting->s, s, 0.02);
+    const DriveCheck check = check_among(drive, {near, post}, 0);
+    EXPECT_EQ(check.reason, "the trailer's footprint hits moving[1]");
+    EXPECT_NEAR(check.t.value_or(-1), meeting->t, 0.02);
+  }
 }
 
 // ---- both agree ----
@@ -372,7 +401,7 @@ TEST(MeetingLaw, TheJudgeFindsTheSameMeetingsOfTrailers) {
     if (uniform01(rng) < 0.3) mover.inflate = uniform(0, 0.3, rng);
     const double margin = uniform01(rng) < 0.5 ? 0.0 : uniform(0, 1, rng);
     const auto meeting = first_meeting(drive, mover, margin);
-    const DriveCheck check = check_among(drive, mover, margin);
+    const DriveCheck check = check_among(drive, {mover}, margin);
     if (!meeting) {
       EXPECT_TRUE(check.valid) << check.reason;
       return;
