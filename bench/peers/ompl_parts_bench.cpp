@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "support/figure.h"
 #include "support/ompl_run.h"
 #include "support/rounds.h"
 #include "vandplan/ompl_geometric.h"
@@ -125,10 +126,11 @@ void compare(const char* name, const Problem& problem, const Settings& settings)
   }
   std::printf("  %-11s %s", name, counts<Planner> ? "it/s" : "ms  ");
   for (std::size_t i = 0; i < all_parts.size(); ++i) {
-    const double figure = median(figures[i]);
+    const double found = median(figures[i]);
     const double base = median(figures[0]);
-    std::printf(" %11.5g", figure);
-    if (i > 0) std::printf(" %6.1f x", counts<Planner> ? figure / base : base / figure);
+    const double times = counts<Planner> ? found / base : base / found;
+    std::printf(" %s", figure("%11.5g", found).c_str());
+    if (i > 0) std::printf(" %s x", figure("%6.1f", times).c_str());
     if (rejected[i] > 0) std::printf(" (%d rejected)", rejected[i]);
   }
   std::printf("\n");

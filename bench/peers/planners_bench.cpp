@@ -33,6 +33,7 @@
 #include <string>
 #include <vector>
 
+#include "support/figure.h"
 #include "support/ompl_run.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
@@ -176,11 +177,17 @@ void print(const char* planner, const std::vector<Outcome>& outcomes) {
     rate.push_back(outcome.rate);
     judged += outcome.valid ? 0 : 1;
   }
-  std::printf(
-      "  %-26s first %9.3f %9.3f %9.3f ms   length %8.2f %8.2f %8.2f m   rejected %d"
-      "   %7.0f iterations/s\n",
-      planner, quantile(first, 0.5), quantile(first, 0.95), quantile(first, 1.0),
-      quantile(cost, 0.5), quantile(cost, 0.95), quantile(cost, 1.0), judged, quantile(rate, 0.5));
+  const auto print_quantiles = [](const char* format, const std::vector<double>& values) {
+    for (const double share : {0.5, 0.95, 1.0}) {
+      std::printf(" %s", figure(format, quantile(values, share)).c_str());
+    }
+  };
+  std::printf("  %-26s first", planner);
+  print_quantiles("%9.3f", first);
+  std::printf(" ms   length");
+  print_quantiles("%8.2f", cost);
+  std::printf(" m   rejected %d   %s iterations/s\n", judged,
+              figure("%7.0f", quantile(rate, 0.5)).c_str());
 }
 
 void compare(const std::string& scenario, const Problem& problem, const Settings& settings) {

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/figure.h"
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/roadmap.h"
@@ -99,6 +100,7 @@ double build_ompl(const Task& task, const Settings& settings) {
 }
 
 double median(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
@@ -149,10 +151,11 @@ void compare(const std::string& name, const Problem& problem, const Settings& se
   }
   std::printf(
       "%-24s build %8.4f s, with edges %8.4f s, OMPL %8.3f s: %6.1f and %6.1f times as fast; "
-      "query %.3f ms at first, %.3f ms then; %d of %d answered, %lld edges\n",
+      "query %s ms at first, %s ms then; %d of %d answered, %lld edges\n",
       name.c_str(), median(lazy), median(whole), median(ompl), median(ompl) / median(lazy),
-      median(ompl) / median(whole), 1e3 * median(cold), 1e3 * median(warm), solved,
-      settings.queries, static_cast<long long>(edges));
+      median(ompl) / median(whole), figure("%.3f", 1e3 * median(cold)).c_str(),
+      figure("%.3f", 1e3 * median(warm)).c_str(), solved, settings.queries,
+      static_cast<long long>(edges));
   std::fflush(stdout);
 }
 

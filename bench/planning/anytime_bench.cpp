@@ -7,12 +7,14 @@
 // all planners: gear_change_cost=5 reverse_weight=2.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "support/figure.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/scenario_file.h"
@@ -99,16 +101,20 @@ void print(const std::string& name, const Runs& runs, double seconds) {
   const auto unsolved = std::count(runs.first.begin(), runs.first.end(), never);
   std::printf("%-26s", name.c_str());
   for (const double share : {0.5, 0.95, 0.99, 1.0}) {
-    std::printf(" %8.3f", quantile(runs.first, share));
+    std::printf(" %s", figure("%8.3f", quantile(runs.first, share)).c_str());
   }
-  std::printf(" %8ld %9.3f %9.2f", static_cast<long>(unsolved), runs.best, runs.bound);
+  std::printf(" %8ld %s %9.2f", static_cast<long>(unsolved), figure("%9.3f", runs.best).c_str(),
+              runs.bound);
   const Rates& r = runs.rates;
-  std::printf("  %.2f %.2f %.2f", 1e-6 * r.iterations / r.time, 1e-6 * r.solves / r.time,
-              1e-6 * r.checks / r.time);
+  std::printf(" ");
+  for (const double count : {r.iterations, r.solves, r.checks}) {
+    std::printf(" %s", figure("%.2f", 1e-6 * count / r.time).c_str());
+  }
   for (std::size_t i = 0; i < times.size() && times[i] <= seconds; ++i) {
     std::printf(" ");
     for (const double share : {0.5, 0.95, 1.0}) {
-      std::printf(" %.4f", quantile(runs.costs[i], share) / runs.best);
+      const double ratio = quantile(runs.costs[i], share) / runs.best;
+      std::printf(" %s", figure("%.4f", ratio).c_str());
     }
   }
   std::printf("\n");

@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "support/figure.h"
 #include "support/growth_peers.h"
 #include "support/random_site.h"
 #include "support/rounds.h"
@@ -215,10 +216,11 @@ void print_exponents(const char* kind, const std::string& planner, const std::ve
     memory.push_back(row.median(&Run::memory));
   }
   std::printf(
-      "# %s, %s: first path ~ length^%.2f, reading ~ buildings^%.2f, memory ~ "
-      "buildings^%.2f\n",
-      kind, planner.c_str(), exponent(length, first), exponent(buildings, read),
-      exponent(buildings, memory));
+      "# %s, %s: first path ~ length^%s, reading ~ buildings^%s, memory ~ "
+      "buildings^%s\n",
+      kind, planner.c_str(), figure("%.2f", exponent(length, first)).c_str(),
+      figure("%.2f", exponent(buildings, read)).c_str(),
+      figure("%.2f", exponent(buildings, memory)).c_str());
 }
 
 void measure(const Kind& kind, int seeds, double seconds, const std::vector<int>& numbers,

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include "large_yard.h"
+#include "support/figure.h"
 #include "vandplan/files.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
@@ -82,8 +84,8 @@ Outcome plan_all(const std::vector<Problem>& problems, const PlanOptions& option
   return outcome;
 }
 
-/// By how much costs exceed the best ones, sorted, of the pairs that the shortest path on open
-/// ground does not join.
+/// By how much costs exceed the best ones, sorted, of the pairs that have a best path and that the
+/// shortest path on open ground does not join.
 std::vector<double> excess_of(const std::vector<Problem>& problems, const Outcome& outcome,
                               const Outcome& best) {
   std::vector<double> excess;
@@ -91,7 +93,9 @@ std::vector<double> excess_of(const std::vector<Problem>& problems, const Outcom
     const Problem& problem = problems[i];
     const double radius = problem.vehicle().min_turning_radius;
     const double open = reeds_shepp_length(problem.start(), problem.goal(), radius);
-    if (best.costs[i] > open + 1e-6) excess.push_back(outcome.costs[i] / best.costs[i] - 1);
+    if (std::isfinite(best.costs[i]) && best.costs[i] > open + 1e-6) {
+      excess.push_back(outcome.costs[i] / best.costs[i] - 1);
+    }
   }
   std::sort(excess.begin(), excess.end());
   return excess;
@@ -113,15 +117,24 @@ void print_row(const char* limit, const std::vector<Problem>& problems, const Ou
                                     [](const auto& path) { return path.has_value(); });
   const std::vector<double> excess = excess_of(problems, outcome, best);
   const auto percent = [&](double part) {
-    if (excess.empty()) return 0.0;
+    if (excess.empty()) return std::nan("");
     return 100 * excess[static_cast<std::size_t>(part * static_cast<double>(excess.size() - 1))];
   };
   const auto proven = std::count_if(outcome.gaps.begin(), outcome.gaps.end(),
                                     [gap](double found) { return found <= gap; });
-  std::printf("%14s %9.1f %9.1f %10.0f %13.0f %12.2f %8.2f %8.2f %10.0f\n", limit,
-              100 * static_cast<double>(solved) / count, 100 * static_cast<double>(proven) / count,
-              count / outcome.time, count / outcome.processor, percent(0.5), percent(0.9),
-              percent(0.95), 1e6 * judging_time(problems, outcome));
+  std::printf("%14s", limit);
+  const auto print = [](const char* format, double value) {
+    std::printf(" %s", figure(format, value).c_str());
+  };
+  print("%9.1f", 100 * static_cast<double>(solved) / count);
+  print("%9.1f", 100 * static_cast<double>(proven) / count);
+  print("%10.0f", count / outcome.time);
+  print("%13.0f", count / outcome.processor);
+  print("%12.2f", percent(0.5));
+  print("%8.2f", percent(0.9));
+  print("%8.2f", percent(0.95));
+  print("%10.0f", 1e6 * judging_time(problems, outcome));
+  std::printf("\n");
   std::fflush(stdout);
 }
 

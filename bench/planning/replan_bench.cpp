@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "replanning/sensor.h"
+#include "support/figure.h"
 #include "vandplan/random.h"
 #include "vandplan/replanner.h"
 
@@ -121,13 +122,15 @@ void drive(const Scenario& scenario, Prediction prediction, Figures& figures) {
 void report(const char* what, Figures& figures) {
   std::ranges::sort(figures.ticks);
   const auto at = [&](double share) {
-    return 1e3 * figures.ticks[static_cast<std::size_t>(
-                     share * static_cast<double>(figures.ticks.size() - 1))];
+    if (figures.ticks.empty()) return figure("%7.3f", std::nan(""));
+    const double last = static_cast<double>(figures.ticks.size() - 1);
+    return figure("%7.3f", 1e3 * figures.ticks[static_cast<std::size_t>(share * last)]);
   };
   std::printf(
-      "%-44s %7zu ticks: %7.3f ms median, %7.3f ms 99 %%, %7.3f ms worst; %d without an "
+      "%-44s %7zu ticks: %s ms median, %s ms 99 %%, %s ms worst; %d without an "
       "answer, %d route changes\n",
-      what, figures.ticks.size(), at(0.5), at(0.99), at(1.0), figures.without, figures.new_ways);
+      what, figures.ticks.size(), at(0.5).c_str(), at(0.99).c_str(), at(1.0).c_str(),
+      figures.without, figures.new_ways);
   std::fflush(stdout);
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "support/figure.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 #include "vandplan/scenario_file.h"
@@ -115,7 +116,8 @@ std::string ratio(const std::vector<Run>& runs, const std::vector<Run>& others, 
   std::vector<double> logs;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i].solved || !others[i].solved) continue;
-    logs.push_back(std::log(runs[i].*what / others[i].*what));
+    const double log = std::log(runs[i].*what / others[i].*what);
+    if (std::isfinite(log)) logs.push_back(log);
   }
   return with_interval(logs);
 }
@@ -135,10 +137,12 @@ void print(const Contender& who, const std::vector<Run>& runs, const std::vector
     seconds += run.seconds;
   }
   std::printf(
-      "  %-44s solved %3d  first %8.3f ms %7.1f m  last %7.1f m  %8.0f it/s  first %-24s last %s\n",
+      "  %-44s solved %3d  first %s ms %s m  last %s m  %s it/s  first %-24s last %s\n",
       who.text.c_str(), static_cast<int>(std::ranges::count(runs, true, &Run::solved)),
-      all(&Run::first_time), all(&Run::first_cost), all(&Run::cost), iterations / seconds,
-      ratio(runs, others, &Run::first_cost).c_str(), ratio(runs, others, &Run::cost).c_str());
+      figure("%8.3f", all(&Run::first_time)).c_str(),
+      figure("%7.1f", all(&Run::first_cost)).c_str(), figure("%7.1f", all(&Run::cost)).c_str(),
+      figure("%8.0f", iterations / seconds).c_str(), ratio(runs, others, &Run::first_cost).c_str(),
+      ratio(runs, others, &Run::cost).c_str());
 }
 
 void compare(const std::string& name, const Problem& problem, int seeds, const Limit& limit,

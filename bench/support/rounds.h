@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace vandplan {
@@ -19,8 +20,9 @@ double nanoseconds(std::size_t count, Work work) {
   return time.count() / static_cast<double>(count);
 }
 
-/// The upper one of an even number; of at least one.
+/// The middle value, the upper one of an even number; not a number where there is none.
 inline double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
