@@ -134,6 +134,13 @@ bool Occupied::is_free(std::size_t i, double begin, double end) const noexcept {
   return next == row.end() || next->begin > end;
 }
 
+double Occupied::next_free(std::size_t i, double begin, double length) const noexcept {
+  const std::vector<TimeSpan>& row = rows_[i];
+  auto next = std::ranges::lower_bound(row, begin, {}, &TimeSpan::end);
+  for (; next != row.end() && next->begin <= begin + length; ++next) begin = next->end;
+  return begin;
+}
+
 double Occupied::last_change() const noexcept {
   double last = 0.0;
   for (const std::vector<TimeSpan>& row : rows_) {

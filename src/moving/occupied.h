@@ -38,6 +38,9 @@ class Occupied {
   [[nodiscard]] bool is_free_from(std::size_t i, double begin) const noexcept {
     return is_free(i, begin, std::numeric_limits<double>::infinity());
   }
+  /// The first time from `begin` on from which row `i` is free for `length` seconds; infinity:
+  /// none.
+  [[nodiscard]] double next_free(std::size_t i, double begin, double length) const noexcept;
   /// How many boxes of places and times were looked at.
   [[nodiscard]] std::int64_t boxes() const noexcept { return boxes_; }
   /// When nothing begins or ceases to be occupied any more [s].

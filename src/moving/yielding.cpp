@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "moving/arrivals.h"
 #include "moving/occupied.h"
 #include "speed/moving_start.h"
 #include "speed/way.h"
@@ -22,6 +23,7 @@ constexpr double time_step = 0.25;    // of waiting, and between states that cou
 constexpr double speed_step = 0.25;   // between speeds that count as one [m/s]
 constexpr double change_price = 0.05;    // of changing the speed [s per m/s]
 constexpr double least_distance = 1e-6;  // between stations [m]
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// A place of the way, and the fastest drive there.
 struct Station {
@@ -100,6 +102,13 @@ std::vector<double> places_of(const std::vector<Station>& stations) {
   return places;
 }
 
+std::vector<Passage> passages_of(const std::vector<Station>& stations) {
+  std::vector<Passage> passages;
+  passages.reserve(stations.size());
+  for (const Station& station : stations) passages.push_back({station.left, station.pause});
+  return passages;
+}
+
 /// When the vehicle can be between two stations, in drives that are no longer than the longest.
 std::vector<TimeSpan> times_of(const std::vector<Station>& stations, double duration,
                                double longest) {
@@ -125,6 +134,7 @@ class Search {
       : stations_(stations_of(fastest)),
         occupied_(encounters, places_of(stations_), times_of(stations_, fastest.duration, longest),
                   most_boxes),
+        arrivals_(occupied_, passages_of(stations_)),
         rise_(2 * limits.max_acceleration),
         fall_(2 * limits.max_braking.value_or(limits.max_acceleration)),
         latest_(occupied_.last_change() + fastest.duration + time_step),
@@ -213,9 +223,10 @@ class Search {
 
   void push(State state, double cost) {
     state.cost += cost;
-    if (state.t + stations_[state.station].left > longest_) return;
+    const double arrival = arrivals_.earliest(state.station, state.t);
+    if (!(arrival <= longest_) || arrival == endless) return;
     if (seen_.contains(key_of(state))) return;
-    const double bound = state.cost + stations_[state.station].left;
+    const double bound = state.cost + arrival - state.t;
     queue_.push({bound, state.station, static_cast<std::int32_t>(states_.size())});
     states_.push_back(state);
   }
@@ -230,6 +241,7 @@ class Search {
 
   std::vector<Station> stations_;
   Occupied occupied_;
+  Arrivals arrivals_;
   double rise_, fall_;  // of the squared speed per metre [m/s^2]
   double latest_;       // nobody waits any longer [s]
   double longest_;      // that a drive may be [s]

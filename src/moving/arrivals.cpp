@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "moving/arrivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vandplan::moving {
+namespace {
+
+constexpr double finest_step = 0.25;  // [s]
+constexpr double most_steps = 800;
+constexpr double rounding = 1e-9;  // [s]
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+// A step holds all that would arrive within it without waiting any more. So whoever drives on stays
+// in his step, and whoever waits gets to the next one.
+Arrivals::Arrivals(const Occupied& occupied, std::span<const Passage> passages)
+    : occupied_(occupied),
+      passages_(passages.begin(), passages.end()),
+      first_(passages.front().left + passages.front().pause),
+      step_(std::max(finest_step, occupied.last_change() / most_steps)),
+      bins_(static_cast<std::size_t>(occupied.last_change() / step_) + 2),
+      arrivals_(passages.size() * bins_, forever) {
+  const std::size_t last = passages_.size() - 1;
+  for (std::size_t bin = bins_; bin-- > 0;) {
+    const bool is_last_bin = bin + 1 == bins_;
+    const double end = is_last_bin ? occupied.last_change() + first_ : begin_of(bin + 1);
+    if (occupied.is_free_from(last - 1, end + rounding)) at(last, bin) = begin_of(bin);
+  }
+  for (std::size_t i = last; i-- > 0;) {
+    for (std::size_t bin = bins_; bin-- > 0;) {
+      double arrival = forever;
+      if (may_pass(i, bin)) arrival = at(i + 1, bin);
+      if (may_stay(i, bin)) arrival = std::min(arrival, at(i, bin + 1));
+      at(i, bin) = arrival;
+    }
+  }
+}
+
+double Arrivals::begin_of(std::size_t bin) const noexcept {
+  return first_ + static_cast<double>(bin) * step_;
+}
+
+// Whether somebody in the step finds row `i` free for as long as he needs.
+bool Arrivals::may_pass(std::size_t i, std::size_t bin) const {
+  const Passage& here = passages_[i];
+  const Passage& next = passages_[i + 1];
+  const double needed = std::max(here.left - next.left - next.pause - rounding, 0.0);
+  const double begin = begin_of(bin) - here.left - rounding;
+  const double end = bin + 1 == bins_ ? forever : begin + step_ + 2 * rounding;
+  return occupied_.next_free(i, begin, needed) <= end;
+}
+
+// Whether somebody at station `i` may be there when the next step begins.
+bool Arrivals::may_stay(std::size_t i, std::size_t bin) const {
+  if (bin + 1 == bins_) return false;
+  const double t = begin_of(bin + 1) - passages_[i].left;
+  const auto is_free = [&](std::size_t row) {
+    return occupied_.next_free(row, t - rounding, 0.0) <= t + rounding;
+  };
+  return is_free(i) || (i > 0 && is_free(i - 1));
+}
+
+double Arrivals::earliest(std::size_t i, double t) const noexcept {
+  const double unhindered = t + passages_[i].left;
+  const double step = std::max((unhindered - first_ - rounding) / step_, 0.0);
+  const std::size_t bin = std::min(static_cast<std::size_t>(step), bins_ - 1);
+  return std::max(unhindered, arrivals_[i * bins_ + bin]);
+}
+
+}  // namespace vandplan::moving
