@@ -52,7 +52,8 @@ bool Arrivals::may_pass(std::size_t i, std::size_t bin) const {
   const double needed = std::max(here.left - next.left - next.pause - rounding, 0.0);
   const double begin = begin_of(bin) - here.left - rounding;
   const double end = bin + 1 == bins_ ? forever : begin + step_ + 2 * rounding;
-  return occupied_.next_free(i, begin, needed) <= end;
+  const double free = occupied_.next_free(i, begin, needed);
+  return free <= end && free != forever;
 }
 
 // Whether somebody at station `i` may be there when the next step begins.

@@ -8,7 +8,6 @@
 namespace vandplan::moving {
 namespace {
 
-constexpr double finest = 0.05;  // motion within half a box that is not cut any further [m]
 constexpr double forever = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -24,12 +23,12 @@ struct Occupied::Box {
 };
 
 Occupied::Occupied(const Encounters& encounters, std::vector<double> stations,
-                   std::vector<TimeSpan> when, std::int64_t most_boxes)
+                   std::vector<TimeSpan> when, const BoxLimits& limits)
     : encounters_(encounters),
       stations_(std::move(stations)),
       when_(std::move(when)),
       rows_(stations_.size() - 1),
-      most_boxes_(most_boxes) {
+      limits_(limits) {
   for (std::size_t i = 0; i < encounters_.size(); ++i) {
     const double rest = encounters_.rests(i);
     Box box{i, 0, rows_.size(), stations_.front(), stations_.back(), {0.0, rest}};
@@ -45,7 +44,7 @@ Occupied::Occupied(const Encounters& encounters, std::vector<double> stations,
 void Occupied::add(const Box& box) {
   if (is_out_of_time(box) || is_known(box)) return;
   const auto& [obstacle, first, last, begin, end, span, is_for_ever] = box;
-  if (boxes_ >= most_boxes_) {
+  if (boxes_ >= limits_.most_boxes) {
     mark(first, last, {span.begin, is_for_ever ? forever : span.end});
     return;
   }
@@ -63,7 +62,7 @@ void Occupied::add(const Box& box) {
   const RigState state = encounters_.state_at(place);
   const double most = driven + moved;
   if (encounters_.gap(obstacle, state, time, most * (1.0 + 1e-9) + 1e-9) > most) return;
-  const bool is_fine = most <= 2 * finest && last - first == 1;
+  const bool is_fine = most <= 2 * limits_.finest && last - first == 1;
   if (is_fine || encounters_.depth(obstacle, state, time) >= most) {
     mark(first, last, {span.begin, is_for_ever ? forever : span.end});
     return;
@@ -71,8 +70,8 @@ void Occupied::add(const Box& box) {
   // 3. Else what is larger is halved.
   Box low = box;
   Box high = box;
-  const bool is_one_place = last - first <= 1 && driven <= finest;
-  if (is_one_place || (moved > driven && moved > finest)) {
+  const bool is_one_place = last - first <= 1 && driven <= limits_.finest;
+  if (is_one_place || (moved > driven && moved > limits_.finest)) {
     low.span.end = high.span.begin = time;
   } else if (last - first > 1) {
     low.last = high.first = first + (last - first) / 2;

@@ -20,6 +20,12 @@ struct TimeSpan {
   double end = 0.0;
 };
 
+/// How hard `Occupied` tries to prove places and times free.
+struct BoxLimits {
+  std::int64_t most_boxes = 200'000;
+  double finest = 0.05;  ///< motion within half a box that is not cut any further [m]
+};
+
 /// The way cut into rows, and for each row when something that moves may be in the way of a vehicle
 /// that is anywhere in it. What is free here is proven free; what is occupied is nearer than the
 /// margin at some place of the row within that time, give or take two tenths of a metre. Nothing is
@@ -28,9 +34,9 @@ class Occupied {
  public:
   /// `stations` increase from 0 to the length of the way; row i lies between stations i and i + 1.
   /// The vehicle can be in it at the times `when[i]`, which neither begin nor end earlier than
-  /// those of the row before. What `most_boxes` do not prove free counts as occupied.
+  /// those of the row before. What is not proven free within the limits counts as occupied.
   Occupied(const Encounters& encounters, std::vector<double> stations, std::vector<TimeSpan> when,
-           std::int64_t most_boxes);
+           const BoxLimits& limits);
 
   /// Whether row `i` is free all the time.
   [[nodiscard]] bool is_free(std::size_t i, double begin, double end) const noexcept;
@@ -59,7 +65,7 @@ class Occupied {
   std::vector<double> stations_;
   std::vector<TimeSpan> when_;
   std::vector<std::vector<TimeSpan>> rows_;
-  std::int64_t most_boxes_;
+  BoxLimits limits_;
   std::int64_t boxes_ = 0;
 };
 

@@ -20,9 +20,12 @@ namespace {
 constexpr double shortest_row = 0.5;  // unless the fastest drive has knots nearer to each other [m]
 constexpr double most_rows = 400;     // of equal length
 constexpr double time_step = 0.25;    // of waiting, and between states that count as one [s]
-constexpr double speed_step = 0.25;   // between speeds that count as one [m/s]
+constexpr double speed_step = 0.1;    // between speeds that count as one [m/s]
 constexpr double change_price = 0.05;    // of changing the speed [s per m/s]
 constexpr double least_distance = 1e-6;  // between stations [m]
+constexpr double fine = 0.05;            // boxes of places and times [m]
+constexpr double coarse = 0.3;
+constexpr double greed_of_haste = 1.5;
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// A place of the way, and the fastest drive there.
@@ -130,15 +133,17 @@ bool is_interrupted(const Traffic& traffic) {
 class Search {
  public:
   Search(const Encounters& encounters, const SpeedProfile& fastest, const DrivingLimits& limits,
-         double longest, std::int64_t most_boxes)
+         const Traffic& traffic)
       : stations_(stations_of(fastest)),
-        occupied_(encounters, places_of(stations_), times_of(stations_, fastest.duration, longest),
-                  most_boxes),
+        occupied_(encounters, places_of(stations_),
+                  times_of(stations_, fastest.duration, traffic.longest),
+                  {.most_boxes = traffic.most_states, .finest = traffic.is_hasty ? coarse : fine}),
         arrivals_(occupied_, passages_of(stations_)),
         rise_(2 * limits.max_acceleration),
         fall_(2 * limits.max_braking.value_or(limits.max_acceleration)),
         latest_(occupied_.last_change() + fastest.duration + time_step),
-        longest_(longest) {}
+        longest_(traffic.longest),
+        greed_(traffic.is_hasty ? greed_of_haste : 1.0) {}
 
   /// The index of the last state of the cheapest drive; none if there is none among so many states.
   [[nodiscard]] std::optional<std::int32_t> run(const Traffic& traffic) {
@@ -226,7 +231,7 @@ class Search {
     const double arrival = arrivals_.earliest(state.station, state.t);
     if (!(arrival <= longest_) || arrival == endless) return;
     if (seen_.contains(key_of(state))) return;
-    const double bound = state.cost + arrival - state.t;
+    const double bound = state.cost + greed_ * (arrival - state.t);
     queue_.push({bound, state.station, static_cast<std::int32_t>(states_.size())});
     states_.push_back(state);
   }
@@ -245,6 +250,7 @@ class Search {
   double rise_, fall_;  // of the squared speed per metre [m/s^2]
   double latest_;       // nobody waits any longer [s]
   double longest_;      // that a drive may be [s]
+  double greed_;        // weight of the time that is left
   std::vector<State> states_;
   std::priority_queue<Candidate> queue_;
   std::unordered_set<std::uint64_t> seen_;
@@ -351,7 +357,7 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
     return yielding;
   }
   const Encounters encounters(course, traffic.moving, traffic.margin);
-  Search search(encounters, fastest, vehicle.limits, traffic.longest, traffic.most_states);
+  Search search(encounters, fastest, vehicle.limits, traffic);
   const std::optional<std::int32_t> last = search.run(traffic);
   yielding.states = search.looked();
   if (last) yielding.speeds = Writer(search.stations(), path).written(search.chain(*last));

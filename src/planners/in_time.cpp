@@ -29,7 +29,7 @@ using search::Budget;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr std::int64_t states_per_iteration = 200;  // looked at for the times of a path
-constexpr std::int64_t first_states = 20'000;       // most for one path at first
+constexpr std::int64_t first_states = 40'000;       // most for one path at first
 constexpr double worth_a_way_around = 0.5;          // what waiting costs [m] or [s]
 constexpr std::size_t most_ghosts = 4;              // that one source goes around
 constexpr std::size_t most_sources = 24;
@@ -51,6 +51,7 @@ struct Source {
   std::unique_ptr<PathSearch> search = {};  // made when it is its turn
   std::vector<Segment> path = {};           // the last one that was given times
   double fastest_cost = endless;            // of the drive along it where nothing moves
+  bool is_hasty = false;                    // its times were looked for in haste
   std::int64_t spent = 0;                   // iterations
   bool is_finished = false;
 };
@@ -71,7 +72,7 @@ class Run {
     alone.moving.clear();
     Source& first = sources_.emplace_back(Source{.ghosts = {}, .task = std::move(alone)});
     if (is_goal_the_start()) {
-      consider(first, {});
+      consider(first, {}, false);
       return finished({});
     }
     // 1. The sources go on in turn, and each path they find gets its times.
@@ -153,13 +154,23 @@ class Run {
 
   void go_on(Source& source) {
     const std::int64_t before = budget_.iterations();
-    const bool is_first = !source.search;
-    if (is_first) source.search = search_of(source.task);
+    if (source.is_hasty) {
+      source.is_hasty = false;
+      consider(source, source.path, false);
+      source.spent += std::max<std::int64_t>(budget_.iterations() - before, 1);
+      return;
+    }
+    if (!source.search) {
+      source.search = search_of(source.task);
+      offer(source);  // what is there before the first round
+      if (!source.path.empty()) {
+        source.spent = 1;
+        return;
+      }
+    }
     const std::int64_t done = source.search->iterations();
-    // What is there before the first round gets its times before that.
-    if (is_first) offer(source);
     const std::int64_t most = budget_.left(std::numeric_limits<std::int64_t>::max() / 4, 0);
-    if (!(is_first && best_)) source.is_finished = !source.search->advance(most);
+    source.is_finished = !source.search->advance(most);
     budget_.spend(source.search->iterations() - done);
     offer(source);
     source.spent += std::max<std::int64_t>(budget_.iterations() - before, 1);
@@ -170,10 +181,11 @@ class Run {
     std::optional<std::vector<Segment>> path = source.search->path();
     if (!path || *path == source.path) return;
     source.path = *std::move(path);
-    consider(source, source.path);
+    consider(source, source.path, true);
   }
 
-  void consider(Source& source, const std::vector<Segment>& segments) {
+  /// Looks for times along a path: in haste at first, with care when it is the source's turn again.
+  void consider(Source& source, const std::vector<Segment>& segments, bool is_hasty) {
     const double path_cost = pricing_.cost(segments, search::Looks::answer);
     source.fastest_cost = with_time(path_cost, planning::drive_time(task_, segments));
     if (best_ && best_->cost <= source.fastest_cost) return;
@@ -183,7 +195,9 @@ class Run {
                                   .margin = options_.clearance.margin,
                                   .start_curvature = task_.curvatures.start,
                                   .start_hitch_angle = task_.hitch_angles.start,
+                                  .longest = longest_of(path_cost),
                                   .most_states = most * states_per_iteration,
+                                  .is_hasty = is_hasty,
                                   .is_interrupted = [this] { return budget_.is_interrupted(); }};
     moving::Yielding yielding = moving::yielding_speeds(path, task_.vehicle, traffic);
     states_ += yielding.states;
@@ -197,6 +211,7 @@ class Run {
         best_source_ = &source;
       }
     }
+    source.is_hasty = is_hasty && yielding.met.has_value();
     if (yielding.met && cost > source.fastest_cost + worth_a_way_around) {
       go_around(source, *yielding.met);
     }
@@ -223,6 +238,12 @@ class Run {
   /// States that the search for the times of one path may look at.
   [[nodiscard]] std::int64_t states_for_one() const {
     return first_states + states_per_iteration / 10 * budget_.iterations();
+  }
+
+  /// A longer drive along a path of that cost would not be better than the best so far [s].
+  [[nodiscard]] double longest_of(double path_cost) const {
+    if (!best_) return endless;
+    return pricing_.is_time() ? best_->cost : (best_->cost - path_cost) / time_price;
   }
 
   [[nodiscard]] double with_time(double path_cost, double duration) const {
