@@ -12,10 +12,10 @@
 
 #include "io/document.h"
 #include "io/geojson_feature.h"
-#include "io/heading_doubt.h"
 #include "io/local_plane.h"
 #include "io/site_shapes.h"
 #include "vandplan/files.h"
+#include "vandplan/heading_doubt.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "io/document.h"
-#include "io/heading_doubt.h"
 #include "vandplan/files.h"
+#include "vandplan/heading_doubt.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
 #include "vandplan/scenario_file.h"

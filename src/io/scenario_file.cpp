@@ -8,12 +8,12 @@
 #include <filesystem>
 
 #include "io/document.h"
-#include "io/heading_doubt.h"
 #include "io/moving_file.h"
 #include "io/polygons.h"
 #include "io/vehicle_file.h"
 #include "problem/checks.h"
 #include "vandplan/files.h"
+#include "vandplan/heading_doubt.h"
 #include "vandplan/input_error.h"
 #include "vandplan/rig.h"
 #include "vandplan/scenario_file.h"

@@ -5,9 +5,10 @@
 
 #include <string>
 
-namespace vandplan::io {
+namespace vandplan {
 
-/// What is odd about a heading of a file that is beyond a full turn; empty if nothing is.
+/// What is odd about a heading beyond a full turn [rad], as one in degrees is: one line that says
+/// how many radians so many degrees are. Empty if nothing is odd.
 [[nodiscard]] std::string heading_doubt(double heading);
 
-}  // namespace vandplan::io
+}  // namespace vandplan
