@@ -51,3 +51,16 @@ def plans(folder: pathlib.Path) -> None:
     runs = vp.compare([yard], ["anytime", straight], folder).runs()
     print(len(runs), vp.read_store(folder / "runs.sqlite"))
     vp.plot(yard, result).set_title("yard")
+
+
+def drives(yard: vp.Scenario, result: vp.Result) -> float:
+    car = vp.MovingObstacle([(0, 0), (1, 0), (1, 1)], [(0, 0, 0, 0)], after="leaves")
+    busy = yard.with_moving([car])
+    speeds: vp.SpeedProfile | None = vp.plan(busy).speeds
+    vp.MovingObstacle([(0, 0), (1, 0), (1, 1)], [(0, 0, 0, 0)], after="flies")  # type: ignore[arg-type]
+    vp.drive(yard, result, noise="loud")  # type: ignore[arg-type]
+    answer = vp.Replanner(busy, max_iterations=100).tick(0.0, (0, 0, 0), v=1)
+    live = vp.drive_live(busy, sensor_range=20, on_action=print)
+    contact: vp.Contact | None = vp.drive(yard, result, noise=1).contact
+    print(speeds, contact, answer.is_safe, vp.check(yard, result).drive)
+    return live.driven.duration

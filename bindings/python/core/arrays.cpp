@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "vandplan/heading_doubt.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::python {
@@ -80,6 +81,20 @@ Pose pose_from(const py::handle& given, const char* where) {
   if (poses.view().size() == 1) return poses.view().front();
   throw InputError(where, "has " + std::to_string(poses.view().size()) +
                               " poses, expected one, [x, y, heading]");
+}
+
+void warn(const std::string& message) {
+  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+void warn_of_degrees(std::span<const Pose> poses, const std::string& where) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::string doubt = heading_doubt(poses[i].heading);
+    if (doubt.empty()) continue;
+    const std::string number = poses.size() == 1 ? "" : "[" + std::to_string(i) + "]";
+    warn(where + number + ".heading: " + doubt);
+    return;  // the others will be likewise
+  }
 }
 
 Polygon polygon_from(const py::handle& given, const std::string& where) {

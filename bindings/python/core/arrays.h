@@ -49,6 +49,13 @@ class Poses {
 /// One pose. Throws InputError naming `where` if it is none.
 [[nodiscard]] Pose pose_from(const py::handle& given, const char* where);
 
+/// Warns in Python, UserWarning, of the first heading that is likely meant in degrees. `where`
+/// names the poses: "start.heading", of several "starts[3].heading".
+void warn_of_degrees(std::span<const Pose> poses, const std::string& where);
+
+/// Warns in Python, UserWarning, where the caller of this package is.
+void warn(const std::string& message);
+
 /// The corners of a polygon, an (N, 2) array.
 [[nodiscard]] Polygon polygon_from(const py::handle& given, const std::string& where);
 
@@ -91,3 +98,39 @@ void unlocked(std::size_t size, Work work) {
 void expect_positive(double value, const char* where);
 
 }  // namespace vandplan::python
+
+namespace pybind11::detail {
+
+/// A pose is an array [x, y, heading].
+template <>
+struct type_caster<vandplan::Pose> {
+  PYBIND11_TYPE_CASTER(vandplan::Pose, const_name("pose"));
+  bool load(handle given, bool) {
+    value = vandplan::python::pose_from(given, "pose");
+    return true;
+  }
+  static handle cast(const vandplan::Pose& pose, return_value_policy, handle) {
+    return vandplan::python::array_of(pose).release();
+  }
+};
+
+/// A place on a path is a dict of s, pose, curvature and direction.
+template <>
+struct type_caster<vandplan::PathPoint> {
+  PYBIND11_TYPE_CASTER(vandplan::PathPoint, const_name("place"));
+  bool load(handle given, bool) {
+    value = {given["s"].cast<double>(), given["pose"].cast<vandplan::Pose>(),
+             given["curvature"].cast<double>(), given["direction"].cast<int>()};
+    return true;
+  }
+  static handle cast(const vandplan::PathPoint& place, return_value_policy, handle) {
+    dict values;
+    values["s"] = place.s;
+    values["pose"] = vandplan::python::array_of(place.pose);
+    values["curvature"] = place.curvature;
+    values["direction"] = place.direction;
+    return values.release();
+  }
+};
+
+}  // namespace pybind11::detail

@@ -11,11 +11,19 @@ void bind_errors(pybind11::module_& module);
 void bind_path(pybind11::module_& module);
 void bind_lengths(pybind11::module_& module);
 void bind_vehicle(pybind11::module_& module);
+void bind_grid(pybind11::module_& module);
 void bind_scenario(pybind11::module_& module);
+void bind_moving(pybind11::module_& module);
+void bind_check(pybind11::module_& module);
 void bind_result(pybind11::module_& module);
 void bind_own_planner(pybind11::module_& module);
 void bind_planning(pybind11::module_& module);
 void bind_speed(pybind11::module_& module);
+void bind_driving(pybind11::module_& module);
+void bind_live(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
+
+/// Makes signatures of the heads of all docstrings; called last.
+void sign_all(pybind11::module_& module);
 
 }  // namespace vandplan::python

@@ -14,7 +14,7 @@
 #include "bindings/python/core/interrupt.h"
 #include "bindings/python/core/options.h"
 #include "bindings/python/core/scenario.h"
-#include "vandplan/input_error.h"
+#include "bindings/python/core/value.h"
 
 namespace vandplan::python {
 namespace {
@@ -51,6 +51,9 @@ std::vector<Region> regions_from(const std::vector<std::string>& given) {
 std::vector<evaluation::CampaignScenario> scenarios_from(const py::iterable& given) {
   std::vector<evaluation::CampaignScenario> scenarios;
   for (const py::handle item : given) {
+    if (!py::isinstance<CheckedScenario>(item)) {
+      throw InputError(fmt::format("scenarios[{}]", scenarios.size()), "expected a Scenario");
+    }
     const ScenarioFile file = item.cast<const CheckedScenario&>().file();
     scenarios.push_back({file, file.scenario.name + ".yaml"});
   }
@@ -97,19 +100,22 @@ Comparison compare(const py::iterable& scenarios, const py::iterable& planners,
 }  // namespace
 
 void bind_evaluation(py::module_& module) {
-  py::class_<Comparison>(module, "Comparison", R"(What a comparison of planners has shown.)")
-      .def_readonly("missing", &Comparison::missing, "Runs that were not done.")
-      .def_readonly("headline", &Comparison::headline, "The answer and its tables, as Markdown.")
+  ValueClass<Comparison> comparison(module, "Comparison",
+                                    R"(What a comparison of planners has shown.)");
+  comparison.field("missing", &Comparison::missing, "How many runs were not done.")
+      .field("headline", &Comparison::headline, "The answer and its tables, as Markdown.")
+      .field("store", &Comparison::store, "File with every run (SQLite).")
+      .field("page", &Comparison::page, "File: one page for a browser.")
+      .field("text", &Comparison::text, "File: everything as Markdown.")
+      .field("gallery", &Comparison::gallery, "File: the best path of every scenario (PNG).")
+      .part(&Comparison::json);
+  comparison.pickled()
       .def_property_readonly(
           "figures",
           [](const Comparison& self) {
             return py::module_::import("json").attr("loads")(self.json);
           },
           "The figures of the headline as a dict.")
-      .def_readonly("store", &Comparison::store, "File with every run (SQLite).")
-      .def_readonly("page", &Comparison::page, "File: one page for a browser.")
-      .def_readonly("text", &Comparison::text, "File: everything as Markdown.")
-      .def_readonly("gallery", &Comparison::gallery, "File: the best path of every scenario (PNG).")
       .def(
           "runs",
           [](const Comparison& self) {

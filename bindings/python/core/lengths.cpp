@@ -106,18 +106,29 @@ py::object python_continuous_length(const py::object& starts, const py::object& 
       one_by_one([&](const Pose& a, const Pose& b) { return steering.length(a, b); }));
 }
 
-void add_all(NearestNodes& nodes, std::span<const Pose> poses) {
+/// Nodes with their poses, for pickle.
+struct NodeSet {
+  double radius = 1.0;
+  NearestNodes index;
+  std::vector<Pose> poses = {};
+
+  explicit NodeSet(double turning_radius) : radius(turning_radius), index(turning_radius) {}
+};
+
+void add_all(NodeSet& nodes, std::span<const Pose> poses) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Pose& pose = poses[i];
     if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.heading)) {
       throw InputError("nodes[" + std::to_string(i) + "]", "is not finite");
     }
   }
-  for (const Pose& pose : poses) nodes.add(pose);
+  for (const Pose& pose : poses) nodes.index.add(pose);
+  nodes.poses.insert(nodes.poses.end(), poses.begin(), poses.end());
 }
 
 /// (index, length) of the nearest node of each sample.
-py::tuple nearest_of(const NearestNodes& nodes, const Poses& samples) {
+py::tuple nearest_of(const NodeSet& set, const Poses& samples) {
+  const NearestNodes& nodes = set.index;
   if (nodes.size() == 0) throw InputError("nodes", "are none, expected one at least");
   if (samples.shape().empty()) {
     const NearestNode found = *nodes.nearest(samples.view().front());
@@ -138,9 +149,9 @@ py::tuple nearest_of(const NearestNodes& nodes, const Poses& samples) {
   return py::make_tuple(index, length);
 }
 
-NearestNodes nodes_of(const py::object& nodes, double radius) {
+NodeSet nodes_of(const py::object& nodes, double radius) {
   expect_positive(radius, "radius");
-  NearestNodes all(radius);
+  NodeSet all(radius);
   if (!nodes.is_none()) {
     const Poses poses(nodes, "nodes");
     unlocked(poses.view().size(), [&] { add_all(all, poses.view()); });
@@ -162,26 +173,31 @@ Which of the nodes is nearest to each sample by the exact Reeds-Shepp length, an
 go to the first one. Arrays of the samples' leading shape; an int and a float for one sample. Keep a
 `NearestNodes` where the same nodes are asked again.)");
 
-  py::class_<NearestNodes>(module, "NearestNodes", R"(NearestNodes(radius, nodes=None)
+  py::class_<NodeSet>(module, "NearestNodes", R"(NearestNodes(radius, nodes=None)
 
 Nodes among which the nearest by Reeds-Shepp length is found quickly, for a turning radius [m].)")
       .def(py::init([](double radius, const py::object& nodes) { return nodes_of(nodes, radius); }),
            "radius"_a, "nodes"_a = py::none())
       .def(
           "add",
-          [](NearestNodes& self, const py::object& nodes) {
+          [](NodeSet& self, const py::object& nodes) {
             add_all(self, Poses(nodes, "nodes").view());
           },
           "nodes"_a, "add(nodes)\n\nAdds poses; their numbers go on from those that are there.")
       .def(
           "nearest",
-          [](const NearestNodes& self, const py::object& samples) {
+          [](const NodeSet& self, const py::object& samples) {
             return nearest_of(self, Poses(samples, "samples"));
           },
           "samples"_a,
           "nearest(samples) -> (index, length)\n\nThe nearest node of each sample, and its length "
           "from there [m].")
-      .def("__len__", &NearestNodes::size);
+      .def("__len__", [](const NodeSet& self) { return self.index.size(); })
+      .def(py::pickle(
+          [](const NodeSet& self) {
+            return py::make_tuple(self.radius, array_of(std::span<const Pose>(self.poses)));
+          },
+          [](const py::tuple& state) { return nodes_of(state[1], state[0].cast<double>()); }));
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ void translate(std::exception_ptr thrown) {
     raised.attr("where") = error.where();
     raised.attr("problem") = error.problem();
     PyErr_SetObject(input_error_type, raised.ptr());
+  } catch (const py::cast_error&) {
+    PyErr_SetString(PyExc_TypeError, "a value has a type that is of no use here");
   }
 }
 
@@ -51,13 +53,19 @@ PYBIND11_MODULE(_core, module) {
   own::bind_errors(module);
   own::bind_path(module);
   own::bind_vehicle(module);
+  own::bind_grid(module);
   own::bind_scenario(module);
   own::bind_lengths(module);
   own::bind_own_planner(module);
+  own::bind_moving(module);
+  own::bind_check(module);
   own::bind_result(module);
   own::bind_planning(module);
   own::bind_speed(module);
+  own::bind_driving(module);
+  own::bind_live(module);
   own::bind_evaluation(module);
+  own::sign_all(module);
   const vandplan::BuildInfo build = vandplan::build_info();
   module.attr("__version__") = build.version;
 }

@@ -23,6 +23,21 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
+/// A function of Python as that of a planner.
+struct PythonFunction {
+  std::shared_ptr<const py::function> kept;
+  PlannerAnswer operator()(const Task& task, const PlanOptions& options) const;
+};
+
+/// The function of a planner that begins with a path.
+struct WarmFunction {
+  Path path;
+  PlannerFunction function;
+  PlannerAnswer operator()(const Task& task, const PlanOptions& options) const {
+    return function(task, options);
+  }
+};
+
 PlannerAnswer call(const py::function& function, const Task& task, const PlanOptions& options) {
   const py::gil_scoped_acquire lock;
   const auto given = std::make_shared<PlanningTask>(task, options);
@@ -35,6 +50,16 @@ PlannerAnswer call(const py::function& function, const Task& task, const PlanOpt
   }
   given->close();
   return answer;
+}
+
+PlannerAnswer PythonFunction::operator()(const Task& task, const PlanOptions& options) const {
+  return call(*kept, task, options);
+}
+
+Planner warm_planner(const Path& path) {
+  Planner planner = warm_started(path);
+  planner.function = WarmFunction{path, std::move(planner.function)};
+  return planner;
 }
 
 OptionValue value_from(const py::handle& given, const std::string& name) {
@@ -108,6 +133,44 @@ py::dict properties_of(const Planner& planner) {
       "deterministic"_a = p.deterministic, "groups"_a = p.groups);
 }
 
+/// A name, a path to begin with, or a function with what its planner honours.
+py::tuple planner_state(const Planner& planner) {
+  if (const auto* const warm = planner.function.target<WarmFunction>()) {
+    return py::make_tuple("warm", warm->path);
+  }
+  const auto* const own = planner.function.target<PythonFunction>();
+  if (own == nullptr) return py::make_tuple("named", planner.name);
+  py::list options;
+  for (const OptionInfo& o : planner.options) {
+    options.append(py::make_tuple(o.name, o.standard, o.least, o.most, o.words));
+  }
+  const PlannerProperties& p = planner.properties;
+  return py::make_tuple("own", planner.name, *own->kept, planner.summary, options, p.honours_prices,
+                        p.anytime, p.deterministic);
+}
+
+std::shared_ptr<Planner> planner_of(const py::tuple& state) {
+  const auto kind = state[0].cast<std::string>();
+  if (kind == "warm") return std::make_shared<Planner>(warm_planner(state[1].cast<Path>()));
+  if (kind == "named") {
+    return std::make_shared<Planner>(planner_named(state[1].cast<std::string>()));
+  }
+  std::shared_ptr<Planner> planner = make_planner(
+      state[1].cast<std::string>(), state[2].cast<py::function>(), state[3].cast<std::string>(),
+      py::dict(), state[5].cast<bool>(), state[6].cast<bool>(), state[7].cast<bool>());
+  for (const py::handle item : state[4]) {
+    const auto option = py::reinterpret_borrow<py::tuple>(item);
+    const auto name = option[0].cast<std::string>();
+    planner->options.push_back({.name = name,
+                                .summary = name,
+                                .standard = value_from(option[1], name),
+                                .least = option[2].cast<double>(),
+                                .most = option[3].cast<double>(),
+                                .words = option[4].cast<std::vector<std::string>>()});
+  }
+  return planner;
+}
+
 }  // namespace
 
 PlannerFunction planner_function(const py::function& function) {
@@ -116,8 +179,7 @@ PlannerFunction planner_function(const py::function& function) {
                                                    const py::gil_scoped_acquire lock;
                                                    delete last;
                                                  });
-  return
-      [kept](const Task& task, const PlanOptions& options) { return call(*kept, task, options); };
+  return PythonFunction{kept};
 }
 
 std::shared_ptr<const Planner> own_planner(const py::function& function) {
@@ -144,11 +206,13 @@ default for each name, or (default, least, most), or (default, [word, ...]). Wit
       .def_property_readonly("options", &options_of,
                              "Its own options: default, range and summary by name.")
       .def_property_readonly("properties", &properties_of, "What it honours and promises.")
-      .def("__repr__", [](const Planner& self) {
-        return fmt::format("<vandplan.Planner {}: {}>", self.name, self.summary);
-      });
+      .def("__repr__",
+           [](const Planner& self) {
+             return fmt::format("<vandplan.Planner {}: {}>", self.name, self.summary);
+           })
+      .def(py::pickle(&planner_state, &planner_of));
   module.def(
-      "warm_started", [](const py::object& path) { return warm_started(path_from(path)); },
+      "warm_started", [](const py::object& path) { return warm_planner(path_from(path)); },
       "path"_a,
       R"(warm_started(path) -> Planner
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Planning, of one problem and of many, the judge, and smoothing.
+// Planning, of one problem and of many, and smoothing.
 
 #include <pybind11/stl.h>
 
@@ -71,6 +71,8 @@ std::vector<CheckedScenario> scenarios_for(const CheckedScenario& scenario,
                                            const py::object& starts, const py::object& goals) {
   const Poses from(starts, "starts");
   const Poses to(goals, "goals");
+  warn_of_degrees(from.view(), "starts");
+  warn_of_degrees(to.view(), "goals");
   const std::vector<py::ssize_t> shape = shape_of_pairs(from, to);
   if (shape.size() > 1) throw InputError("starts, goals", "expected the shape (N, 3) or (3,)");
   const std::size_t size = std::max(from.view().size(), to.view().size());
@@ -114,16 +116,6 @@ std::vector<RunResult> plan_pairs(const CheckedScenario& scenario, const py::obj
   return runs;
 }
 
-PathCheck check(const CheckedScenario& scenario, const py::object& given, double margin,
-                double margin_ramp, const std::string& steering) {
-  const Path& path = path_from(given);
-  PathClaims claims{.clearance = {margin, margin_ramp}, .steering = steering_named(steering)};
-  if (py::isinstance<RunResult>(given)) claims = claims_of(given.cast<const RunResult&>());
-  const Problem& problem = scenario.problem();
-  const py::gil_scoped_release release;
-  return check_path(problem, path, claims);
-}
-
 RunResult smooth(const CheckedScenario& scenario, const py::object& given,
                  const std::string& method, std::optional<double> time,
                  std::optional<std::int64_t> max_iterations, std::uint64_t seed,
@@ -165,13 +157,6 @@ far. Throws InputError, a ValueError, for what cannot be used.)");
 Plans from each start to its goal in the world of the scenario, `threads` of them at a time; starts
 and goals are poses of the shape (N, 3), or one for all. Each plan has the whole budget and the same
 answer as alone.)");
-  module.def(
-      "check", &check, "scenario"_a, "path"_a, py::kw_only(), "margin"_a = 0.0,
-      "margin_ramp"_a = 0.0, "steering"_a = "reeds-shepp",
-      R"(check(scenario, path, *, margin=0, margin_ramp=0, steering="reeds-shepp") -> PathCheck
-
-Lets the independent judge look at a `Path`, which has to keep the margin and steer as is said, or
-at a `Result`, which is held to its own options, cost and bound.)");
   module.def(
       "smooth", &smooth, "scenario"_a, "path"_a, py::kw_only(), "method"_a = "optimised",
       "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,

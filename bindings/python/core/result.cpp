@@ -11,6 +11,8 @@
 
 #include "bindings/python/core/arrays.h"
 #include "bindings/python/core/bind.h"
+#include "bindings/python/core/check.h"
+#include "bindings/python/core/drive.h"
 #include "bindings/python/core/options.h"
 #include "vandplan/draw.h"
 #include "vandplan/files.h"
@@ -21,37 +23,6 @@ namespace {
 
 using namespace py::literals;
 using FileName = std::filesystem::path;  // from str and from os.PathLike
-
-// ---- what the judge says ----
-
-py::object place_of(const PathCheck& check) {
-  if (!check.at) return py::none();
-  return py::dict("s"_a = check.at->s, "pose"_a = array_of(check.at->pose));
-}
-
-void bind_check(py::module_& module) {
-  py::class_<PathCheck>(module, "PathCheck",
-                        R"(The judge's verdict on a path; true if it is valid.)")
-      .def_readonly("valid", &PathCheck::valid, "Whether nothing is wrong.")
-      .def_readonly("reason", &PathCheck::reason, "The first thing found wrong; or empty.")
-      .def_property_readonly("at", &place_of, "Where it is wrong: a dict of s and pose; or None.")
-      .def_readonly("length", &PathCheck::length, "Driven distance [m].")
-      .def_readonly("reverse_length", &PathCheck::reverse_length, "Of it in reverse [m].")
-      .def_readonly("gear_changes", &PathCheck::gear_changes, "How often the direction changes.")
-      .def_readonly("curvature_change", &PathCheck::curvature_change,
-                    "Total variation of the curvature [1/m].")
-      .def_readonly("clearance", &PathCheck::clearance, R"(Least distance from an obstacle [m].
-
-Infinite without obstacles; None if something was wrong before.)")
-      .def("__bool__", [](const PathCheck& self) { return self.valid; })
-      .def("__repr__", [](const PathCheck& self) {
-        if (!self.valid) return fmt::format("<vandplan.PathCheck: {}>", self.reason);
-        return fmt::format("<vandplan.PathCheck: valid, {:.3f} m, clearance {:.3f} m>", self.length,
-                           self.clearance.value_or(0.0));
-      });
-}
-
-// ---- results ----
 
 const PlanResult& plan_of(const RunResult& self) { return self.record.result; }
 
@@ -98,11 +69,6 @@ py::dict phases_of(const RunResult& self) {
   return phases;
 }
 
-py::object result_options(const RunResult& self) {
-  if (!self.planner) return py::none();
-  return dict_of(*self.planner, self.record.options);
-}
-
 std::string result_text(const RunResult& self) {
   const PlanResult& result = plan_of(self);
   if (!result.path) {
@@ -111,15 +77,19 @@ std::string result_text(const RunResult& self) {
   }
   const std::optional<double> gap = result_gap(self);
   const std::string proven = gap ? fmt::format(", gap {:.1f} %", 100 * *gap) : "";
-  return fmt::format("<vandplan.Result: {}, {:.2f} m, gear changes: {}, cost {:.2f} m{}, {:.3g} s>",
-                     name_of(result.status), length(*result.path), gear_changes(*result.path),
-                     result.cost, proven, result.time_total);
+  const bool is_time = self.record.options.cost.measure == CostMeasure::time;
+  return fmt::format(
+      "<vandplan.Result: {}, {:.2f} m, gear changes: {}, cost {:.2f} {}{}, {:.3g} s>",
+      name_of(result.status), length(*result.path), gear_changes(*result.path), result.cost,
+      is_time ? "s" : "m", proven, result.time_total);
 }
 
 std::string picture_of(const CheckedScenario& scenario, const RunResult* result,
                        PictureFormat format, int width) {
   Drawing drawing{.scenario = &scenario.scenario()};
   if (result != nullptr && plan_of(*result).path) drawing.path = &*plan_of(*result).path;
+  if (drawing.path != nullptr && plan_of(*result).speeds)
+    drawing.speeds = &*plan_of(*result).speeds;
   if (result != nullptr && plan_of(*result).tree) drawing.tree = &*plan_of(*result).tree;
   const py::gil_scoped_release release;
   return vandplan::draw(drawing, format, width);
@@ -148,15 +118,20 @@ void bind_result_class(py::module_& module) {
       "path", [](const PlanResult& r) { return r.path; }, "The path, or None.");
   property(
       "bound", [](const PlanResult& r) { return r.lower_bound; },
-      "No path costs less [m]; proven. 0: nothing is.");
+      "No path costs less, proven; in the unit of `cost`. 0: nothing is proven.");
   property(
       "time", [](const PlanResult& r) { return r.time_total; }, "Time in the planner [s].");
   property(
-      "iterations", [](const PlanResult& r) { return r.iterations; }, "Of the planner.");
-  property(
-      "check", [](const PlanResult& r) { return r.check; },
-      "What the judge found, of a path that it rejected as well; or None.");
-  result.def_property_readonly("cost", &result_cost, "Cost of the path [m], or None.")
+      "iterations", [](const PlanResult& r) { return r.iterations; }, "Iterations of the planner.");
+  property("check", &verdict_of,
+           "What the judge found, of a path that it rejected as well; or None.");
+  result
+      .def_property_readonly("cost", &result_cost,
+                             "Cost of the path [m], or [s] where the cost is the time; or None.")
+      .def_property_readonly("speeds", &planned_drive,
+                             R"(When the vehicle is where, a `SpeedProfile`.
+
+Planned among what moves; None where nothing moves, as any speeds will do there.)")
       .def_property_readonly("gap", &result_gap,
                              "cost / bound - 1, or None where nothing is proven.")
       .def_property_readonly("trace", &result_trace,
@@ -182,9 +157,15 @@ void bind_result_class(py::module_& module) {
       .def("_repr_png_", [](const RunResult& self) {
         return py::bytes(picture_of(self.scenario, &self, PictureFormat::png, 700));
       });
+  pickle_result(result);
 }
 
 }  // namespace
+
+py::object result_options(const RunResult& result) {
+  if (!result.planner) return result.known_options;
+  return dict_of(*result.planner, result.record.options);
+}
 
 PathClaims claims_of(const RunResult& result) {
   if (!result.planner) return result.record.claims;
@@ -198,14 +179,16 @@ PathClaims claims_of(const RunResult& result) {
 
 const Path& path_from(const py::handle& given) {
   if (py::isinstance<Path>(given)) return given.cast<const Path&>();
-  if (!py::isinstance<RunResult>(given)) throw InputError("path", "expected a Path or a Result");
+  if (py::isinstance<PathDrive>(given)) return given.cast<const PathDrive&>().path;
+  if (!py::isinstance<RunResult>(given)) {
+    throw InputError("path", "expected a Path, a SpeedProfile or a Result");
+  }
   const PlanResult& result = plan_of(given.cast<const RunResult&>());
   if (result.path) return *result.path;
   throw InputError("path", "there is none, the result is " + std::string(name_of(result.status)));
 }
 
 void bind_result(py::module_& module) {
-  bind_check(module);
   bind_result_class(module);
   module.def("draw", &draw_to, "scenario"_a, "result"_a.none(true), "file"_a, "width"_a = 800,
              R"(draw(scenario, result, file, width=800)

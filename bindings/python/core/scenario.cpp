@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Scenarios from arguments, arrays and files, and occupancy grids.
+// Scenarios from arguments, arrays and files.
 
 #include "bindings/python/core/scenario.h"
 
@@ -23,96 +23,6 @@ namespace {
 
 using namespace py::literals;
 using FileName = std::filesystem::path;  // from str and from os.PathLike
-
-// ---- occupancy grids ----
-
-template <typename Number>
-std::shared_ptr<const std::vector<Cell>> cells_from(const py::array& array) {
-  const auto values = py::array_t<Number, py::array::c_style | py::array::forcecast>(array);
-  auto cells = std::make_shared<std::vector<Cell>>(static_cast<std::size_t>(values.size()));
-  const Number* const given = values.data();
-  for (std::size_t i = 0; i < cells->size(); ++i) {
-    const Number value = given[i];
-    (*cells)[i] = value == Number{0}  ? Cell::free
-                  : value > Number{0} ? Cell::occupied
-                                      : Cell::unknown;
-  }
-  return cells;
-}
-
-OccupancyGrid grid_from(const py::object& given, double resolution, const py::object& origin,
-                        bool unknown_is_free) {
-  auto array = py::array::ensure(given);
-  if (!array || array.ndim() != 2 || array.size() == 0) {
-    throw InputError("grid", "expected a 2-D array of bool or whole numbers");
-  }
-  const char kind = array.dtype().kind();
-  if (kind != 'b' && kind != 'i' && kind != 'u') {
-    throw InputError("grid", "is an array of " + std::string(py::str(array.dtype())) +
-                                 ", expected bool or whole numbers");
-  }
-  if (array.size() > most_map_cells) {
-    throw InputError("grid", fmt::format("has more than {} cells", most_map_cells));
-  }
-  OccupancyGrid grid{.origin = pose_from(origin, "grid.origin"),
-                     .resolution = resolution,
-                     .columns = static_cast<std::int32_t>(array.shape(1)),
-                     .rows = static_cast<std::int32_t>(array.shape(0)),
-                     .unknown_is_free = unknown_is_free};
-  const bool is_small = array.itemsize() == 1 && kind != 'u';
-  grid.cells =
-      is_small ? cells_from<std::int8_t>(array.view("int8")) : cells_from<std::int64_t>(array);
-  check_map(grid);
-  return grid;
-}
-
-py::array_t<std::int8_t> cells_of(const OccupancyGrid& grid) {
-  py::array_t<std::int8_t> array({grid.rows, grid.columns});
-  std::int8_t* out = array.mutable_data();
-  for (const Cell cell : *grid.cells) {
-    *out++ = static_cast<std::int8_t>(cell == Cell::free ? 0 : cell == Cell::occupied ? 100 : -1);
-  }
-  return array;
-}
-
-void bind_grid(py::module_& module) {
-  py::class_<OccupancyGrid>(
-      module, "OccupancyGrid",
-      R"(OccupancyGrid(cells, resolution, origin=(0, 0, 0), unknown_is_free=False)
-
-A 2-D array of square cells with sides of `resolution` [m]: 0 or False is free, negative is unknown,
-everything else is an obstacle. cells[0, 0] has its corner at `origin`, a pose [x, y, heading];
-columns count along its heading, rows to the left, as in ROS. The rows of an image count downwards:
-cells[::-1] turns one over.)")
-      .def(py::init(&grid_from), "cells"_a, "resolution"_a, "origin"_a = py::make_tuple(0, 0, 0),
-           "unknown_is_free"_a = false)
-      .def_property_readonly("cells", &cells_of,
-                             "0 free, 100 occupied, -1 unknown: a new array of int8.")
-      .def_property_readonly(
-          "shape",
-          [](const OccupancyGrid& grid) { return py::make_tuple(grid.rows, grid.columns); },
-          "Rows and columns.")
-      .def_readonly("resolution", &OccupancyGrid::resolution, "Side of a cell [m].")
-      .def_property_readonly(
-          "origin", [](const OccupancyGrid& grid) { return array_of(grid.origin); },
-          "Corner of cells[0, 0], and where columns count to: [x, y, heading].")
-      .def_readonly("unknown_is_free", &OccupancyGrid::unknown_is_free,
-                    "Whether unknown cells, and all outside of the grid, are free.")
-      .def_property_readonly(
-          "outline",
-          [](const OccupancyGrid& grid) { return array_of(std::span<const Point>(outline(grid))); },
-          "Corners of the whole grid; shape (4, 2).")
-      .def("__repr__", [](const OccupancyGrid& grid) {
-        return fmt::format("<vandplan.OccupancyGrid: {} x {} cells of {} m>", grid.rows,
-                           grid.columns, grid.resolution);
-      });
-  module.def(
-      "read_map", [](const FileName& file) { return read_map(file.string()); }, "file"_a,
-      "read_map(file) -> OccupancyGrid\n\nReads a map of ROS' map_server: its YAML file and "
-      "the image that it names.");
-}
-
-// ---- scenarios ----
 
 std::optional<OccupancyGrid> map_from(const py::object& grid, const py::object& resolution,
                                       const py::object& origin) {
@@ -164,7 +74,7 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                               const py::object& vehicle, double start_curvature,
                               double goal_curvature, double start_hitch_angle,
                               double goal_hitch_angle, const std::string& name,
-                              const py::dict& options) {
+                              const py::dict& options, const std::vector<MovingObstacle>& moving) {
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
                     .start = pose_from(start, "start"),
@@ -173,21 +83,18 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                     .hitch_angles = {start_hitch_angle, goal_hitch_angle},
                     .obstacles = polygons_from(obstacles, "obstacles"),
                     .kerbs = polygons_from(kerbs, "kerbs"),
-                    .map = map_from(grid, resolution, origin)};
+                    .map = map_from(grid, resolution, origin),
+                    .moving = moving};
   scenario.bounds = bounds_from(bounds, scenario.map);
+  warn_of_degrees({&scenario.start, 1}, "start");
+  warn_of_degrees({&scenario.goal, 1}, "goal");
   if (scenario.map) scenario.map_file = name + ".map.yaml";
   return CheckedScenario(std::move(scenario), settings_from(options));
 }
 
-void warn(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) {
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 2) != 0) throw py::error_already_set();
-  }
-}
-
 std::vector<CheckedScenario> scenarios_of(const FileName& file) {
   const ScenarioFile read = read_scenario_file(file.string());
-  warn(read.warnings);
+  for (const std::string& warning : read.warnings) warn(warning);
   std::vector<CheckedScenario> scenarios;
   for (std::size_t i = 0; i < read.size(); ++i) {
     scenarios.emplace_back(scenario_at(read, i), read.options);
@@ -218,9 +125,29 @@ void save_scenario(const CheckedScenario& self, const FileName& name) {
 CheckedScenario moved(const CheckedScenario& self, const py::object& start,
                       const py::object& goal) {
   const Scenario& scenario = self.scenario();
-  return self.with_poses(start.is_none() ? scenario.start : pose_from(start, "start"),
-                         goal.is_none() ? scenario.goal : pose_from(goal, "goal"),
-                         scenario.curvatures);
+  const auto pose_or = [](const py::object& given, const char* where, const Pose& pose) {
+    if (given.is_none()) return pose;
+    const Pose other = pose_from(given, where);
+    warn_of_degrees({&other, 1}, where);
+    return other;
+  };
+  const Pose from = pose_or(start, "start", scenario.start);
+  return self.with_poses(from, pose_or(goal, "goal", scenario.goal), scenario.curvatures);
+}
+
+CheckedScenario among(const CheckedScenario& self, const std::vector<MovingObstacle>& moving) {
+  return self.with_moving(moving);
+}
+
+/// The text of its file, with the map beside it.
+py::tuple state_of_scenario(const CheckedScenario& self) {
+  return py::make_tuple(to_yaml(self.file()), self.scenario().map);
+}
+
+CheckedScenario scenario_from_state(const py::tuple& state) {
+  ScenarioFile file = scenario_from_yaml(state[0].cast<std::string>(), "pickle",
+                                         state[1].cast<std::optional<OccupancyGrid>>());
+  return CheckedScenario(std::move(file.scenario), std::move(file.options));
 }
 
 std::string scenario_text(const CheckedScenario& self) {
@@ -272,6 +199,8 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       "Polygons that overhangs may swing over.");
   property(
       "grid", [](const Scenario& s) { return s.map; }, "The occupancy grid, or None.");
+  property(
+      "moving", [](const Scenario& s) { return s.moving; }, "What else moves: `MovingObstacle`s.");
   scenario.def_property_readonly(
       "options",
       [](const CheckedScenario& self) {
@@ -286,7 +215,7 @@ void bind_scenario_class(py::module_& module) {
   py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
     obstacles=(), kerbs=(), grid=None, resolution=None, origin=None, vehicle=None,
     start_curvature=0, goal_curvature=0, start_hitch_angle=0, goal_hitch_angle=0, name="scenario",
-    options={})
+    options={}, moving=())
 
 What is to be planned, checked and unchangeable; metres and radians, counter-clockwise. `start` and
 `goal` are poses [x, y, heading] of the midpoint of the rear axle, which has to stay in `bounds`
@@ -294,24 +223,36 @@ What is to be planned, checked and unchangeable; metres and radians, counter-clo
 `kerbs` are simple polygons, arrays of the shape (N, 2); only the wheels keep off kerbs. `grid` is an
 `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
 or a dict; None is a truck. With a trailer the hitch angles are the heading of the vehicle less that
-of its trailer. `options` are what this scenario wants of planners: {"margin": 0.3}.)");
+of its trailer. `options` are what this scenario wants of planners: {"margin": 0.3}. `moving` are
+`MovingObstacle`s: what else moves while the vehicle drives.)");
   scenario
       .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
            "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
            "resolution"_a = py::none(), "origin"_a = py::none(), "vehicle"_a = py::none(),
            "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "start_hitch_angle"_a = 0.0,
-           "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict())
+           "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict(),
+           "moving"_a = std::vector<MovingObstacle>{})
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
 
 The one with another start or goal. It shares the world, so that nothing is built again.)")
+      .def("with_moving", &among, "moving"_a,
+           R"(with_moving(moving) -> Scenario
+
+The one in which these `MovingObstacle`s move, instead of those that moved before. It shares the
+world, so that nothing is built again.)")
       .def(
           "to_yaml", [](const CheckedScenario& self) { return to_yaml(self.file()); },
           "to_yaml() -> str\n\nThe text of a scenario file; a grid stays in its own file.")
       .def("save", &save_scenario, "file"_a, R"(save(file)
 
 Writes a scenario file for the command line, and a grid beside it (.map.yaml, .map.pgm).)")
-      .def("__repr__", &scenario_text);
+      .def("__repr__", &scenario_text)
+      .def(py::pickle(&state_of_scenario, &scenario_from_state))
+      .def("__copy__", [](const CheckedScenario& self) { return self; })
+      .def(
+          "__deepcopy__", [](const CheckedScenario& self, const py::dict&) { return self; },
+          "memo"_a);
   bind_scenario_data(scenario);
 }
 
@@ -359,15 +300,24 @@ CheckedScenario CheckedScenario::with_poses(const Pose& start, const Pose& goal,
                                             const EndCurvatures& curvatures) const {
   CheckedScenario other = *this;
   other.problem_ = std::make_shared<const Problem>(
-      with_moving(make_problem(problem().world(), scenario_->vehicle, start, goal, curvatures,
-                               scenario_->hitch_angles),
-                  scenario_->moving));
+      vandplan::with_moving(make_problem(problem().world(), scenario_->vehicle, start, goal,
+                                         curvatures, scenario_->hitch_angles),
+                            scenario_->moving));
   other.ends_ = {start, goal, curvatures};
   return other;
 }
 
+CheckedScenario CheckedScenario::with_moving(const std::vector<MovingObstacle>& moving) const {
+  CheckedScenario other = *this;
+  other.problem_ = std::make_shared<const Problem>(vandplan::with_moving(problem(), moving));
+  Scenario changed = scenario();
+  changed.moving = moving;
+  other.scenario_ = std::make_shared<const Scenario>(std::move(changed));
+  other.ends_.reset();
+  return other;
+}
+
 void bind_scenario(py::module_& module) {
-  bind_grid(module);
   bind_scenario_class(module);
   module.def("read_scenario", &scenario_of, "file"_a,
              "read_scenario(file) -> Scenario\n\nReads a scenario file (YAML) with one goal.");

@@ -34,6 +34,9 @@ class CheckedScenario {
   [[nodiscard]] CheckedScenario with_poses(const Pose& start, const Pose& goal,
                                            const EndCurvatures& curvatures) const;
 
+  /// The one in which these move.
+  [[nodiscard]] CheckedScenario with_moving(const std::vector<MovingObstacle>& moving) const;
+
   /// As files hold it.
   [[nodiscard]] ScenarioFile file() const { return {.scenario = scenario(), .options = options_}; }
 
@@ -48,6 +51,11 @@ class CheckedScenario {
   std::vector<Setting> options_;
   mutable std::shared_ptr<const Problem> problem_;
 };
+
+/// A grid of an array, a resolution [m] and an origin. Throws InputError naming "grid" or a key of
+/// it.
+[[nodiscard]] OccupancyGrid grid_from(const pybind11::object& given, double resolution,
+                                      const pybind11::object& origin, bool unknown_is_free);
 
 /// A vehicle, the name of one, or a dict of its lengths.
 [[nodiscard]] Vehicle vehicle_from(const pybind11::handle& given);

@@ -7,22 +7,17 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "bindings/python/core/arrays.h"
 #include "bindings/python/core/bind.h"
-#include "bindings/python/core/result.h"
-#include "vandplan/input_error.h"
+#include "bindings/python/core/drive.h"
+#include "bindings/python/core/value.h"
 
 namespace vandplan::python {
 namespace {
 
 using namespace py::literals;
-
-/// A drive: speeds with the path and the vehicle that they belong to.
-struct PathDrive {
-  Path path;
-  Vehicle vehicle;
-  SpeedProfile profile;
-};
 
 py::dict columns_of(const std::vector<Motion>& motions) {
   py::dict columns;
@@ -62,42 +57,138 @@ py::dict motions_at(const PathDrive& self, const py::object& t) {
   return columns_of(motions);
 }
 
-PathDrive drive_of(const py::object& path, const py::object& vehicle, double start_curvature) {
-  if (!py::isinstance<RunResult>(path) && vehicle.is_none()) {
-    throw InputError("vehicle", "is missing: a path does not say who drives it");
+/// As fast as it may be.
+PathDrive fastest_drive(const Path& path, const Vehicle& vehicle, double start_curvature) {
+  return {path, vehicle, speed_profile(path, vehicle, {start_curvature})};
+}
+
+PathDrive chosen_drive(const py::object& path, const py::object& vehicle, double start_curvature) {
+  if (!py::isinstance<RunResult>(path)) {
+    if (vehicle.is_none()) {
+      throw InputError("vehicle", "is missing: a path does not say who drives it");
+    }
+    return fastest_drive(path_from(path), vehicle_from(vehicle), start_curvature);
   }
-  PathDrive drive{path_from(path), {}, {}};
-  if (vehicle.is_none()) {
-    const Scenario& scenario = path.cast<const RunResult&>().scenario.scenario();
-    drive.vehicle = scenario.vehicle;
-    start_curvature = scenario.curvatures.start;
-  } else {
-    drive.vehicle = vehicle_from(vehicle);
+  const auto& result = path.cast<const RunResult&>();
+  if (std::optional<PathDrive> planned = planned_drive(result)) {
+    if (vehicle.is_none()) return *std::move(planned);
+    throw InputError("vehicle",
+                     "is given, but the times of this result are those of its own "
+                     "vehicle among what moves; pass result.path for others");
   }
-  drive.profile = speed_profile(drive.path, drive.vehicle, {start_curvature});
-  return drive;
+  if (!vehicle.is_none()) {
+    return fastest_drive(path_from(path), vehicle_from(vehicle), start_curvature);
+  }
+  const Scenario& scenario = result.scenario.scenario();
+  if (!scenario.moving.empty()) {
+    throw InputError("path",
+                     "has no times, and something moves in its scenario: pass its vehicle "
+                     "for a drive that heeds nobody");
+  }
+  return fastest_drive(path_from(path), scenario.vehicle, scenario.curvatures.start);
+}
+
+constexpr std::array knot_numbers = {&SpeedKnot::t, &SpeedKnot::s, &SpeedKnot::v, &SpeedKnot::a,
+                                     &SpeedKnot::jerk};
+constexpr std::array stop_numbers = {&Stop::t, &Stop::s, &Stop::pause, &Stop::curvature_before,
+                                     &Stop::curvature_after};
+
+/// Numbers of many values: a column for each member.
+template <typename Value, std::size_t size>
+py::array_t<double> table_of(const std::vector<Value>& values,
+                             const std::array<double Value::*, size>& members) {
+  py::array_t<double> table({static_cast<py::ssize_t>(values.size()), py::ssize_t{size}});
+  double* out = table.mutable_data();
+  for (const Value& value : values) {
+    for (const auto member : members) *out++ = value.*member;
+  }
+  return table;
+}
+
+template <typename Value, std::size_t size>
+std::vector<Value> values_from(const py::handle& given,
+                               const std::array<double Value::*, size>& members) {
+  const Numbers table = numbers_from(given, "pickle");
+  std::vector<Value> values(static_cast<std::size_t>(table.size()) / size);
+  const double* number = table.data();
+  for (Value& value : values) {
+    for (const auto member : members) value.*member = *number++;
+  }
+  return values;
+}
+
+py::list stops_of(const PathDrive& self) {
+  py::list stops;
+  for (const Stop& stop : self.profile.stops) {
+    stops.append(py::dict("t"_a = stop.t, "s"_a = stop.s, "pause"_a = stop.pause,
+                          "curvature_before"_a = stop.curvature_before,
+                          "curvature_after"_a = stop.curvature_after));
+  }
+  return stops;
+}
+
+py::dict knots_of(const PathDrive& self) {
+  const std::vector<SpeedKnot>& knots = self.profile.knots;
+  const py::array_t<double> table = table_of(knots, knot_numbers);
+  py::dict columns;
+  py::ssize_t column = 0;
+  for (const char* const name : {"t", "s", "v", "a", "jerk"}) {
+    columns[name] = table[py::make_tuple(py::ellipsis(), column++)];
+  }
+  py::list bounds;
+  for (const SpeedKnot& knot : knots) bounds.append(name_of(knot.bound));
+  columns["bound"] = bounds;
+  return columns;
 }
 
 }  // namespace
 
+std::optional<PathDrive> planned_drive(const RunResult& result) {
+  const PlanResult& plan = result.record.result;
+  if (!plan.path || !plan.speeds) return std::nullopt;
+  return PathDrive{*plan.path, result.scenario.scenario().vehicle, *plan.speeds};
+}
+
+py::tuple profile_state(const SpeedProfile& profile) {
+  std::vector<int> bounds;
+  for (const SpeedKnot& knot : profile.knots) bounds.push_back(static_cast<int>(knot.bound));
+  return py::make_tuple(table_of(profile.knots, knot_numbers), bounds,
+                        table_of(profile.stops, stop_numbers), profile.duration, profile.standing);
+}
+
+SpeedProfile profile_from(const py::handle& given) {
+  const auto state = py::reinterpret_borrow<py::tuple>(given);
+  SpeedProfile profile{values_from(state[0], knot_numbers), values_from(state[2], stop_numbers),
+                       state[3].cast<double>(), state[4].cast<double>()};
+  const auto bounds = state[1].cast<std::vector<int>>();
+  for (std::size_t i = 0; i < profile.knots.size(); ++i) {
+    profile.knots[i].bound = static_cast<SpeedBound>(bounds.at(i));
+  }
+  return profile;
+}
+
 void bind_speed(py::module_& module) {
-  py::class_<PathDrive>(module, "SpeedProfile", R"(The fastest drive along a path.)")
+  ValueClass<PathDrive> drive(
+      module, "SpeedProfile",
+      R"(A drive: a path and when the vehicle is where on it. It stands at the end ever after.)");
+  drive.field("path", &PathDrive::path, "The path that is driven.")
+      .field("vehicle", &PathDrive::vehicle, "The vehicle that drives.")
+      .field("start_speed", &PathDrive::start_speed, "Speed with which the drive begins [m/s].")
+      .part([](const PathDrive& self) { return profile_state(self.profile); },
+            [](PathDrive& self, const py::handle& state) { self.profile = profile_from(state); });
+  drive.pickled()
       .def_property_readonly(
           "duration", [](const PathDrive& self) { return self.profile.duration; },
-          "Of the whole drive [s].")
+          "Duration of the whole drive [s].")
       .def_property_readonly(
           "standing", [](const PathDrive& self) { return self.profile.standing; },
           "Time in which it stands and turns its wheels [s].")
-      .def_property_readonly(
-          "stops",
-          [](const PathDrive& self) {
-            py::list stops;
-            for (const Stop& stop : self.profile.stops) {
-              stops.append(py::dict("t"_a = stop.t, "s"_a = stop.s, "pause"_a = stop.pause));
-            }
-            return stops;
-          },
-          "Where it stands on its way: dicts of t [s], s [m] and pause [s].")
+      .def_property_readonly("stops", &stops_of, R"(Where it stands on its way.
+
+Dicts of t [s], s [m], pause [s], curvature_before and curvature_after [1/m].)")
+      .def_property_readonly("knots", &knots_of, R"(Moments between which the acceleration is even.
+
+Columns t [s], s [m], v [m/s], a [m/s^2], jerk [m/s^3] and bound, what keeps it from being faster.)")
       .def("motions", &motions_of, "step"_a = 0.05, R"(motions(step=0.05) -> dict of arrays
 
 Columns t [s], s [m], x, y, heading, curvature [1/m], steering_angle [rad], direction, v [m/s] and a
@@ -107,13 +198,14 @@ Columns t [s], s [m], x, y, heading, curvature [1/m], steering_angle [rad], dire
         return fmt::format("<vandplan.SpeedProfile: {:.2f} m in {:.2f} s, {} stops>",
                            length(self.path), self.profile.duration, self.profile.stops.size());
       });
-  module.def("speed_profile", &drive_of, "path"_a, "vehicle"_a = py::none(),
+  module.def("speed_profile", &chosen_drive, "path"_a, "vehicle"_a = py::none(),
              "start_curvature"_a = 0.0,
              R"(speed_profile(path, vehicle=None, start_curvature=0) -> SpeedProfile
 
 The fastest drive along a `Path` of a vehicle, or along the path of a `Result`, within the limits of
 the vehicle. It stands wherever the gear changes or the curvature jumps until the wheels are turned;
-before the start they are turned to `start_curvature` [1/m].)");
+before the start they are turned to `start_curvature` [1/m]. A `Result` that was planned among
+what moves has a drive already, `Result.speeds`, which is returned.)");
 }
 
 }  // namespace vandplan::python

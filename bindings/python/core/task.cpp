@@ -81,7 +81,8 @@ py::object is_free(PlanningTask& self, const py::object& given) {
   return py::bool_(self.task().checker->is_free(path.start, path.segments));
 }
 
-py::object clearance(PlanningTask& self, const py::object& given, double most) {
+py::object clearance(PlanningTask& self, const py::object& given, std::optional<double> limit) {
+  const double most = limit.value_or(infinity);
   const Poses poses(given, "poses");
   const CollisionChecker& checker = *self.task().checker;
   if (poses.shape().empty()) {
@@ -105,9 +106,10 @@ std::optional<Path> steer(PlanningTask& self, const py::object& from, const py::
 }
 
 std::optional<Path> connect(PlanningTask& self, const py::object& from, const py::object& to,
-                            double cutoff) {
+                            std::optional<double> cutoff) {
   const Pose start = pose_from(from, "start");
-  const auto edge = self.connector().connect(start, pose_from(to, "goal"), {.cutoff = cutoff});
+  const auto edge =
+      self.connector().connect(start, pose_from(to, "goal"), {.cutoff = cutoff.value_or(infinity)});
   if (!edge) return std::nullopt;
   return path_of(start, edge->piece);
 }
@@ -214,7 +216,20 @@ without a path: there is none. `reason`: why, one line. `counters`: what was cou
                            std::move(reason), std::move(counters), std::move(tree)};
            }),
            "path"_a = py::none(), py::kw_only(), "lower_bound"_a = 0.0, "proven"_a = false,
-           "reason"_a = "", "counters"_a = py::dict(), "tree"_a = py::none());
+           "reason"_a = "", "counters"_a = py::dict(), "tree"_a = py::none())
+      .def(py::pickle(
+          [](const Answer& self) {
+            return py::make_tuple(self.path, self.lower_bound, self.proven, self.reason,
+                                  self.counters, self.tree);
+          },
+          [](const py::tuple& state) {
+            return Answer{state[0],
+                          state[1].cast<double>(),
+                          state[2].cast<bool>(),
+                          state[3].cast<std::string>(),
+                          state[4].cast<std::map<std::string, std::int64_t>>(),
+                          state[5]};
+          }));
 
   py::class_<PlanningTask, std::shared_ptr<PlanningTask>> task(module, "Task",
                                                                R"(What a planner in Python is given.
@@ -231,17 +246,18 @@ Poses are in the frame of the task, whose origin lies near the start. A planner 
       .def("is_free", &is_free, "what"_a, R"(is_free(what) -> bool or array of bool
 
 Whether the vehicle is free at a pose, at each pose of an array, or all along a path.)")
-      .def("clearance", &clearance, "poses"_a, "most"_a = infinity, R"(clearance(poses, most=inf)
+      .def("clearance", &clearance, "poses"_a, "most"_a = py::none(),
+           R"(clearance(poses, most=None) -> float or array
 
-Distance from the nearest obstacle at each pose, no more than `most` [m].)")
+Distance from the nearest obstacle at each pose, no more than `most` unless that is None [m].)")
       .def("steer", &steer, "start"_a, "goal"_a, R"(steer(start, goal) -> Path or None
 
 The cheapest way between two poses on open ground; there may be none where the curvature is
 continuous.)")
-      .def("connect", &connect, "start"_a, "goal"_a, "cutoff"_a = infinity,
-           R"(connect(start, goal, cutoff=inf) -> Path or None
+      .def("connect", &connect, "start"_a, "goal"_a, "cutoff"_a = py::none(),
+           R"(connect(start, goal, cutoff=None) -> Path or None
 
-That way, if it costs less than `cutoff` [m] and nothing stands in it.)")
+The way of `steer`, if nothing stands in it and it costs less than `cutoff` [m]; None: any cost.)")
       .def("cost", &way_cost, "path"_a, R"(cost(path) -> float
 
 What a path, or a list of paths, costs: its length, unless the planner honours prices [m].)")

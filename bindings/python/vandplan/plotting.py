@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 
-from vandplan._core import Path, Result, Scenario
+from vandplan._core import Path, Result, Scenario, SpeedProfile
 
 TYPE_CHECKING = False  # importing typing takes longer than all the rest
 if TYPE_CHECKING:
@@ -116,9 +116,11 @@ def _draw_tree(ax: Axes, tree: tuple[NDArray[np.float64], NDArray[np.int32]] | N
 
 
 def plot(
-    scenario: Scenario, result: Result | Path | None = None, ax: Axes | None = None
+    scenario: Scenario,
+    result: Result | SpeedProfile | Path | None = None,
+    ax: Axes | None = None,
 ) -> Axes:
-    """Draws a scenario, and a result or path in it, with matplotlib; returns the axes.
+    """Draws a scenario, and a result, drive or path in it, with matplotlib; returns the axes.
 
     Obstacles are grey, kerbs brown, what the vehicle sweeps is light blue; the path is blue forward
     and orange in reverse, the vehicle green at the start and purple at the goal. Axes are in metres.
@@ -126,13 +128,19 @@ def plot(
     """
     import numpy as np
 
+    for name, given, kinds in (
+        ("scenario", scenario, Scenario),
+        ("result", result, (Result, SpeedProfile, Path, type(None))),
+    ):
+        if not isinstance(given, kinds):
+            raise TypeError(f"{name}: a {type(given).__name__} cannot be drawn")
     if ax is None:
         import matplotlib.pyplot as plt
 
         ax = plt.subplots(figsize=(8, 6))[1]
     _draw_grid(ax, scenario)
     _draw_polygons(ax, scenario)
-    path = result.path if isinstance(result, Result) else result
+    path = result if result is None or isinstance(result, Path) else result.path
     if isinstance(result, Result):
         _draw_tree(ax, result.tree)
     if path is not None:

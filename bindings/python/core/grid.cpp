@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Occupancy grids.
+
+#include <fmt/format.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cstdint>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/scenario.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+using FileName = std::filesystem::path;  // from str and from os.PathLike
+
+template <typename Number>
+std::shared_ptr<const std::vector<Cell>> cells_from(const py::array& array) {
+  const auto values = py::array_t<Number, py::array::c_style | py::array::forcecast>(array);
+  auto cells = std::make_shared<std::vector<Cell>>(static_cast<std::size_t>(values.size()));
+  const Number* const given = values.data();
+  for (std::size_t i = 0; i < cells->size(); ++i) {
+    const Number value = given[i];
+    (*cells)[i] = value == Number{0}  ? Cell::free
+                  : value > Number{0} ? Cell::occupied
+                                      : Cell::unknown;
+  }
+  return cells;
+}
+
+py::array_t<std::int8_t> cells_of(const OccupancyGrid& grid) {
+  py::array_t<std::int8_t> array({grid.rows, grid.columns});
+  std::int8_t* out = array.mutable_data();
+  for (const Cell cell : *grid.cells) {
+    *out++ = static_cast<std::int8_t>(cell == Cell::free ? 0 : cell == Cell::occupied ? 100 : -1);
+  }
+  return array;
+}
+
+py::tuple grid_state(const OccupancyGrid& grid) {
+  return py::make_tuple(cells_of(grid), grid.resolution, array_of(grid.origin),
+                        grid.unknown_is_free);
+}
+
+OccupancyGrid grid_from_state(const py::tuple& state) {
+  return grid_from(state[0], state[1].cast<double>(), state[2], state[3].cast<bool>());
+}
+
+}  // namespace
+
+OccupancyGrid grid_from(const py::object& given, double resolution, const py::object& origin,
+                        bool unknown_is_free) {
+  auto array = py::array::ensure(given);
+  if (!array || array.ndim() != 2 || array.size() == 0) {
+    throw InputError("grid", "expected a 2-D array of bool or whole numbers");
+  }
+  const char kind = array.dtype().kind();
+  if (kind != 'b' && kind != 'i' && kind != 'u') {
+    throw InputError("grid", "is an array of " + std::string(py::str(array.dtype())) +
+                                 ", expected bool or whole numbers");
+  }
+  if (array.size() > most_map_cells) {
+    throw InputError("grid", fmt::format("has more than {} cells", most_map_cells));
+  }
+  OccupancyGrid grid{.origin = pose_from(origin, "grid.origin"),
+                     .resolution = resolution,
+                     .columns = static_cast<std::int32_t>(array.shape(1)),
+                     .rows = static_cast<std::int32_t>(array.shape(0)),
+                     .unknown_is_free = unknown_is_free};
+  const bool is_small = array.itemsize() == 1 && kind != 'u';
+  grid.cells =
+      is_small ? cells_from<std::int8_t>(array.view("int8")) : cells_from<std::int64_t>(array);
+  check_map(grid);
+  return grid;
+}
+
+void bind_grid(py::module_& module) {
+  py::class_<OccupancyGrid>(
+      module, "OccupancyGrid",
+      R"(OccupancyGrid(cells, resolution, origin=(0, 0, 0), unknown_is_free=False)
+
+A 2-D array of square cells with sides of `resolution` [m]: 0 or False is free, negative is unknown,
+everything else is an obstacle. cells[0, 0] has its corner at `origin`, a pose [x, y, heading];
+columns count along its heading, rows to the left, as in ROS. The rows of an image count downwards:
+cells[::-1] turns one over.)")
+      .def(py::init(&grid_from), "cells"_a, "resolution"_a, "origin"_a = py::make_tuple(0, 0, 0),
+           "unknown_is_free"_a = false)
+      .def_property_readonly("cells", &cells_of,
+                             "0 free, 100 occupied, -1 unknown: a new array of int8.")
+      .def_property_readonly(
+          "shape",
+          [](const OccupancyGrid& grid) { return py::make_tuple(grid.rows, grid.columns); },
+          "Rows and columns.")
+      .def_readonly("resolution", &OccupancyGrid::resolution, "Side of a cell [m].")
+      .def_property_readonly(
+          "origin", [](const OccupancyGrid& grid) { return array_of(grid.origin); },
+          "Corner of cells[0, 0], and where columns count to: [x, y, heading].")
+      .def_readonly("unknown_is_free", &OccupancyGrid::unknown_is_free,
+                    "Whether unknown cells, and all outside of the grid, are free.")
+      .def_property_readonly(
+          "outline",
+          [](const OccupancyGrid& grid) { return array_of(std::span<const Point>(outline(grid))); },
+          "Corners of the whole grid; shape (4, 2).")
+      .def(py::pickle(&grid_state, &grid_from_state))
+      .def("__repr__", [](const OccupancyGrid& grid) {
+        return fmt::format("<vandplan.OccupancyGrid: {} x {} cells of {} m>", grid.rows,
+                           grid.columns, grid.resolution);
+      });
+  module.def(
+      "read_map", [](const FileName& file) { return read_map(file.string()); }, "file"_a,
+      "read_map(file) -> OccupancyGrid\n\nReads a map of ROS' map_server: its YAML file and "
+      "the image that it names.");
+}
+
+}  // namespace vandplan::python

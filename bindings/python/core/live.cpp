@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// A vehicle that plans anew while it drives.
+
+#include "vandplan/live_drive.h"
+
+#include <fmt/format.h>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/drive.h"
+#include "bindings/python/core/driving.h"
+#include "bindings/python/core/interrupt.h"
+#include "bindings/python/core/options.h"
+#include "bindings/python/core/scenario.h"
+#include "bindings/python/core/value.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+
+// ---- options ----
+
+void take_replan_options(py::dict& keywords, ReplanOptions& options) {
+  take(keywords, "tick_iterations", options.tick_iterations);
+  take(keywords, "tick_states", options.tick_states);
+  take(keywords, "committed", options.committed);
+  take(keywords, "better", options.better);
+  take(keywords, "reserve", options.reserve);
+}
+
+/// Options of the plans: what is left are options of the default planner.
+PlanOptions plan_options(py::dict& keywords, const CheckedScenario& scenario) {
+  RunKeywords run;
+  const auto take_limit = [&](const char* name, auto& limit) {
+    typename std::remove_reference_t<decltype(limit)>::value_type value{};
+    const bool is_given = keywords.contains(name) && !keywords[name].is_none();
+    take(keywords, name, value);
+    if (is_given) limit = value;
+  };
+  take_limit("time", run.time);
+  take_limit("max_iterations", run.max_iterations);
+  take(keywords, "seed", run.seed);
+  run.options = keywords;
+  return options_for(default_planner(), scenario.options(), run, scenario.scenario().vehicle);
+}
+
+Prediction prediction_named(const std::string& word) {
+  for (const Prediction one : {Prediction::known, Prediction::constant_velocity}) {
+    if (word == name_of(one)) return one;
+  }
+  throw InputError("prediction", "is \"" + word + "\", expected known or constant-velocity");
+}
+
+// ---- answers ----
+
+/// An answer with the vehicle that it is for.
+struct Answered {
+  ReplanAnswer answer;
+  Vehicle vehicle;
+};
+
+std::optional<PathDrive> answered_drive(const Answered& self) {
+  if (!self.answer.drive) return std::nullopt;
+  return PathDrive{self.answer.drive->path, self.vehicle, self.answer.drive->speeds,
+                   self.answer.start_speed};
+}
+
+py::dict action_dict(const Action& action) {
+  return py::dict("t"_a = action.t, "steering_angle"_a = action.steering_angle, "v"_a = action.v,
+                  "a"_a = action.a);
+}
+
+py::dict action_of(const Answered& self, double t) {
+  if (!self.answer.drive) throw InputError("answer", "has no drive: nothing was planned yet");
+  if (!std::isfinite(t)) throw InputError("t", "is not finite");
+  return action_dict(action_at(self.answer, self.vehicle, t));
+}
+
+TickOutcome outcome_named(const std::string& word) {
+  for (const TickOutcome one :
+       {TickOutcome::kept, TickOutcome::new_times, TickOutcome::new_way, TickOutcome::stop}) {
+    if (word == name_of(one)) return one;
+  }
+  return TickOutcome::none;
+}
+
+py::tuple answer_state(const Answered& self) {
+  const ReplanAnswer& a = self.answer;
+  return py::make_tuple(name_of(a.outcome), a.begin, answered_drive(self), a.start_speed,
+                        a.reaches_goal, a.is_safe, a.reason, self.vehicle);
+}
+
+Answered answer_from_state(const py::tuple& state) {
+  Answered self{{.outcome = outcome_named(state[0].cast<std::string>()),
+                 .begin = state[1].cast<double>(),
+                 .start_speed = state[3].cast<double>(),
+                 .reaches_goal = state[4].cast<bool>(),
+                 .is_safe = state[5].cast<bool>(),
+                 .reason = state[6].cast<std::string>()},
+                state[7].cast<Vehicle>()};
+  if (!state[2].is_none()) {
+    self.answer.drive =
+        std::make_shared<const TimedPath>(state[2].cast<const PathDrive&>().timed());
+  }
+  return self;
+}
+
+void bind_answer(py::module_& module) {
+  py::class_<Answered> answer(module, "ReplanAnswer",
+                              R"(What a vehicle is to do from now on; true if it is safe.)");
+  const auto property = [&](const char* name, auto get, const char* about) {
+    answer.def_property_readonly(
+        name, [get](const Answered& self) { return get(self.answer); }, about);
+  };
+  property(
+      "outcome", [](const ReplanAnswer& a) { return name_of(a.outcome); },
+      R"("kept", "new_times" (along the same way), "new_way", "stop" (no drive to the goal was found)
+or "none" (nothing safe was found, it brakes as hard as it may).)");
+  property(
+      "begin", [](const ReplanAnswer& a) { return a.begin; },
+      "When the drive begins or began, by the clock of the replanner [s].");
+  property(
+      "reaches_goal", [](const ReplanAnswer& a) { return a.reaches_goal; },
+      "Whether the drive ends at the goal; otherwise it ends in a standstill on the way.");
+  property(
+      "is_safe", [](const ReplanAnswer& a) { return a.is_safe; },
+      "Judged: the rest of the drive touches nothing and nobody, as far as is known.");
+  property(
+      "reason", [](const ReplanAnswer& a) { return a.reason; }, "Why it is not safe; or empty.");
+  answer
+      .def_property_readonly("drive", &answered_drive,
+                             "A `SpeedProfile` that begins at `begin`; None before the first tick.")
+      .def("action_at", &action_of, "t"_a, R"(action_at(t) -> dict
+
+The command at a time of the replanner's clock [s]: t, steering_angle [rad], v [m/s], a [m/s^2].)")
+      .def("__bool__", [](const Answered& self) { return self.answer.is_safe; })
+      .def("__repr__",
+           [](const Answered& self) {
+             return fmt::format("<vandplan.ReplanAnswer: {}, {}>", name_of(self.answer.outcome),
+                                self.answer.is_safe ? "safe" : self.answer.reason);
+           })
+      .def(py::pickle(&answer_state, &answer_from_state));
+}
+
+// ---- the replanner ----
+
+/// A replanner that one thread at a time may call.
+struct OwnReplanner {
+  Vehicle vehicle;
+  Replanner replanner;
+  bool is_busy = false;  // with Python's lock
+
+  /// Runs `work` without Python's lock.
+  template <typename Work>
+  void alone(Work work) {
+    if (is_busy) throw InputError("replanner", "is at work in another thread");
+    struct Busy {
+      bool& flag;
+      explicit Busy(bool& f) : flag(f) { flag = true; }
+      ~Busy() { flag = false; }
+    };
+    const Busy busy(is_busy);
+    const py::gil_scoped_release release;
+    work();
+  }
+};
+
+std::shared_ptr<OwnReplanner> made_replanner(const CheckedScenario& scenario,
+                                             const py::kwargs& keywords) {
+  ReplanOptions options;
+  py::dict rest(keywords);
+  take_replan_options(rest, options);
+  options.plan = plan_options(rest, scenario);
+  const Scenario& s = scenario.scenario();
+  const py::gil_scoped_release release;
+  return std::make_shared<OwnReplanner>(OwnReplanner{s.vehicle, Replanner(s, options)});
+}
+
+/// A rectangle of cells (row, column, cells), as a grid of that size.
+CellPatch cell_patch_from(const py::handle& given) {
+  const auto parts = py::reinterpret_borrow<py::tuple>(given);
+  if (!py::isinstance<py::tuple>(given) || parts.size() != 3) {
+    throw InputError("cells", "expected tuples (row, column, 2-D array)");
+  }
+  constexpr double any_resolution = 1.0;
+  const OccupancyGrid grid = grid_from(parts[2], any_resolution, py::make_tuple(0, 0, 0), false);
+  return {.column = parts[1].cast<std::int32_t>(),
+          .row = parts[0].cast<std::int32_t>(),
+          .columns = grid.columns,
+          .rows = grid.rows,
+          .cells = *grid.cells};
+}
+
+void patch(OwnReplanner& self, const py::iterable& cells, const py::dict& added,
+           const std::vector<std::int64_t>& removed) {
+  WorldPatch changes{.removed = removed};
+  for (const py::handle item : cells) changes.cells.push_back(cell_patch_from(item));
+  for (const auto& [name, outline] : added) {
+    changes.added.push_back({name.cast<std::int64_t>(), polygon_from(outline, "added")});
+  }
+  self.alone([&] { self.replanner.patch(changes); });
+}
+
+std::optional<VehicleState> vehicle_state(const py::object& pose, double v, double curvature) {
+  if (pose.is_none()) return std::nullopt;
+  const VehicleState state{pose_from(pose, "pose"), v, curvature};
+  for (const double number :
+       {state.pose.x, state.pose.y, state.pose.heading, state.v, state.curvature}) {
+    if (!std::isfinite(number)) throw InputError("pose, v, curvature", "are not finite");
+  }
+  return state;
+}
+
+Answered tick(OwnReplanner& self, double t, const py::object& pose, double v, double curvature) {
+  if (!std::isfinite(t)) throw InputError("t", "is not finite");
+  const std::optional<VehicleState> state = vehicle_state(pose, v, curvature);
+  self.alone([&] {
+    if (state) {
+      (void)self.replanner.tick(t, *state);
+    } else {
+      (void)self.replanner.tick(t);
+    }
+  });
+  return {self.replanner.answer(), self.vehicle};
+}
+
+void bind_replanner(py::module_& module) {
+  py::class_<OwnReplanner, std::shared_ptr<OwnReplanner>>(
+      module, "Replanner",
+      R"(Replanner(scenario, *, tick_iterations=100, tick_states=2000, committed=1.0, better=0.1,
+    reserve=0.1, time=None, max_iterations=None, seed=1, **options)
+
+One vehicle on its way to one goal, in a world that changes. What moves in the scenario is known from
+the start. An answer stays for `committed` [s] if it can; a new way has to be cheaper by the share
+`better`; `reserve` is the share of the limits that is left for corrections. `options` are those of
+`plan`; `max_iterations` and `time` limit the first plan. Same calls, same answers, bit for bit.)")
+      .def(py::init(&made_replanner), "scenario"_a)
+      .def("tick", &tick, "t"_a, "pose"_a = py::none(), py::kw_only(), "v"_a = 0.0,
+           "curvature"_a = 0.0, R"(tick(t, pose=None, *, v=0.0, curvature=0.0) -> ReplanAnswer
+
+Plans at time `t` [s], which is no less than before, for a vehicle that follows the last answer. With
+a measured `pose`, speed `v` [m/s] and `curvature` of the wheels [1/m] it plans from there once the
+vehicle is beyond half a metre, half a metre per second or 10 degrees from the last answer.)")
+      .def("patch", &patch, py::kw_only(), "cells"_a = py::tuple(), "added"_a = py::dict(),
+           "removed"_a = std::vector<std::int64_t>{},
+           R"(patch(*, cells=(), added={}, removed=())
+
+Says what of the ground has changed. `cells` are tuples (row, column, array) of the grid, seen anew;
+`added` are polygons by whole numbers, `removed` such numbers. The scenario's own obstacles are called
+0, 1, ... in their order.)")
+      .def(
+          "set_moving",
+          [](OwnReplanner& self, const std::vector<MovingObstacle>& moving) {
+            self.alone([&] { self.replanner.set_moving(moving); });
+          },
+          "moving"_a, R"(set_moving(moving)
+
+Says which `MovingObstacle`s move from now on, with times of the replanner's clock.)")
+      .def_property_readonly(
+          "answer",
+          [](const OwnReplanner& self) {
+            if (self.is_busy) throw InputError("replanner", "is at work in another thread");
+            return Answered{self.replanner.answer(), self.vehicle};
+          },
+          "The last `ReplanAnswer`.");
+}
+
+// ---- drives in a closed loop ----
+
+/// A live drive with what was driven, as Python has it.
+struct LiveRun : LiveDriveResult {
+  PathDrive drive = {};
+};
+
+std::function<void(const Action&)> callback_of(const py::object& function) {
+  if (function.is_none()) return {};
+  return [&function](const Action& action) {
+    const py::gil_scoped_acquire lock;
+    function(action_dict(action));
+  };
+}
+
+LiveRun driven_live(const CheckedScenario& scenario, const py::kwargs& keywords) {
+  LiveDriveOptions options;
+  py::dict rest(keywords);
+  std::string prediction{name_of(options.prediction)};
+  double range = 0.0;
+  const bool is_short_sighted = rest.contains("sensor_range") && !rest["sensor_range"].is_none();
+  py::object on_action = py::none();
+  take(rest, "period", options.period);
+  take(rest, "sensor_range", range);
+  take(rest, "prediction", prediction);
+  take(rest, "horizon", options.horizon);
+  take(rest, "longest", options.longest);
+  take(rest, "action_rate", options.action_rate);
+  take(rest, "on_action", on_action);
+  take_replan_options(rest, options.replan);
+  take_drive_options(rest, options.drive);
+  options.drive.reserve = options.replan.reserve;
+  if (is_short_sighted) options.sensor_range = range;
+  options.prediction = prediction_named(prediction);
+  rest["seed"] = options.drive.seed;
+  options.replan.plan = plan_options(rest, scenario);
+  LiveRun run;
+  {
+    const Interruptible interruptible;
+    options.replan.plan.budget.stop = interruptible.stop();
+    const auto report = callback_of(on_action);
+    const Scenario& s = scenario.scenario();
+    const py::gil_scoped_release release;
+    static_cast<LiveDriveResult&>(run) = drive_live(s, options, report);
+  }
+  raise_signals();
+  run.drive = {run.driven.path, scenario.scenario().vehicle, run.driven.speeds};
+  run.driven = {};
+  return run;
+}
+
+void bind_live_result(py::module_& module) {
+  ValueClass<LiveRun> live(
+      module, "LiveDriveResult",
+      R"(What came of a drive in a closed loop; true if it arrived without contact.)");
+  live.field("has_arrived", &LiveRun::has_arrived, "Whether it stands at the goal.")
+      .field("duration", &LiveRun::duration, "Duration of the drive [s].")
+      .field("ticks", &LiveRun::ticks, "How often it planned.")
+      .field("ticks_without_answer", &LiveRun::ticks_without_answer,
+             "Ticks with an answer that is not safe.")
+      .field("stops", &LiveRun::stops, "Standstills on the way.")
+      .field("new_ways", &LiveRun::new_ways, "Other ways after the first one.")
+      .field("new_times", &LiveRun::new_times, "Other speeds along the same way.")
+      .field("stopping_ticks", &LiveRun::stopping_ticks, "Ticks without a drive to the goal.")
+      .field("end_distance", &LiveRun::end_distance, "Distance of the rear axle from the goal [m].")
+      .field("end_heading", &LiveRun::end_heading,
+             "Difference of the heading there, without sign [rad].")
+      .field("clearance", &LiveRun::clearance, "Least distance from what stands [m]; or infinite.")
+      .field("moving_clearance", &LiveRun::moving_clearance,
+             "Least distance from what moves [m]; or infinite.")
+      .field("contact", &LiveRun::contact,
+             "The first `Contact` with what stands or moves, or None.")
+      .field("driven", &LiveRun::drive, "What was driven, a `SpeedProfile` in arcs of 5 ms.")
+      .part([](const LiveRun& self) { return log_table(self.log); },
+            [](LiveRun& self, const py::handle& table) { self.log = log_from(table); });
+  live.pickled()
+      .def_property_readonly(
+          "log", [](const LiveRun& self) { return log_columns(self.log); },
+          "Columns of the drive with keep_log=True, as in `DriveResult.log`.")
+      .def("__bool__", [](const LiveRun& self) { return self.has_arrived && !self.contact; })
+      .def("__repr__", [](const LiveRun& self) {
+        const char* const arrived = self.has_arrived ? "arrived" : "did not arrive";
+        return fmt::format("<vandplan.LiveDriveResult: {}, {:.2f} s, {} ticks{}>", arrived,
+                           self.duration, self.ticks,
+                           self.contact ? ", " + self.contact->what : "");
+      });
+}
+
+}  // namespace
+
+void bind_live(py::module_& module) {
+  bind_answer(module);
+  bind_replanner(module);
+  bind_live_result(module);
+  module.def(
+      "drive_live", &driven_live, "scenario"_a,
+      R"(drive_live(scenario, *, period=0.1, sensor_range=None, prediction="known", horizon=6.0,
+    longest=600.0, controller="", noise=0.0, delay=0.0, spare_steering=0.0, reserve=0.1, committed=1.0,
+    better=0.1, tick_iterations=100, tick_states=2000, action_rate=0.0, on_action=None, seed=1,
+    keep_log=False, time=None, max_iterations=None, **options) -> LiveDriveResult
+
+Drives to the goal in a closed loop: the vehicle sees what comes within `sensor_range` [m] (None: it
+knows everything), plans anew every `period` [s], a multiple of 0.02, and is steered by a controller.
+`prediction` is what it believes of others: "known" or "constant-velocity" for `horizon` [s]. The
+drive ends after `longest` [s]. `on_action` is called with a dict of t, steering_angle, v and a,
+`action_rate` times a second. The other keywords are those of `drive`, `Replanner` and `plan`.
+Repeats bit for bit without a limit of time.)");
+}
+
+}  // namespace vandplan::python

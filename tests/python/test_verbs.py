@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the Vändplan authors
+"""Every public function of C++ is in Python, or docs/python.md says why it is not."""
+
+import functools
+import re
+
+from conftest import REPOSITORY
+
+import vandplan as vp
+
+HEADERS = REPOSITORY / "include" / "vandplan"
+
+
+def functions_of(header):
+    """Names of the functions that a header declares outside of classes."""
+    text = re.sub(r"//.*|^#.*", "", header.read_text("utf-8"), flags=re.M)
+    names, in_namespaces, statement = set(), [], ""
+    for character in text:
+        if character not in "{};":
+            statement += character
+            continue
+        head = re.sub(r"\s+", " ", statement).strip()
+        is_outside = all(in_namespaces)
+        if character == "{":
+            in_namespaces.append(re.match(r"(inline )?namespace ", head) is not None)
+        elif character == "}":
+            in_namespaces.pop()
+        name = re.search(r"(\w+)\(", re.sub(r"^template <[^>]*> ?", "", head))
+        is_other = re.match(r"(class|struct|enum|using|namespace|namespace \w+) |,", head)  # "," goes on after {}
+        if is_outside and character != "}" and name and not is_other and "=" not in head[: name.start()]:
+            names.add(name.group(1))
+        statement = ""
+    return names
+
+
+def rows():
+    """Header, functions that are in Python (with their names there), functions that are not."""
+    page = (REPOSITORY / "docs" / "python.md").read_text("utf-8")
+    section = page.split("## Which functions of C++ are here")[1].split("\n## ")[0]
+    for line in section.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if line.startswith("| `") and len(cells) == 3:
+            there = {name: other or name for name, other in re.findall(r"`(\w+)`(?: as `([\w.]+)`)?", cells[1])}
+            yield cells[0].strip("`"), there, cells[2]
+
+
+def test_the_page_names_every_function_of_every_header():
+    declared = {header.stem: functions_of(header) for header in HEADERS.glob("*.h")}
+    assert "plan" in declared["planner"] and "drive_live" in declared["live_drive"]
+    left = dict(declared)
+    for pattern, there, reasons in rows():
+        stems = [stem for stem in declared if re.fullmatch(pattern.replace("*", ".*"), stem)]
+        assert stems, f"{pattern}.h is no header"
+        for stem in stems:
+            excused = left.pop(stem)
+            if not reasons.startswith("all: "):
+                # A reason may name functions of Python, too.
+                named = set(re.findall(r"`(\w+)`", reasons)) & declared[stem]
+                assert set(there) | named == excused, f"{stem}.h"
+    assert not {stem for stem, names in left.items() if names}, "headers that the page does not name"
+
+
+def test_what_the_page_names_is_there():
+    for _, there, _ in rows():
+        for name in there.values():
+            assert functools.reduce(getattr, name.split("."), vp) is not None, name
+
+
+def test_a_reason_is_given_for_what_is_not_there():
+    for header, _, reasons in rows():
+        for part in filter(None, re.split(r"; ", reasons)):
+            assert ":" in part or part == "`name_of`", f"{header}: {part}"
