@@ -128,12 +128,12 @@ def plot(
     """
     import numpy as np
 
-    for name, given, kinds in (
-        ("scenario", scenario, Scenario),
-        ("result", result, (Result, SpeedProfile, Path, type(None))),
-    ):
-        if not isinstance(given, kinds):
-            raise TypeError(f"{name}: a {type(given).__name__} cannot be drawn")
+    if not isinstance(scenario, Scenario):
+        raise TypeError(f"scenario: a {type(scenario).__name__} is none")
+    if result is not None and not isinstance(result, (Result, SpeedProfile, Path)):
+        raise TypeError(f"result: a {type(result).__name__} cannot be drawn")
+    if ax is not None and not hasattr(ax, "add_patch"):
+        raise TypeError(f"ax: a {type(ax).__name__} is no axes of matplotlib")
     if ax is None:
         import matplotlib.pyplot as plt
 
