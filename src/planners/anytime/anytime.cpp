@@ -56,6 +56,8 @@ constexpr std::int64_t settled_steps_with_bending = 8;  // but are shorter
 constexpr std::int64_t quickening = 192;  // trials of a round
 constexpr double no_time = 1e-12;         // relative
 constexpr double no_gain = 1e-6;          // of a whole drive, relative: ends may be off by as much
+constexpr double neat_slack = 1e-2;       // of a drive that is tidied, relative
+constexpr double shortest_stroke = 0.1;   // where seconds have a price [m]
 
 /// What is driven, and its cost.
 struct Drivable {
@@ -494,16 +496,18 @@ std::vector<Segment> Run::raw_segments() const {
 std::optional<Drivable> Run::drivable(const std::vector<Segment>& raw) const {
   const bool is_bent = !fastest_ && bent_ && bent_->cost < best_->cost;
   const bool is_continuous = task_.steering != Steering::reeds_shepp;
-  if (min_stroke_ == 0.0 && !is_bent && (is_continuous || rule_.is_length())) return std::nullopt;
+  const bool is_route = fastest_ && !pricing_.is_time();
+  const double stroke = is_route ? std::max(min_stroke_, shortest_stroke) : min_stroke_;
+  if (stroke == 0.0 && !is_bent && (is_continuous || rule_.is_length())) return std::nullopt;
   Connector connector(task_, rule_);
   Drivable drivable{raw, 0.0};
   if (!is_continuous) {
-    drivable.segments = tidied(connector, task_.start, raw, min_stroke_);
-  } else if (min_stroke_ > 0.0) {
+    drivable.segments = tidied(connector, task_.start, raw, stroke);
+  } else if (stroke > 0.0) {
     const Route& route = fastest_ ? *fastest_->route() : *best_;
     const Route legs = is_bent ? legs_along({task_.start, raw}, task_.goal) : route;
     drivable.segments =
-        path_of(with_strokes(connector, gears_at_ends(task_, rule_), legs, min_stroke_)).segments;
+        path_of(with_strokes(connector, gears_at_ends(task_, rule_), legs, stroke)).segments;
   }
   drivable.cost =
       pricing_.cost(drivable.segments, connector.clearance_cost(task_.start, drivable.segments));
@@ -515,7 +519,8 @@ void Run::make_drivable() {
   segments_ = raw_segments();
   std::optional<Drivable> neat = drivable(segments_);
   if (!neat) return;
-  if (fastest_ && min_stroke_ == 0.0 && neat->cost > fastest_->cost() * (1 + no_time)) return;
+  const double slack = pricing_.is_time() ? no_time : neat_slack;
+  if (fastest_ && min_stroke_ == 0.0 && neat->cost > fastest_->cost() * (1 + slack)) return;
   segments_ = std::move(neat->segments);
   if (fastest_) return;
   while (trace_.size() > 1 && trace_[trace_.size() - 2].cost <= neat->cost) trace_.pop_back();
