@@ -32,8 +32,7 @@ std::string typed_text(std::string json) {
 
 std::string default_of(const CommonOption& option) {
   if (option.name == "time_limit") return fmt::format("{}", default_time_limit);
-  const Planner& planner = default_planner();
-  return typed_text(option.get(complete(planner, usual_options(planner))));
+  return typed_text(option.get(complete(default_planner())));
 }
 
 /// An option as the help shows it.
@@ -129,7 +128,7 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
 
 PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_by_file,
                         const std::vector<TypedOption>& typed) {
-  PlanOptions options = usual_options(planner);
+  PlanOptions options;
   set_honoured(options, planner, wanted_by_file);
   std::vector<TypedOption> in_order = typed;  // what is given beside a style wins
   std::stable_partition(in_order.begin(), in_order.end(),

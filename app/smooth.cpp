@@ -39,7 +39,7 @@ ResultRecord smoothed(const Problem& problem, ResultRecord record, SmoothMethod 
   if (!path) return record;
   const Planner planner = smoother(*path, method);
   record.planner = planner.name;
-  record.options = complete(planner, options);
+  record.options = complete(planner, options, problem.vehicle());
   record.result = plan(problem, planner, options);
   record.claims = {};
   return record;

@@ -52,7 +52,7 @@ std::string options_to_json(const PlanOptions& options) {
 }
 
 PlanOptions options_from_json(const std::string& json) {
-  PlanOptions options{.cost = shortest_style};  // of older runs that do not name all prices
+  PlanOptions options{.cost = shortest_style};  // older runs do not name all prices
   try {
     const nlohmann::json object = nlohmann::json::parse(json);
     for (const auto& [name, value] : object.items()) set(options, name, value);

@@ -141,13 +141,12 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   shown.budget.max_iterations = run.result.iterations;
   const std::optional<Planner> planner = find_planner(run.planner);
   const bool is_ours = planner.has_value();
-  PlanOptions usual = is_ours ? complete(*planner, usual_options(*planner)) : PlanOptions{};
+  PlanOptions usual = is_ours ? complete(*planner) : PlanOptions{};
   usual.budget = {};
   const bool has_style = is_ours && planner->properties.honours_prices && is_length(shown.cost);
   if (has_style) {
-    const auto [cost, steering] = style_named("shortest");
-    usual.cost = cost;
-    usual.steering = steering;
+    usual.cost = shortest_style;
+    usual.steering = Steering::reeds_shepp;
   }
   std::map<std::string, std::string> defaults;
   for (const auto& [name, value] : option_values(usual)) defaults[name] = value;

@@ -19,7 +19,7 @@ int main() {
   const std::clock_t begin = std::clock();
   std::int64_t iterations = 0;
   for (int i = 0; i < count; ++i) {
-    PlanOptions options = usual_options(planner);
+    PlanOptions options;
     options.budget.max_iterations = 1;
     iterations += plan(problem, planner, options).iterations;
   }

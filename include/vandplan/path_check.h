@@ -30,9 +30,9 @@ struct StatedCost {
   /// [m]; what being near things adds is believed to 1e-3 of it. Where the cost is the time [s]: to
   /// 1e-3 of it, or, with a limit of jerk, no less than without one.
   double cost = 0.0;
-  CostOptions rule = shortest_style;  ///< by which it is worked out
-  std::optional<double> bound = {};   ///< no path costs less
-  std::optional<double> gap = {};     ///< cost / bound - 1
+  CostOptions rule = {};             ///< prices that are not set: as in `shortest_style`
+  std::optional<double> bound = {};  ///< no path costs less
+  std::optional<double> gap = {};    ///< cost / bound - 1
 };
 
 /// What somebody says about a path; whatever is stated is checked. A bound is not proven again, but

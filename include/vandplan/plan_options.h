@@ -21,6 +21,7 @@
 namespace vandplan {
 
 class HeuristicTable;
+struct Vehicle;
 namespace search {
 class Primitives;
 }
@@ -50,32 +51,42 @@ enum class CostMeasure : std::uint8_t {
   time,    ///< how long the fastest drive along it takes, as `speed_profile` finds it [s]
 };
 
-/// What driving costs. What is not set costs what it does for a driver; `shortest_style` makes the
-/// cost the length. Where the cost is the time, prices say nothing: they are left as they are.
+/// What driving costs. A price that is not set is that of the style in force (see `PlanOptions`).
+/// `complete` sets all prices. Where the cost is the time, no price may be set.
 struct CostOptions {
-  double reverse_weight = 2.0;         ///< cost of a metre in reverse [m]; [1, 1000]
-  double gear_change_cost = 5.0;       ///< cost of one gear change [m]; [0, 10000]
-  double curvature_change_cost = 5.0;  ///< of turning the wheels [m per 1/m]; [0, 10000]
+  std::optional<double> reverse_weight = {};    ///< cost of a metre in reverse [m]; [1, 1000]
+  std::optional<double> gear_change_cost = {};  ///< cost of one gear change [m]; [0, 10000]
+  /// Cost of turning the wheels [m per 1/m]; [0, 10000].
+  std::optional<double> curvature_change_cost = {};
   /// A metre costs 1 + clearance_weight * max(0, 1 - clearance / clearance_distance) times as much,
   /// where the clearance is that of the body from obstacles, of the wheels from kerbs.
-  double clearance_weight = 2.0;                ///< [0, 1000]
-  double clearance_distance = 1.0;              ///< [m]; [0.01, 1000]
-  InitialGear initial_gear = InitialGear::any;  ///< driven before the start; any: free choice
-  CostMeasure measure = CostMeasure::prices;    ///< `time`: nothing of the above matters
+  std::optional<double> clearance_weight = {};    ///< [0, 1000]
+  std::optional<double> clearance_distance = {};  ///< [m]; [0.01, 1000]
+  InitialGear initial_gear = InitialGear::any;    ///< driven before the start; any: free choice
+  CostMeasure measure = CostMeasure::prices;      ///< `time`: nothing of the above matters
   bool operator==(const CostOptions&) const = default;
 };
 
-/// What a driver minds: reversing, changing gear, turning the wheels, driving close to things.
-/// docs/algorithms/anytime.md gives the reasons for each figure.
-inline constexpr CostOptions driver_style = {};
+/// What a driver of a truck minds: reversing, changing gear, turning the wheels, driving close to
+/// things. docs/algorithms/anytime.md gives the reasons for each figure.
+inline constexpr CostOptions driver_style = {.reverse_weight = 2.0,
+                                             .gear_change_cost = 5.0,
+                                             .curvature_change_cost = 5.0,
+                                             .clearance_weight = 2.0,
+                                             .clearance_distance = 1.0};
 
 /// The cost is the length and nothing else.
 inline constexpr CostOptions shortest_style = {.reverse_weight = 1.0,
                                                .gear_change_cost = 0.0,
                                                .curvature_change_cost = 0.0,
-                                               .clearance_weight = 0.0};
+                                               .clearance_weight = 0.0,
+                                               .clearance_distance = 1.0};
 
-/// Whether the cost of every path is its length.
+/// The cost with each price that is not set taken from `others`.
+[[nodiscard]] CostOptions filled(const CostOptions& cost, const CostOptions& others);
+
+/// Whether the cost of every path is its length. False when a price is not set: `complete` says
+/// what it is.
 [[nodiscard]] bool is_length(const CostOptions& cost);
 
 /// Where the curvature of a path may jump.
@@ -91,15 +102,20 @@ enum class Steering : std::uint8_t {
 /// The steering of that name. Throws InputError for another one.
 [[nodiscard]] Steering steering_named(std::string_view name);
 
-/// A named set of options.
-struct Style {
-  CostOptions cost = {};
-  std::optional<Steering> steering = {};  ///< none: as `PlanOptions` says
-  bool operator==(const Style&) const = default;
+/// What is minimised and how the vehicle steers when no price and no steering is set.
+enum class Style : std::uint8_t {
+  shortest,  ///< the length; steering is `reeds_shepp`
+  driver,    ///< the prices of a driver; steering is `continuous_between_stops`
 };
 
-/// "driver" or "shortest", without regard to `initial_gear`. Throws InputError for another name.
+/// "shortest" or "driver".
+[[nodiscard]] std::string_view name_of(Style style) noexcept;
+
+/// The style of that name. Throws InputError for another one.
 [[nodiscard]] Style style_named(std::string_view name);
+
+/// All prices of a style for a vehicle.
+[[nodiscard]] CostOptions prices_of(Style style, const Vehicle& vehicle);
 
 /// How far the vehicle stays away from things.
 struct ClearanceOptions {
@@ -137,15 +153,17 @@ class PlannerSettings {
   std::map<std::string, OptionValue, std::less<>> values_;
 };
 
-/// Every knob of a run. A planner that knows no prices plans by length, whatever `cost` has as its
-/// defaults.
+/// Every knob of a run. What is not set is filled in by `complete` (planner.h), for every caller
+/// alike.
 struct PlanOptions {
   BudgetOptions budget = {};
+  /// Where prices come from that `cost` does not set; none: `PlannerProperties::style`. `complete`
+  /// puts prices and steering in its place.
+  std::optional<Style> style = {};
   CostOptions cost = {};
   ClearanceOptions clearance = {};
-  /// Where the curvature may jump; the judge holds the path to it. None: between stops where
-  /// driving has prices, anywhere where the cost is the length, the planner steers in no other way
-  /// or an option asks for arcs and lines.
+  /// Where the curvature may jump; the judge holds the path to it. None: anywhere if the style is
+  /// `shortest`, the cost is the length or the planner steers in no other way; else between stops.
   std::optional<Steering> steering = {};
   PlannerSettings planner = {};  ///< of the chosen planner alone
   /// What the estimate "table" looks lengths up in; for planners that an estimate guides.

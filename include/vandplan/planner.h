@@ -33,6 +33,7 @@ struct PlannerProperties {
   std::string search = {};                ///< its name without the estimate; empty if it takes none
   bool tries_goal = false;                ///< tries the goal from every new node
   bool honours_prices = false;            ///< CostOptions; else its cost is the length
+  Style style = Style::shortest;          ///< what it minimises when no style and price is set
   bool honours_time = false;              ///< CostMeasure::time
   bool honours_threads = false;           ///< BudgetOptions::threads
   bool honours_target_gap = false;        ///< BudgetOptions::target_gap: it proves lower bounds
@@ -65,6 +66,7 @@ struct PlanResult {
   std::string reason = {};        ///< why there is no path, or no valid one; or empty
   std::optional<Path> path = {};  ///< from the start as it was given to the goal
   double cost = 0.0;              ///< of the path [m], or [s] where the cost is the time
+  CostOptions rule = {};          ///< what was minimised, every price set
   double lower_bound = 0.0;       ///< no path costs less; proven; 0: nothing is
   std::int64_t iterations = 0;
   double time_total = 0.0;  ///< in the planner [s]
@@ -104,20 +106,15 @@ struct PlanResult {
 /// or all estimates, when there is none.
 [[nodiscard]] Planner planner_named(std::string_view name);
 
-/// Options with the planner's own filled in. Throws InputError naming the first option that is out
-/// of range, or that the planner does not honour (and which planners of the library do).
-[[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options);
-
-/// What is in force for a vehicle: a path for one that pulls a trailer is made of arcs and lines
-/// unless another steering is asked for. Throws InputError naming "planner" when it plans for
-/// vehicles alone, "steering" when it does so with that steering (and which planners of the library
-/// do not), and as `complete` without a vehicle.
-[[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options,
-                                   const Vehicle& vehicle);
-
-/// What is in force for a planner when nobody sets anything: the style of a driver for the default
-/// planner, length alone for all others.
-[[nodiscard]] PlanOptions usual_options(const Planner& planner);
+/// What is in force: all prices, the steering and the planner's own options are set. `plan`, the
+/// command line, Python and the evaluation get their defaults here, and only here. Prices that are
+/// not set are those of the style for that vehicle. A path for one that pulls a trailer is made of
+/// arcs and lines unless another steering is asked for. Completing twice changes nothing.
+/// Throws InputError naming the first option that is out of range, or that the planner does not
+/// honour (and which planners of the library do); "planner" when it plans for vehicles without a
+/// trailer alone, "steering" when it does so with that steering.
+[[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options = {},
+                                   const Vehicle& vehicle = {});
 
 /// Whether a planner honours an option of that name, one of its own or of all planners.
 [[nodiscard]] bool honours(const Planner& planner, std::string_view option);

@@ -113,6 +113,7 @@ struct Driven {
   double curvature;  ///< [1/m]; `any`: turning the wheels is free
 };
 
+/// The prices of complete options. A price that is not set counts as in `shortest_style`.
 [[nodiscard]] CostRule cost_rule(const CostOptions& options);
 
 [[nodiscard]] inline GearSign gear_of(const Segment& segment) {

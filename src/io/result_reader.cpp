@@ -114,29 +114,26 @@ void expect_in_range(const Document& file, const Node& node, const PlanOptions& 
   }
 }
 
+/// Reads a price; null, as a price that nobody set is written, leaves it as it is.
+void read_price(const Document& file, const Node& node, const char* key,
+                std::optional<double>& price) {
+  const Node* const given = file.find(node, key);
+  if (given != nullptr && given->kind != Node::Kind::nothing) price = file.number(*given);
+}
+
 /// What the path is held to; the length alone where a file names no price.
 void read_options(const Document& file, const Node& node, PlanOptions& options) {
   CostOptions& cost = options.cost;
-  if (const Node* const weight = file.find(node, "reverse_weight")) {
-    cost.reverse_weight = file.number(*weight);
-  }
-  if (const Node* const price = file.find(node, "gear_change_cost")) {
-    cost.gear_change_cost = file.number(*price);
-  }
+  read_price(file, node, "reverse_weight", cost.reverse_weight);
+  read_price(file, node, "gear_change_cost", cost.gear_change_cost);
+  read_price(file, node, "curvature_change_cost", cost.curvature_change_cost);
+  read_price(file, node, "clearance_weight", cost.clearance_weight);
+  read_price(file, node, "clearance_distance", cost.clearance_distance);
   if (const Node* const margin = file.find(node, "margin")) {
     options.clearance.margin = file.number(*margin);
   }
   if (const Node* const ramp = file.find(node, "margin_ramp")) {
     options.clearance.margin_ramp = file.number(*ramp);
-  }
-  if (const Node* const price = file.find(node, "curvature_change_cost")) {
-    cost.curvature_change_cost = file.number(*price);
-  }
-  if (const Node* const weight = file.find(node, "clearance_weight")) {
-    cost.clearance_weight = file.number(*weight);
-  }
-  if (const Node* const distance = file.find(node, "clearance_distance")) {
-    cost.clearance_distance = file.number(*distance);
   }
   if (const Node* const gear = file.find(node, "initial_gear")) {
     const std::string& word = file.text(*gear);
@@ -217,6 +214,7 @@ void read_rules(const Document& file, const Node& node, ResultRecord& record) {
   if (const Node* const options = file.find(node, "options")) {
     read_options(file, *options, record.options);
   }
+  record.result.rule = record.options.cost;
   record.claims.clearance = record.options.clearance;
   record.claims.steering = record.options.steering.value_or(Steering::reeds_shepp);
 }

@@ -33,13 +33,14 @@ std::optional<std::string> false_figures(const Track& track, const PathClaims& c
   return std::nullopt;
 }
 
-double cost_of(const Track& track, double near, const CostOptions& rule) {
+double cost_of(const Track& track, double near, const CostOptions& stated) {
+  const CostOptions rule = filled(stated, shortest_style);
   int changes = track.gear_changes;
   const Real first = track.stretches[0].direction;
   if (track.length > 0 && direction_of(rule.initial_gear) * first < 0) ++changes;
-  return static_cast<double>(track.length + (rule.reverse_weight - 1) * track.reverse_length +
-                             rule.gear_change_cost * changes +
-                             rule.curvature_change_cost * track.curvature_change + near);
+  return static_cast<double>(track.length + (*rule.reverse_weight - 1) * track.reverse_length +
+                             *rule.gear_change_cost * changes +
+                             *rule.curvature_change_cost * track.curvature_change + near);
 }
 
 std::optional<std::string> false_gap(const StatedCost& stated) {
@@ -71,8 +72,9 @@ std::optional<std::string> false_cost(const Track& track, const Found& found,
   const double cost = cost_of(track, near, stated.rule);
   // What is near is looked at less finely on a longer way.
   const double rough = std::max(1.0, static_cast<double>(track.length) / finely_seen);
-  const double tolerance = length_tolerance * (1 + cost) +
-                           (stated.rule.clearance_weight > 0 ? near_tolerance * rough * cost : 0.0);
+  const double tolerance =
+      length_tolerance * (1 + cost) +
+      (stated.rule.clearance_weight.value_or(0.0) > 0 ? near_tolerance * rough * cost : 0.0);
   if (!(std::abs(stated.cost - cost) <= tolerance)) {
     return text("the stated cost is %.10g m, the path costs %.10g m", stated.cost, cost);
   }

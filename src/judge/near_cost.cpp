@@ -22,11 +22,11 @@ class Integral {
   /// No point of the bodies moves further than `swing` for each metre driven.
   Integral(std::span<const Body> bodies, const CostOptions& rule, double swing, Real step)
       : bodies_(bodies),
-        distance_(rule.clearance_distance),
+        distance_(*rule.clearance_distance),
         swing_(swing),
         step_(step),
         most_(step * looks / fewest_looks),
-        tolerance_(agreement / std::max(1.0, rule.clearance_weight)) {}
+        tolerance_(agreement / std::max(1.0, *rule.clearance_weight)) {}
 
   /// Of max(0, 1 - clearance / distance), from `begin` to `end` of a stretch [m].
   [[nodiscard]] Real over(std::size_t stretch, Real begin, Real end) {
@@ -87,10 +87,11 @@ class Integral {
 
 }  // namespace
 
-double near_cost(std::span<const Body> bodies, const CostOptions& rule) {
+double near_cost(std::span<const Body> bodies, const CostOptions& stated) {
+  const CostOptions rule = filled(stated, shortest_style);
   if (rule.clearance_weight == 0.0 || bodies[0].ground.is_empty()) return 0.0;
   const Track& track = bodies[0].track;
-  const double distance = rule.clearance_distance;
+  const double distance = *rule.clearance_distance;
   if (!(distance > 0.0)) return 0.0;
   Real sum = 0;
   for (std::size_t i = 0; i < track.stretches.size(); ++i) {
@@ -102,10 +103,10 @@ double near_cost(std::span<const Body> bodies, const CostOptions& rule) {
         std::max<Real>(std::min<Real>(usual, track.length / least_looks * fewest_looks / looks),
                        track.length / most_looks);
     Integral integral(bodies, rule, swing, step);
-    const Real weight = stretch.direction > 0 ? 1.0 : rule.reverse_weight;
+    const Real weight = stretch.direction > 0 ? 1.0 : *rule.reverse_weight;
     sum += weight * integral.over(i, 0, stretch.length);
   }
-  return static_cast<double>(rule.clearance_weight * sum);
+  return static_cast<double>(*rule.clearance_weight * sum);
 }
 
 }  // namespace vandplan::judge

@@ -13,6 +13,6 @@ namespace vandplan::judge {
 /// The integral of `clearance_weight` max(0, 1 - clearance / `clearance_distance`) along the track
 /// of the bodies, of which the one counts that is nearest to something; metres in reverse weighted
 /// as the rule has it [m].
-[[nodiscard]] double near_cost(std::span<const Body> bodies, const CostOptions& rule);
+[[nodiscard]] double near_cost(std::span<const Body> bodies, const CostOptions& stated);
 
 }  // namespace vandplan::judge

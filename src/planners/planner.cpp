@@ -35,6 +35,12 @@ const CommonOption* common_option(std::string_view name) {
   return found == common_options().end() ? nullptr : &*found;
 }
 
+bool is_price(std::string_view option) {
+  return option == "reverse_weight" || option == "gear_change_cost" ||
+         option == "curvature_change_cost" || option == "clearance_weight" ||
+         option == "clearance_distance";
+}
+
 /// The names of the planners that do, whatever `does` asks them.
 template <typename Predicate>
 std::vector<std::string> planners_that(const Predicate& does) {
@@ -70,16 +76,16 @@ std::vector<std::string> planners_that(const Predicate& does) {
                        ", expected one of the planners that honour it: " + base::joined(others));
 }
 
-/// What is no default though the planner takes no notice of it. That it plans by length, or arcs
-/// and lines, may be said.
+/// Throws for what is set though the planner takes no notice of it. That it plans by length, or
+/// arcs and lines, may be said.
 void refuse_ignored(const Planner& planner, const PlanOptions& options) {
-  PlanOptions defaults;
-  if (is_length(options.cost)) defaults.cost = shortest_style;
-  defaults.cost.clearance_distance = options.cost.clearance_distance;
-  if (options.steering == Steering::reeds_shepp) defaults.steering = options.steering;
+  const PlanOptions unset;
+  const PlanOptions known{.cost = shortest_style, .steering = Steering::reeds_shepp};
+  if (options.style == Style::driver && !honours(planner, style_key)) refuse(planner, style_key);
   for (const CommonOption& common : common_options()) {
     if (honours(planner, common.name)) continue;
-    if (common.get(options) != common.get(defaults)) refuse(planner, common.name);
+    const std::string value = common.get(options);
+    if (value != common.get(unset) && value != common.get(known)) refuse(planner, common.name);
   }
   for (const auto& [name, value] : options.planner.values()) {
     if (own_option(planner, name) == nullptr) refuse(planner, name);
@@ -88,27 +94,31 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   if (options.primitives && !honours(planner, primitives_key)) refuse(planner, primitives_key);
 }
 
-/// Leaves no price in force where the cost is the time. Throws InputError for a price that is not
-/// what it is when nobody sets it.
-void settle_prices(PlanOptions& all) {
-  if (all.cost.measure != CostMeasure::time) return;
-  PlanOptions usual = all;
-  usual.cost = driver_style;
-  PlanOptions neutral = all;
-  neutral.cost = shortest_style;
-  usual.cost.measure = neutral.cost.measure = CostMeasure::time;
+/// Throws InputError for a price that is set, unless to what makes it say nothing.
+void refuse_prices(const PlanOptions& options) {
+  const PlanOptions unset;
+  const PlanOptions neutral{.cost = shortest_style};
   for (const CommonOption& common : common_options()) {
-    const std::string value = common.get(all);
-    if (value == common.get(usual) || value == common.get(neutral)) continue;
+    if (!is_price(common.name)) continue;
+    const std::string value = common.get(options);
+    if (value == common.get(unset) || value == common.get(neutral)) continue;
     throw InputError(std::string(common.name), "is a price, and the cost is the time");
   }
-  all.cost = neutral.cost;
 }
 
-/// Says how the vehicle steers, if nobody did.
-void settle_steering(PlanOptions& all) {
+/// Puts all prices and the steering in the place of the style.
+void settle_style(const Planner& planner, const Vehicle& vehicle, PlanOptions& all) {
+  const Style style = planner.properties.honours_prices
+                          ? all.style.value_or(planner.properties.style)
+                          : Style::shortest;
+  all.style.reset();
+  const bool is_time = all.cost.measure == CostMeasure::time;
+  if (is_time) refuse_prices(all);
+  all.cost = filled(all.cost, is_time ? shortest_style : prices_of(style, vehicle));
+  if (!planner.properties.honours_steering) all.steering = Steering::reeds_shepp;
   if (all.steering) return;
-  all.steering = is_length(all.cost) ? Steering::reeds_shepp : Steering::continuous_between_stops;
+  const bool is_shortest = style == Style::shortest || is_length(all.cost);
+  all.steering = is_shortest ? Steering::reeds_shepp : Steering::continuous_between_stops;
 }
 
 /// Throws InputError when a table is asked for that is not there, or is there and not asked for.
@@ -158,14 +168,13 @@ std::optional<PlannerAnswer> settled(const Task& task) {
   return answer;
 }
 
-/// Sets all prices and the steering, but not the gear driven before the start. Whoever knows no
-/// prices has the shortest style.
+/// Sets the style, and no price or steering beside it. Whoever knows no prices has the shortest.
 void set_style(PlanOptions& options, const Planner& planner, std::string_view name) {
-  auto [cost, steering] = style_named(name);
-  if (!planner.properties.honours_prices && !is_length(cost)) refuse(planner, style_key);
-  cost.initial_gear = options.cost.initial_gear;
-  options.cost = cost;
-  if (planner.properties.honours_steering) options.steering = steering;
+  const Style style = style_named(name);
+  if (style != Style::shortest && !honours(planner, style_key)) refuse(planner, style_key);
+  options.style = style;
+  options.cost = {.initial_gear = options.cost.initial_gear};
+  options.steering.reset();
 }
 
 /// What is said about a path when it is shown to the judge.
@@ -280,12 +289,6 @@ Planner planner_named(std::string_view name) {
                                   base::joined(planners(), &Planner::name));
 }
 
-PlanOptions usual_options(const Planner& planner) {
-  PlanOptions options;
-  set_style(options, planner, planner.name == default_planner().name ? "driver" : "shortest");
-  return options;
-}
-
 bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
   if (option == style_key) return planner.properties.honours_prices;
@@ -296,10 +299,7 @@ bool honours(const Planner& planner, std::string_view option) {
   if (option == "threads") return planner.properties.honours_threads;
   if (option == "target_gap") return planner.properties.honours_target_gap;
   if (option == steering_key) return planner.properties.honours_steering;
-  const bool is_price = option == "reverse_weight" || option == "gear_change_cost" ||
-                        option == "curvature_change_cost" || option == "clearance_weight" ||
-                        option == "clearance_distance" || option == "initial_gear";
-  return !is_price || planner.properties.honours_prices;
+  return !(is_price(option) || option == "initial_gear") || planner.properties.honours_prices;
 }
 
 bool asks_for_table(const Planner& planner, const PlanOptions& options) {
@@ -354,27 +354,19 @@ void set_honoured(PlanOptions& options, const Planner& planner, std::span<const 
   }
 }
 
-PlanOptions complete(const Planner& planner, const PlanOptions& options) {
+PlanOptions complete(const Planner& planner, const PlanOptions& options, const Vehicle& vehicle) {
   validate(options);
   refuse_ignored(planner, options);
   PlanOptions all = options;
-  if (!planner.properties.honours_prices) all.cost = shortest_style;
-  if (!planner.properties.honours_steering) all.steering = Steering::reeds_shepp;
   for (const OptionInfo& info : planner.options) {
     const OptionValue* const given = options.planner.find(info.name);
     all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
   }
-  settle_prices(all);
-  settle_steering(all);
+  settle_style(planner, vehicle, all);
   settle_table(planner, all);
   if (!all.budget.time_limit && !all.budget.max_iterations) {
     all.budget.time_limit = default_time_limit;
   }
-  return all;
-}
-
-PlanOptions complete(const Planner& planner, const PlanOptions& options, const Vehicle& vehicle) {
-  PlanOptions all = complete(planner, options);
   if (!vehicle.trailer) return all;
   if (!planner.properties.honours_trailers) {
     const std::vector<std::string> others =
@@ -410,6 +402,7 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
   std::optional<PlannerAnswer> answer = settled(task);
   if (!answer) answer = planner.function(task, all);
   PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());
+  result.rule = all.cost;
   if (result.status == PlanStatus::start_in_collision) {
     const RigState state{problem.start(), problem.hitch_angles().start};
     result.reason = reason_at(problem, state, all.clearance);

@@ -29,6 +29,7 @@ Planner anytime_planner() {
           .summary = "lattice searches and random trees, each path shortened: the one to use",
           .properties = {.family = "anytime",
                          .honours_prices = true,
+                         .style = Style::driver,
                          .honours_time = true,
                          .honours_threads = true,
                          .honours_target_gap = true,

@@ -106,6 +106,7 @@ Planner smoother(const Path& path, SmoothMethod method) {
           .summary = "keeps to the way of a path",
           .properties = {.family = "smooth",
                          .honours_prices = true,
+                         .style = Style::driver,
                          .honours_steering = true,
                          .anytime = method == SmoothMethod::optimised},
           .options = {},

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> gear_names = {"any", "forward", "reverse"};
 constexpr std::array<std::string_view, 2> measure_names = {"prices", "time"};
+constexpr std::array<std::string_view, 2> style_names = {"shortest", "driver"};
 constexpr std::array<std::string_view, 3> steering_names = {
     "reeds-shepp", "continuous-between-stops", "continuous"};
 
@@ -149,6 +150,18 @@ void require(bool condition, std::string_view name, const std::string& value,
   if (!condition) throw InputError(std::string(name), value + " is not " + rule);
 }
 
+struct Range {
+  double least;
+  double most;
+};
+
+void require_price(const std::optional<double>& price, std::string_view name, const Range& range,
+                   const std::string& unit) {
+  const auto& [least, most] = range;
+  require(!price || (*price >= least && *price <= most), name, text_of(price),
+          "a number from " + text_of(least) + " to " + text_of(most) + unit);
+}
+
 bool is_in_range(const OptionInfo& info, const OptionValue& value) {
   if (const auto* const word = std::get_if<std::string>(&value)) {
     return std::find(info.words.begin(), info.words.end(), *word) != info.words.end();
@@ -202,6 +215,19 @@ std::string OptionInfo::range() const {
   return text;
 }
 
+CostOptions filled(const CostOptions& cost, const CostOptions& others) {
+  CostOptions all = cost;
+  const auto fill = [&](auto price) {
+    if (!(all.*price)) all.*price = others.*price;
+  };
+  fill(&CostOptions::reverse_weight);
+  fill(&CostOptions::gear_change_cost);
+  fill(&CostOptions::curvature_change_cost);
+  fill(&CostOptions::clearance_weight);
+  fill(&CostOptions::clearance_distance);
+  return all;
+}
+
 bool is_length(const CostOptions& cost) {
   return cost.measure == CostMeasure::prices && cost.reverse_weight == 1.0 &&
          cost.gear_change_cost == 0.0 && cost.curvature_change_cost == 0.0 &&
@@ -219,10 +245,18 @@ Steering steering_named(std::string_view name) {
                                    "\" is not reeds-shepp, continuous-between-stops or continuous");
 }
 
+std::string_view name_of(Style style) noexcept {
+  return style_names[static_cast<std::size_t>(style)];
+}
+
 Style style_named(std::string_view name) {
-  if (name == "driver") return {driver_style, std::nullopt};
-  if (name == "shortest") return {shortest_style, Steering::reeds_shepp};
+  const auto* const found = std::find(style_names.begin(), style_names.end(), name);
+  if (found != style_names.end()) return static_cast<Style>(found - style_names.begin());
   throw InputError("style", "\"" + std::string(name) + "\" is not driver or shortest");
+}
+
+CostOptions prices_of(Style style, const Vehicle& /*vehicle*/) {
+  return style == Style::driver ? driver_style : shortest_style;
 }
 
 std::span<const CommonOption> common_options() noexcept { return options_of_all; }
@@ -264,21 +298,13 @@ void validate(const PlanOptions& options) {
           "a whole number from 1 to 256");
   require(!gap || (*gap >= 0.0 && *gap <= 1000.0), "target_gap", text_of(gap),
           "a number from 0 to 1000");
-  const double weight = options.cost.reverse_weight;
-  require(weight >= 1.0 && weight <= 1000.0, "reverse_weight", text_of(weight),
-          "a number from 1 to 1000");
-  const double change = options.cost.gear_change_cost;
-  require(change >= 0.0 && change <= 10000.0, "gear_change_cost", text_of(change),
-          "a number from 0 to 10000 [m]");
-  const double steering = options.cost.curvature_change_cost;
-  require(steering >= 0.0 && steering <= 10000.0, "curvature_change_cost", text_of(steering),
-          "a number from 0 to 10000 [m per 1/m]");
-  const double near = options.cost.clearance_weight;
-  require(near >= 0.0 && near <= 1000.0, "clearance_weight", text_of(near),
-          "a number from 0 to 1000");
-  const double distance = options.cost.clearance_distance;
-  require(distance >= 0.01 && distance <= 1000.0, "clearance_distance", text_of(distance),
-          "a number from 0.01 to 1000 [m]");
+  const CostOptions& cost = options.cost;
+  require_price(cost.reverse_weight, "reverse_weight", {1.0, 1000.0}, "");
+  require_price(cost.gear_change_cost, "gear_change_cost", {0.0, 10000.0}, " [m]");
+  require_price(cost.curvature_change_cost, "curvature_change_cost", {0.0, 10000.0},
+                " [m per 1/m]");
+  require_price(cost.clearance_weight, "clearance_weight", {0.0, 1000.0}, "");
+  require_price(cost.clearance_distance, "clearance_distance", {0.01, 1000.0}, " [m]");
   const auto& [margin, ramp] = options.clearance;
   require(margin >= 0.0 && margin <= 1000.0, "margin", text_of(margin),
           "a number from 0 to 1000 [m]");

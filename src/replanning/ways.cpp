@@ -88,7 +88,7 @@ std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, 
                      {std::clamp(curvature, -sharpest, sharpest), scene_.goal_curvature});
     if (t >= 0.0) problem = with_moving(std::move(problem), later(scene_.moving, t));
     const Planner& planner = default_planner();
-    const PlanOptions all = complete(planner, options);
+    const PlanOptions all = complete(planner, options, scene_.vehicle);
     const Task task = task_of(problem, all.clearance, *all.steering);
     if (!task.checker->is_free(task.start) || !task.checker->is_free(task.goal)) return {};
     const bool is_drive = whole_drive || !task.moving.empty();

@@ -190,12 +190,13 @@ double exact_nearness(const Looked& looked, const CostRule& rule, double whole) 
 }  // namespace
 
 CostRule cost_rule(const CostOptions& options) {
-  return {.reverse_weight = options.reverse_weight,
-          .gear_change_cost = options.gear_change_cost,
-          .initial_gear = direction_of(options.initial_gear),
-          .curvature_change_cost = options.curvature_change_cost,
-          .clearance_weight = options.clearance_weight,
-          .clearance_distance = options.clearance_distance};
+  const CostOptions all = filled(options, shortest_style);
+  return {.reverse_weight = *all.reverse_weight,
+          .gear_change_cost = *all.gear_change_cost,
+          .initial_gear = direction_of(all.initial_gear),
+          .curvature_change_cost = *all.curvature_change_cost,
+          .clearance_weight = *all.clearance_weight,
+          .clearance_distance = *all.clearance_distance};
 }
 
 CostRule reversed(const CostRule& rule, GearSign before) {

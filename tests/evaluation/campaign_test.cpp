@@ -150,7 +150,7 @@ TEST(Campaign, SteersAsItsSettingsSayAndOtherwiseInTheShortestStyle) {
   campaign.planners = {planner("plain"), planner_named("rrt-bsc-euc"), planner_named("anytime")};
   for (const RunSpec& run : runs_of(campaign)) {
     EXPECT_EQ(run.options->cost, shortest_style);
-    EXPECT_EQ(run.options->steering, style_named("shortest").steering);
+    EXPECT_EQ(run.options->steering, Steering::reeds_shepp);
   }
   campaign.settings = {{"steering", "continuous"}};
   for (const RunSpec& run : runs_of(campaign)) {

@@ -53,7 +53,7 @@ TEST(Report, RepeatsARunThatWasCutByTheClock) {
     std::string word, file, planner;
     words >> word >> word >> file >> word >> planner;
     EXPECT_EQ(file, report.files[run.scenario].file);
-    PlanOptions options = usual_options(planner_named(planner));
+    PlanOptions options;
     for (std::string flag, value; words >> flag >> value;) {
       const auto set = [&](const std::string& name, const std::string& text) {
         set_option(options, planner_named(planner), name, text);

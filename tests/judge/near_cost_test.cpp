@@ -19,7 +19,8 @@
 namespace vandplan {
 namespace {
 
-constexpr CostOptions rule{.reverse_weight = 3.0, .clearance_weight = 2.0};
+constexpr CostOptions rule{
+    .reverse_weight = 3.0, .clearance_weight = 2.0, .clearance_distance = 1.0};
 
 double judged(const std::vector<Polygon>& obstacles, const Path& path) {
   const Surroundings surroundings{.obstacles = obstacles};
@@ -41,13 +42,13 @@ double added_up(const std::vector<Polygon>& obstacles, const Path& path) {
     double near = 0.0;
     for (int i = 0; i < count; ++i) {
       const Segment driven = part_of(segment, 0.0, length * (i + 0.5) / count);
-      const double clearance = checker.clearance(advance(from, driven), rule.clearance_distance);
-      near += std::max(0.0, 1 - clearance / rule.clearance_distance) * length / count;
+      const double clearance = checker.clearance(advance(from, driven), *rule.clearance_distance);
+      near += std::max(0.0, 1 - clearance / *rule.clearance_distance) * length / count;
     }
-    sum += near * (segment.length < 0 ? rule.reverse_weight : 1.0);
+    sum += near * (segment.length < 0 ? *rule.reverse_weight : 1.0);
     from = advance(from, segment);
   }
-  return rule.clearance_weight * sum;
+  return *rule.clearance_weight * sum;
 }
 
 // Far from everything in its middle, near at both ends: the middle tells of no more than it sees.

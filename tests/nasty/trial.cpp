@@ -132,7 +132,7 @@ class Judgement {
   void expect_good(const Planner& planner, const PlanOptions& options, const PlanResult& result) {
     if (result.status == PlanStatus::rejected) fault(planner.name + " rejected: " + result.reason);
     if (options.clearance.margin == 0) {
-      if (is_length(options.cost)) bound_ = std::max(bound_, result.lower_bound);
+      if (is_length(result.rule)) bound_ = std::max(bound_, result.lower_bound);
       proves_none_ |= result.status == PlanStatus::no_path && planner.properties.family != "smooth";
     }
     if (!result.path) return;

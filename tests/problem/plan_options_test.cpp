@@ -260,48 +260,98 @@ TEST(SteeringOption, IsRefusedForAPlannerThatDoesNotHonourIt) {
 TEST(Styles, AreSetsOfPrices) {
   const Planner planner = planner_named("anytime");
   PlanOptions options;
-  EXPECT_EQ(options.cost, driver_style);
+  EXPECT_EQ(complete(planner, options).cost, driver_style);
   EXPECT_FALSE(is_length(driver_style));
   options.cost.initial_gear = InitialGear::reverse;
   set_option(options, planner, "style", "shortest");
-  EXPECT_TRUE(is_length(options.cost));
+  EXPECT_TRUE(is_length(complete(planner, options).cost));
   EXPECT_EQ(options.cost.initial_gear, InitialGear::reverse);
   EXPECT_EQ(message_of_setting("anytime", "style", "fast"),
             "style: \"fast\" is not driver or shortest");
+  for (const Style style : {Style::shortest, Style::driver}) {
+    EXPECT_EQ(style_named(name_of(style)), style);
+    EXPECT_EQ(prices_of(style, {}), style == Style::driver ? driver_style : shortest_style);
+  }
 }
 
 TEST(Styles, SayHowTheVehicleSteers) {
+  const Planner planner = planner_named("anytime");
   for (const char* const name : {"driver", "shortest"}) {
     PlanOptions options{.steering = Steering::continuous};
-    set_option(options, planner_named("anytime"), "style", name);
-    EXPECT_EQ(options.steering, style_named(name).steering) << name;
-    EXPECT_EQ(options.cost, style_named(name).cost);
-    set_honoured(options, planner_named("anytime"),
+    set_option(options, planner, "style", name);
+    EXPECT_EQ(complete(planner, options).steering, name == std::string("driver")
+                                                       ? Steering::continuous_between_stops
+                                                       : Steering::reeds_shepp);
+    set_option(options, planner, "reverse_weight", "3");  // says nothing about steering
+    EXPECT_EQ(complete(planner, options).steering, name == std::string("driver")
+                                                       ? Steering::continuous_between_stops
+                                                       : Steering::reeds_shepp);
+    set_honoured(options, planner,
                  std::vector<Setting>{{"steering", "continuous"}, {"style", name}});
-    EXPECT_EQ(options.steering, Steering::continuous);  // given beside it
+    EXPECT_EQ(complete(planner, options).steering, Steering::continuous);  // given beside it
   }
-  EXPECT_EQ(style_named("shortest").steering, Steering::reeds_shepp);
-  PlanOptions options;
-  set_option(options, {.name = "mine", .summary = ""}, "style", "shortest");
-  EXPECT_EQ(options.steering, std::nullopt);  // it steers as it does
 }
 
-TEST(Styles, AreWhatAPlannerBeginsWith) {
-  const PlanOptions driver = usual_options(planner_named("anytime"));
-  EXPECT_EQ((Style{driver.cost, driver.steering}), style_named("driver"));
-  const PlanOptions shortest = usual_options(planner_named("rrt-opt-rs"));
-  EXPECT_EQ((Style{shortest.cost, shortest.steering}), style_named("shortest"));
-  const PlanOptions not_default =
-      usual_options(planner_named("hybrid-a-star"));  // minds prices, too
-  EXPECT_EQ(not_default.cost, style_named("shortest").cost);
+// ---- what is not set ----
+
+TEST(UnsetOptions, ArePricesOfTheStyleThatThePlannerNames) {
+  for (const Planner& planner : planners()) {
+    const bool is_default = planner.name == default_planner().name;
+    EXPECT_EQ(complete(planner).cost, is_default ? driver_style : shortest_style) << planner.name;
+  }
+  Planner mine{.name = "mine", .summary = "", .properties = {.honours_prices = true}};
+  EXPECT_EQ(complete(mine).cost, shortest_style);
+  mine.properties.style = Style::driver;
+  EXPECT_EQ(complete(mine).cost, driver_style);
+  mine.properties.honours_prices = false;
+  EXPECT_EQ(complete(mine).cost, shortest_style);
+}
+
+TEST(UnsetOptions, AreFilledBesideThoseThatAreSet) {
+  const PlanOptions by_length{.cost = {.reverse_weight = 3.0}};
+  CostOptions expected = shortest_style;
+  expected.reverse_weight = 3.0;
+  EXPECT_EQ(complete(planner_named("hybrid-a-star"), by_length).cost, expected);
+  expected = driver_style;
+  expected.reverse_weight = 3.0;
+  EXPECT_EQ(complete(planner_named("anytime"), by_length).cost, expected);
+}
+
+// The default of a price is no value that may be set in vain.
+TEST(UnsetOptions, AreToldFromTheirDefaults) {
+  for (const double weight : {1.0, 2.0, 2.1}) {
+    const PlanOptions options{.cost = {.reverse_weight = weight}};
+    const std::string message =
+        message_of([&] { (void)complete(planner_named("rrt-star"), options); });
+    EXPECT_EQ(message.starts_with("reverse_weight: is no option of rrt-star"), weight != 1.0)
+        << weight;
+    PlanOptions in_time = options;
+    in_time.cost.measure = CostMeasure::time;
+    EXPECT_EQ(message_of([&] { (void)complete(planner_named("anytime"), in_time); }),
+              weight == 1.0 ? "" : "reverse_weight: is a price, and the cost is the time")
+        << weight;
+  }
+  const PlanOptions driver{.style = Style::driver};
+  EXPECT_NE(message_of([&] { (void)complete(planner_named("rrt-star"), driver); }), "");
+}
+
+TEST(UnsetOptions, AreCompletedOnce) {
+  for (const Planner& planner : planners()) {
+    PlanOptions options;
+    if (honours(planner, "style")) options.style = Style::driver;
+    const PlanOptions once = complete(planner, options);
+    EXPECT_EQ(complete(planner, once), once) << planner.name;
+    EXPECT_FALSE(once.style) << planner.name;
+  }
 }
 
 TEST(Styles, GiveWayToWhatIsSetBesideThem) {
   PlanOptions options;
-  set_honoured(options, planner_named("anytime"),
+  const Planner planner = planner_named("anytime");
+  set_honoured(options, planner,
                std::vector<Setting>{{"gear_change_cost", "7"}, {"style", "shortest"}});
-  EXPECT_EQ(options.cost.gear_change_cost, 7);
-  EXPECT_EQ(options.cost.reverse_weight, 1);
+  EXPECT_EQ(complete(planner, options).cost.gear_change_cost, 7);
+  EXPECT_EQ(complete(planner, options).cost.reverse_weight, 1);
 }
 
 TEST(Styles, OfThoseWhoKnowNoPricesAreTheShortest) {

@@ -42,7 +42,7 @@ std::vector<Setting> settings_from(const py::dict& given) {
 
 PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,
                         const RunKeywords& keywords, const Vehicle& vehicle) {
-  PlanOptions options = usual_options(planner);
+  PlanOptions options;
   set_honoured(options, planner, wanted);
   std::vector<Setting> typed = settings_from(keywords.options);
   std::ranges::stable_partition(  // what is given beside a style wins

@@ -42,7 +42,7 @@ val guarded(Work work) {
 
 /// Options of the planner from an object of numbers, words and flags; null is passed over.
 PlanOptions options_from(const Planner& planner, const val& given, const Vehicle& vehicle) {
-  PlanOptions options = usual_options(planner);
+  PlanOptions options;
   if (given.isUndefined() || given.isNull()) return complete(planner, options, vehicle);
   const val keys = val::global("Object").call<val>("keys", given);
   const auto count = keys["length"].as<std::size_t>();
