@@ -91,7 +91,7 @@ struct ReplanAnswer {
   /// Judged: the rest of the drive touches nothing and nobody, then or ever after, as far as is
   /// known of ground and movers.
   bool is_safe = false;
-  std::string reason = {};  ///< why it is not
+  std::string reason = {};  ///< why it is not safe, or does not reach the goal; else empty
 };
 
 /// Where the vehicle is, as measured.
@@ -109,7 +109,7 @@ struct Action {
   double a = 0.0;               ///< change of v [m/s^2]
 };
 
-/// What an answer asks for at a time [s].
+/// What an answer asks for at a time [s]. Throws InputError before the first tick.
 [[nodiscard]] Action action_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t);
 
 /// One vehicle on its way to one goal. Same calls, same answers, bit for bit. Not for several
@@ -132,12 +132,13 @@ class Replanner {
   /// Throws InputError naming what is wrong; the movers are as they were then.
   void set_moving(std::span<const MovingObstacle> moving);
 
-  /// Plans at time `t`, which is no less than before, for a vehicle that follows the last answer.
-  /// The answer holds until the next tick.
+  /// Plans at time `t` for a vehicle that follows the last answer. The answer holds until the next
+  /// tick. Throws InputError for a time before that of the last tick; the answer is as it was then.
   const ReplanAnswer& tick(double t);
 
   /// The same for a vehicle that may be somewhere else: beyond half a metre, half a metre per
-  /// second or 10 degrees from the last answer it plans from where it is.
+  /// second or 10 degrees from the last answer it plans from where it is. Throws InputError, too,
+  /// for a state that is no number or out of range; the answer is as it was then.
   const ReplanAnswer& tick(double t, const VehicleState& state);
 
   [[nodiscard]] const ReplanAnswer& answer() const noexcept;

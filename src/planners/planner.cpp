@@ -393,6 +393,13 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
 }
 
 PlanResult plan(const Problem& problem, const Planner& planner, const PlanOptions& options) {
+  if (problem.world() == nullptr) {
+    throw InputError("problem", "is empty, expected one that make_problem returned");
+  }
+  if (!planner.function) {
+    throw InputError("planner",
+                     "\"" + planner.name + "\" has no function, expected one that plans");
+  }
   if (!problem.task().moving.empty() && !planner.properties.honours_moving) {
     refuse_moving(planner);
   }

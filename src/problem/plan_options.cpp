@@ -162,6 +162,18 @@ void require_price(const std::optional<double>& price, std::string_view name, co
           "a number from " + text_of(least) + " to " + text_of(most) + unit);
 }
 
+/// The value of an own option that a planner reads. Throws InputError when it is not there, or of
+/// another type: the planner asks for what its registration does not name.
+template <typename Value>
+const Value& value_of(const PlannerSettings& settings, std::string_view name,
+                      const std::string& type) {
+  const OptionValue* const found = settings.find(name);
+  const Value* const value = found == nullptr ? nullptr : std::get_if<Value>(found);
+  if (value != nullptr) return *value;
+  throw InputError(std::string(name),
+                   "is not set to " + type + ", expected an option of the planner that is " + type);
+}
+
 bool is_in_range(const OptionInfo& info, const OptionValue& value) {
   if (const auto* const word = std::get_if<std::string>(&value)) {
     return std::find(info.words.begin(), info.words.end(), *word) != info.words.end();
@@ -187,18 +199,20 @@ const OptionValue* PlannerSettings::find(std::string_view name) const {
   return found == values_.end() ? nullptr : &found->second;
 }
 
-bool PlannerSettings::flag(std::string_view name) const { return std::get<bool>(*find(name)); }
+bool PlannerSettings::flag(std::string_view name) const {
+  return value_of<bool>(*this, name, "true or false");
+}
 
 std::int64_t PlannerSettings::integer(std::string_view name) const {
-  return std::get<std::int64_t>(*find(name));
+  return value_of<std::int64_t>(*this, name, "a whole number");
 }
 
 double PlannerSettings::number(std::string_view name) const {
-  return std::get<double>(*find(name));
+  return value_of<double>(*this, name, "a number");
 }
 
 const std::string& PlannerSettings::word(std::string_view name) const {
-  return std::get<std::string>(*find(name));
+  return value_of<std::string>(*this, name, "a word");
 }
 
 std::string OptionInfo::range() const {

@@ -33,6 +33,13 @@ struct VehicleChecker {
   CollisionChecker checker;
 };
 
+/// Throws for a problem that nobody made: it has no world.
+void expect_made(const Problem& problem) {
+  if (problem.world() == nullptr) {
+    throw InputError("problem", "is empty, expected one that make_problem returned");
+  }
+}
+
 }  // namespace
 
 World::World(const Surroundings& surroundings, const Point& near)
@@ -119,6 +126,7 @@ Problem make_problem(const Scenario& scenario) {
 Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle, const Pose& start,
                      const Pose& goal, const EndCurvatures& curvatures,
                      const EndHitchAngles& hitch_angles) {
+  if (world == nullptr) throw InputError("world", "is null, expected a world");
   check_poses(start, goal);
   problem::check_curvatures(curvatures, vehicle);
   problem::check_hitch_angles(hitch_angles, vehicle);
@@ -136,6 +144,7 @@ Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
 }
 
 Problem with_moving(Problem problem, std::span<const MovingObstacle> moving) {
+  expect_made(problem);
   problem.task_.moving = problem::local_moving(moving, problem.world()->origin());
   return problem;
 }
@@ -147,6 +156,7 @@ Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal) 
 }
 
 Task task_of(const Problem& problem, const ClearanceOptions& options, Steering steering) {
+  expect_made(problem);
   Task task = problem.task();
   task.steering = steering;
   const bool turns_wheels = task.curvatures.start != task.curvatures.goal;

@@ -32,6 +32,7 @@ constexpr std::int64_t urgent_share = 3;  // times the iterations of a tick, if 
 constexpr double calm_share = 0.3;        // of them, if there is none
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array looks = {Look::new_times, Look::from_stop, Look::without_stop, Look::around};
+constexpr double most_speed = 1000.0;                  // that a vehicle may be measured at [m/s]
 constexpr double off_place = 0.5;                      // of the drive: so far is too far [m]
 constexpr double off_speed = 0.5;                      // [m/s]
 constexpr double off_heading = std::numbers::pi / 18;  // [rad]
@@ -60,6 +61,16 @@ void check_vehicle_of(const Scenario& scenario) {
   if (scenario.vehicle.limits.max_jerk) {
     throw InputError("vehicle.max_jerk", "is not honoured while planning anew, expected none");
   }
+}
+
+void check_state(const VehicleState& state, const Pose& goal) {
+  try {
+    check_poses(state.pose, goal);
+  } catch (const InputError& error) {
+    throw InputError("state.pose", error.what());
+  }
+  require(std::abs(state.v) <= most_speed, "state.v", state.v, "-1000 to 1000 m/s");
+  require(std::isfinite(state.curvature), "state.curvature", state.curvature, "a number [1/m]");
 }
 
 /// What the judge has seen of a drive and found good; it holds for the rest of it.
@@ -113,6 +124,7 @@ std::string_view name_of(TickOutcome outcome) noexcept {
 }
 
 Action action_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
+  if (!answer.drive) throw InputError("answer", "holds no drive, expected that of a tick");
   const Motion motion =
       motion_at(answer.drive->path, vehicle, answer.drive->speeds, t - answer.begin);
   return {t, motion.steering_angle, motion.v, motion.a};
@@ -130,7 +142,7 @@ class Replanner::Impl {
     scene_.goal = task.goal;
     scene_.goal_curvature = task.curvatures.goal;
     moving_ = task.moving;
-    (void)complete(default_planner(), options_.plan);
+    (void)complete(default_planner(), options_.plan, task.vehicle);
   }
 
   void patch(const WorldPatch& patch) { ground_.patch(patch); }
@@ -143,6 +155,13 @@ class Replanner::Impl {
   }
 
   const ReplanAnswer& tick(double t, const VehicleState* state) {
+    require(std::isfinite(t), "t", t, "a time [s]");
+    if (t < last_t_) {
+      throw InputError("t", "is " + base::shortest_text(t) + " s, expected no less than " +
+                                base::shortest_text(last_t_) + " s, the time of the last tick");
+    }
+    if (state != nullptr) check_state(*state, problem_.goal());
+    last_t_ = t;
     ++ticks_;
     scene_.world = ground_.world();
     scene_.moving = later(moving_, t);
@@ -225,7 +244,17 @@ class Replanner::Impl {
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
          .start_speed = std::abs(now.v),
          .reaches_goal = way.reaches_goal,
-         .is_safe = true});
+         .is_safe = true,
+         .reason = way.reaches_goal ? "" : reason_of_no_way()});
+  }
+
+  /// Why the drive ends on the way.
+  [[nodiscard]] std::string reason_of_no_way() const {
+    const Problem problem = make_problem(scene_.world, scene_.vehicle, scene_.goal, scene_.goal);
+    const PathCheck check =
+        check_path(problem, {scene_.goal, {}}, {.clearance = options_.plan.clearance});
+    if (!check.valid) return "the goal cannot be reached: " + check.reason;
+    return "no drive to the goal was found";
   }
 
   void begin(double t) {
@@ -354,7 +383,7 @@ class Replanner::Impl {
   void keep() {
     answer_.outcome = out_.outcome = TickOutcome::kept;
     answer_.is_safe = out_.is_safe = true;
-    answer_.reason = out_.reason = "";
+    if (answer_.reaches_goal) answer_.reason = out_.reason = "";
   }
 
   void stop_or_brake(double t, const CutDrive& rest) {
@@ -394,6 +423,7 @@ class Replanner::Impl {
   ReplanAnswer out_;                    // in the frame of the scenario
   std::int64_t ground_version_ = 0;
   std::int64_t ticks_ = 0;
+  double last_t_ = -infinite;  // of the last tick [s]
   std::size_t next_look_ = 0;  // of those for a drive that is needed
   Judged judged_;              // of the answer, by the judge
   bool has_news_ = false;      // of ground or movers since the last tick

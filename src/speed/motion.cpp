@@ -5,15 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "base/trigonometry.h"
 #include "speed/driven.h"
 #include "speed/way.h"
+#include "vandplan/input_error.h"
 #include "vandplan/speed.h"
 
 namespace vandplan {
 namespace {
 
 using speed::Way;
+
+constexpr double most_samples = 1e7;  // of a drive
 
 /// The last stop that has begun at `t`; null if there is none.
 const Stop* stop_at(const SpeedProfile& profile, double t) {
@@ -75,6 +79,11 @@ Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& pro
           .a = place.direction * a + 0.0};
 }
 
+void check_profile(const SpeedProfile& profile) {
+  if (!profile.knots.empty()) return;
+  throw InputError("profile", "has no knots, expected the speeds along the path");
+}
+
 }  // namespace
 
 double speed::driven_at(const SpeedProfile& profile, double t) noexcept {
@@ -83,11 +92,19 @@ double speed::driven_at(const SpeedProfile& profile, double t) noexcept {
 }
 
 Motion motion_at(const Path& path, const Vehicle& vehicle, const SpeedProfile& profile, double t) {
+  check_profile(profile);
+  if (std::isnan(t)) throw InputError("t", "is no number, expected a time [s]");
   return motion_on(Way(path), vehicle, profile, t);
 }
 
 std::vector<Motion> sampled(const Path& path, const Vehicle& vehicle, const SpeedProfile& profile,
                             double step) {
+  check_profile(profile);
+  if (!(step >= profile.duration / most_samples && step > 0.0)) {
+    throw InputError("step",
+                     "is " + base::shortest_text(step) +
+                         " s, expected more than 0, and 10^7 of them for the drive at most");
+  }
   const Way way(path);
   // 1. The times: of start, goal and pauses, and a grid, but for what is next to those.
   std::vector<double> times = {0.0, profile.duration};
