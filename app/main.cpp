@@ -12,6 +12,7 @@
 
 #include "commands.h"
 #include "standard_streams.h"
+#include "usage.h"
 #include "vandplan/input_error.h"
 #include "version_text.h"
 #include "wording.h"
@@ -48,7 +49,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return complain(error.what(), exit_status::bad_input);
+    return complain(usage_problem(app, error, {argv + 1, argv + argc}), exit_status::bad_input);
   }
   if (!app.get_subcommands().empty()) return status;
   return complain("a command is missing, see vandplan --help", exit_status::bad_input);

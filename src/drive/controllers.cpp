@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/text.h"
+#include "base/nearest_word.h"
 #include "base/trigonometry.h"
 #include "drive/preview.h"
 #include "vandplan/input_error.h"
@@ -137,8 +137,9 @@ const Controller& controller_named(std::string_view name) {
   const auto found =
       std::ranges::find_if(all, [&](const Controller& each) { return each.info.name == name; });
   if (found != all.end()) return *found;
-  throw InputError("controller", "\"" + std::string(name) + "\" is unknown, expected " +
-                                     base::joined(controllers(), &ControllerInfo::name));
+  throw InputError("controller",
+                   "\"" + std::string(name) + "\" is unknown, " +
+                       base::expected_one_of(name, controllers(), &ControllerInfo::name));
 }
 
 double acceleration(const Sight& sight, double wanted_steering) noexcept {

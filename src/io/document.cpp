@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/text.h"
+#include "base/nearest_word.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {
@@ -139,9 +139,9 @@ void Document::allow_only(const Node& node, std::initializer_list<std::string_vi
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
     const std::string& key = node.keys[i].text;
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    throw InputError(in_file(where_, node.keys[i].line), prefix_for(node) + "unknown key " +
-                                                             quoted(key) + ", expected one of " +
-                                                             base::joined(keys));
+    throw InputError(
+        in_file(where_, node.keys[i].line),
+        prefix_for(node) + "unknown key " + quoted(key) + ", " + base::expected_one_of(key, keys));
   }
 }
 

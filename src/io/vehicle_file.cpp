@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/text.h"
+#include "base/nearest_word.h"
 #include "base/trigonometry.h"
 #include "embedded_vehicles.h"
 #include "io/polygons.h"
@@ -210,8 +210,8 @@ std::string yaml_of_trailer(const Vehicle& vehicle) {
 }
 
 std::string no_such_vehicle(std::string_view name) {
-  return fmt::format("is \"{}\", expected one of {}", name.substr(0, 40),
-                     base::joined(embedded_vehicles, &EmbeddedVehicle::name));
+  return fmt::format("is \"{}\", {}", name.substr(0, 40),
+                     base::expected_one_of(name, embedded_vehicles, &EmbeddedVehicle::name));
 }
 
 }  // namespace

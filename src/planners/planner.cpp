@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "base/text.h"
+#include "base/nearest_word.h"
 #include "planners/pricing.h"
 #include "planners/registered.h"
 #include "planners/shared_options.h"
@@ -41,23 +41,33 @@ bool is_price(std::string_view option) {
          option == "clearance_distance";
 }
 
-/// The names of the planners that do, whatever `does` asks them.
+/// The names of the planners for which `does` is true, with commas between them. A family that is
+/// large and has no other planners stands there once: "rrt-... (28)".
 template <typename Predicate>
-std::vector<std::string> planners_that(const Predicate& does) {
+std::string planners_that(const Predicate& does) {
+  constexpr std::ptrdiff_t many = 4;
   std::vector<std::string> names;
   for (const Planner& planner : planners()) {
-    if (does(planner)) names.push_back(planner.name);
+    if (!does(planner)) continue;
+    const std::string& family = planner.properties.family;
+    const auto is_of_family = [&](const Planner& p) { return p.properties.family == family; };
+    const std::ptrdiff_t members = std::ranges::count_if(planners(), is_of_family);
+    const bool is_whole = std::ranges::all_of(
+        planners(), [&](const Planner& p) { return !is_of_family(p) || does(p); });
+    std::string name = planner.name;
+    if (members >= many && is_whole) name = family + "-... (" + std::to_string(members) + ")";
+    if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
   }
-  return names;
+  return base::joined(names);
 }
 
 [[noreturn]] void refuse(const Planner& planner, std::string_view option) {
-  const std::vector<std::string> others =
+  const std::string others =
       planners_that([&](const Planner& other) { return honours(other, option); });
   if (!others.empty()) {
     throw InputError(std::string(option),
                      "is no option of " + planner.name +
-                         ", expected one of the planners that honour it: " + base::joined(others));
+                         ", expected one of the planners that honour it: " + others);
   }
   std::vector<std::string> names;
   if (honours(planner, style_key)) names.emplace_back(style_key);
@@ -65,15 +75,14 @@ std::vector<std::string> planners_that(const Predicate& does) {
     if (honours(planner, common.name)) names.emplace_back(common.name);
   }
   for (const OptionInfo& info : planner.options) names.push_back(info.name);
-  throw InputError(std::string(option), "unknown option, expected one of " + base::joined(names));
+  throw InputError(std::string(option), "unknown option, " + base::expected_one_of(option, names));
 }
 
 [[noreturn]] void refuse_moving(const Planner& planner) {
-  const std::vector<std::string> others =
+  const std::string others =
       planners_that([](const Planner& other) { return other.properties.honours_moving; });
-  throw InputError("moving",
-                   "is not honoured by " + planner.name +
-                       ", expected one of the planners that honour it: " + base::joined(others));
+  throw InputError("moving", "is not honoured by " + planner.name +
+                                 ", expected one of the planners that honour it: " + others);
 }
 
 /// Throws for what is set though the planner takes no notice of it. That it plans by length, or
@@ -285,8 +294,14 @@ Planner planner_named(std::string_view name) {
                                       base::joined(search::goal_estimate_names()));
     }
   }
-  throw InputError("planner", "\"" + std::string(name) + "\" is unknown, expected one of " +
-                                  base::joined(planners(), &Planner::name));
+  std::vector<std::string_view> names;
+  for (const Planner& planner : planners()) names.emplace_back(planner.name);
+  const std::string_view meant = base::nearest_word(name, names);
+  throw InputError(
+      "planner",
+      "\"" + std::string(name) + "\" is unknown, " +
+          (meant.empty() ? "expected" : "did you mean " + std::string(meant) + "? Expected") +
+          " one of " + planners_that([](const Planner&) { return true; }));
 }
 
 bool honours(const Planner& planner, std::string_view option) {
@@ -369,24 +384,24 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
   }
   if (!vehicle.trailer) return all;
   if (!planner.properties.honours_trailers) {
-    const std::vector<std::string> others =
+    const std::string others =
         planners_that([](const Planner& other) { return other.properties.honours_trailers; });
     throw InputError("planner", planner.name +
                                     " plans for a vehicle without a trailer, expected one of those "
                                     "that know trailers: " +
-                                    base::joined(others));
+                                    others);
   }
   const bool is_time = options.cost.measure == CostMeasure::time;
   const Steering usual = is_time ? *all.steering : Steering::reeds_shepp;
   const Steering steering = options.steering.value_or(usual);
   if (steering != Steering::reeds_shepp && !planner.properties.honours_steering_of_rigs) {
-    const std::vector<std::string> others = planners_that(
+    const std::string others = planners_that(
         [](const Planner& other) { return other.properties.honours_steering_of_rigs; });
     throw InputError(std::string(steering_key),
                      "is " + std::string(name_of(steering)) +
                          ", expected reeds-shepp for a vehicle with a trailer, or a planner that "
                          "steers it so: " +
-                         base::joined(others));
+                         others);
   }
   all.steering = steering;
   return all;

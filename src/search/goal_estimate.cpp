@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "base/text.h"
+#include "base/nearest_word.h"
 #include "search/goal_field.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/heuristic_table.h"
@@ -100,8 +100,8 @@ GoalEstimate make_goal_estimate(std::string_view name, const Task& task,
                                 const HeuristicTable* table) {
   const auto found = std::ranges::find(known, name, &Known::name);
   if (found == known.end()) {
-    throw InputError("estimate", "\"" + std::string(name) + "\" is unknown, expected one of " +
-                                     base::joined(names));
+    throw InputError("estimate", "\"" + std::string(name) + "\" is unknown, " +
+                                     base::expected_one_of(name, names));
   }
   GoalEstimate estimate = found->make(task, table);
   estimate.name = name;

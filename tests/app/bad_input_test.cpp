@@ -258,7 +258,18 @@ TEST_F(BadInput, NoCommand) {
 }
 
 TEST_F(BadInput, UnknownCommand) {
-  EXPECT_EQ(complaint({"fly"}), "The following argument was not expected: fly");
+  EXPECT_EQ(complaint({"fly"}),
+            "\"fly\" is no command, expected one of plan, check, draw, speed, drive, smooth, "
+            "evaluate, table, study, convert, planners");
+  EXPECT_EQ(complaint({"paln"}).substr(0, 46), "\"paln\" is no command, did you mean plan? Expec");
+  EXPECT_EQ(
+      complaint({"table", "bild"}),
+      "\"bild\" is no command, did you mean build? Expected one of build, info, check, export");
+}
+
+TEST_F(BadInput, OneArgumentTooMany) {
+  EXPECT_EQ(complaint_of_plan({"other.yaml"}),
+            "\"other.yaml\" is one argument too many, see vandplan plan --help");
 }
 
 TEST_F(BadInput, MissingScenario) { EXPECT_EQ(complaint({"plan"}), "SCENARIO is required"); }
@@ -266,10 +277,37 @@ TEST_F(BadInput, MissingScenario) { EXPECT_EQ(complaint({"plan"}), "SCENARIO is 
 TEST_F(BadInput, UnknownPlanner) {
   EXPECT_EQ(complaint_of_plan({"--planner", "best"}).substr(0, 44),
             "planner: \"best\" is unknown, expected one of ");
+  EXPECT_EQ(complaint_of_plan({"--planner", "swift"}),
+            "planner: \"swift\" is unknown, expected one of anytime, rrt-... (28), "
+            "hybrid-a-star, lattice-a-star, lattice-ara-star, ltba-star, field-d-star, prm, hrrt, "
+            "ikrrt, bkrrt, rrt-connect, rrt-star");
+  EXPECT_NE(complaint_of_plan({"--planner", "anytme"}).find("did you mean anytime? Expected one"),
+            std::string::npos);
 }
 
 TEST_F(BadInput, UnknownOption) {
-  EXPECT_EQ(complaint_of_plan({"--sed=1"}), "The following argument was not expected: --sed=1");
+  EXPECT_EQ(complaint_of_plan({"--sed=1"}),
+            "--sed: unknown option, did you mean --seed? See vandplan plan --help");
+  EXPECT_EQ(complaint_of_plan({"-o", "r.json"}),
+            "-o: unknown option, did you mean --output? See vandplan plan --help");
+  EXPECT_EQ(complaint_of_plan({"--nothing"}),
+            "--nothing: unknown option, see vandplan plan --help");
+}
+
+TEST_F(BadInput, KeyOfSetAsAnOption) {
+  EXPECT_EQ(complaint_of_plan({"--margin", "0.3"}),
+            "--margin: unknown option, expected --set margin=0.3");
+  EXPECT_EQ(complaint_of_plan({"--gear-change-cost=3"}),
+            "--gear-change-cost: unknown option, expected --set gear_change_cost=3");
+  EXPECT_EQ(complaint_of_plan({"--gear_change_prise", "3"}),
+            "--gear_change_prise: unknown option, did you mean --set gear_change_cost=3? See "
+            "vandplan plan --help");
+}
+
+TEST_F(BadInput, OptionGivenTwiceOrWithoutItsValue) {
+  EXPECT_EQ(complaint_of_plan({"--time", "1", "--time", "2"}),
+            "--time: is given more than once, expected one value");
+  EXPECT_EQ(complaint_of_plan({"--time"}), "--time: is given without a value, expected one");
 }
 
 TEST_F(BadInput, NumberThatIsNone) {
@@ -296,6 +334,8 @@ TEST_F(BadInput, NumberOutOfRange) {
 TEST_F(BadInput, UnknownKeyOfSet) {
   EXPECT_EQ(complaint_of_plan({"--set", "planner=best"}).substr(0, 50),
             "planner: unknown option, expected one of style, se");
+  EXPECT_EQ(complaint_of_plan({"--set", "gear_change_price=3"}).substr(0, 78),
+            "gear_change_price: unknown option, did you mean gear_change_cost? Expected one");
   EXPECT_EQ(complaint_of_plan({"--set", "seed"}), "--set: \"seed\" is not KEY=VALUE");
 }
 

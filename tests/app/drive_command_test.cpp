@@ -191,7 +191,7 @@ TEST_F(DriveCommand, SaysWhatItCannotDo) {
   EXPECT_EQ(complaint({"--controller", "stanley"}),
             "vandplan: --controller: stanley drives forward only, the path has 5 m in reverse\n");
   EXPECT_EQ(complaint({"--controller", "hope"}),
-            "vandplan: --controller: \"hope\" is unknown, expected rear-axle-feedback, lqr, "
+            "vandplan: --controller: \"hope\" is unknown, expected one of rear-axle-feedback, lqr, "
             "pure-pursuit, stanley\n");
   EXPECT_EQ(complaint({"--noise", "11"}), "vandplan: --noise: is 11, expected 0 to 10\n");
   EXPECT_EQ(complaint({"--delay", "-1"}), "vandplan: --delay: is -1, expected 0 to 1 s\n");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "base/nearest_word.h"
 
 namespace vandplan {
 namespace {
@@ -21,6 +22,22 @@ TEST(Text, NumbersAreAsShortAsReadsBackInTheirType) {
   EXPECT_EQ(base::shortest_text(-1e300), "-1e+300");
   EXPECT_EQ(base::shortest_text(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
   EXPECT_EQ(base::shortest_text(-2.2250738585072014e-308), "-2.2250738585072014e-308");
+}
+
+TEST(Text, AnUnknownWordNamesTheNearestOne) {
+  const std::vector<std::string_view> known = {"margin", "margin_ramp", "gear_change_cost", "x"};
+  EXPECT_EQ(base::nearest_word("marign", known), "margin");
+  EXPECT_EQ(base::nearest_word("MARGIN", known), "margin");
+  EXPECT_EQ(base::nearest_word("gear-change-price", known), "gear_change_cost");
+  EXPECT_EQ(base::nearest_word("margin_ram", known), "margin_ramp");
+  EXPECT_EQ(base::nearest_word("y", known), "");
+  EXPECT_EQ(base::nearest_word("", known), "");
+  EXPECT_EQ(base::nearest_word("something else", known), "");
+  EXPECT_EQ(base::nearest_word(std::string(100'000, 'm'), known), "");
+  EXPECT_EQ(base::expected_one_of("mergin", known),
+            "did you mean margin? Expected one of margin, margin_ramp, gear_change_cost, x");
+  EXPECT_EQ(base::expected_one_of("z", known),
+            "expected one of margin, margin_ramp, gear_change_cost, x");
 }
 
 TEST(Text, NamesHaveCommasBetweenThem) {

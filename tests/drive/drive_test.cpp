@@ -370,9 +370,10 @@ TEST(Drive, SaysWhatItCannotDo) {
   const Path line{{0, 0, 0}, {{0, 2}, {0, -1.25}}};
   EXPECT_EQ(complaint(line, {.controller = "stanley"}),
             "controller: stanley drives forward only, the path has 1.25 m in reverse");
-  EXPECT_EQ(complaint(line, {.controller = "hope"}),
-            "controller: \"hope\" is unknown, expected rear-axle-feedback, lqr, pure-pursuit, "
-            "stanley");
+  EXPECT_EQ(
+      complaint(line, {.controller = "hope"}),
+      "controller: \"hope\" is unknown, expected one of rear-axle-feedback, lqr, pure-pursuit, "
+      "stanley");
   EXPECT_EQ(complaint(line, {.noise = -1}), "noise: is -1, expected 0 to 10");
   EXPECT_EQ(complaint(line, {.noise = std::nan("")}), "noise: is nan, expected 0 to 10");
   EXPECT_EQ(complaint(line, {.spare_steering = -1}), "spare_steering: is -1, expected 0 to 0.5");

@@ -209,7 +209,8 @@ TEST(ScenarioFile, WhatMovesIsReadAndWritten) {
             "s.yaml:18: moving[1].trajectory[1]: has the time -2, expected more than that of the "
             "row before, -1.5");
   EXPECT_EQ(message_for(exchanged(text, "inflate", "inflated")),
-            "s.yaml:20: moving[1]: unknown key \"inflated\", expected one of outline, trajectory, "
+            "s.yaml:20: moving[1]: unknown key \"inflated\", did you mean inflate? Expected one of "
+            "outline, trajectory, "
             "after, inflate");
 }
 
@@ -223,7 +224,8 @@ TEST(ScenarioFile, AVehicleMayBeNamed) {
   EXPECT_TRUE(same_lengths(scenario.vehicle, {7.6, 2.1, 2.4, 2.6, 8.66}));
   EXPECT_EQ(scenario.vehicle.limits.max_steering_rate, 0.71);
   EXPECT_EQ(message_for(with_vehicle("city-buss")),
-            "s.yaml:3: vehicle: is \"city-buss\", expected one of car-caravan, city-bus, coach, "
+            "s.yaml:3: vehicle: is \"city-buss\", did you mean city-bus? Expected one of "
+            "car-caravan, city-bus, coach, "
             "three-axle-truck, tpcap-car, tractor-semitrailer, truck-drawbar-trailer, "
             "two-axle-truck, van, or a map of lengths");
 }
@@ -333,7 +335,8 @@ std::vector<BadFile> bad_files() {
        "s.yaml:1: lists and maps are nested too deep, expected at most 64 levels"},
       // Keys
       spoilt("width:", "widht:",
-             "3: vehicle: unknown key \"widht\", expected one of wheelbase, front_overhang, "
+             "3: vehicle: unknown key \"widht\", did you mean width? Expected one of wheelbase, "
+             "front_overhang, "
              "rear_overhang, width, min_turning_radius, max_steering_angle, track_width, "
              "max_steering_rate, max_curvature_rate, max_speed, max_acceleration, max_braking, "
              "max_lateral_acceleration, max_jerk, hitch, max_hitch_angle, trailers, outline"),
@@ -346,7 +349,8 @@ std::vector<BadFile> bad_files() {
       spoilt("goal:\n  x: +20\n  y: 5.25   # metres\n  heading: .5\n", "",
              "1: key \"goal\" is missing, expected either goal or goals"),
       spoilt("goal:", "gaol:",
-             "6: unknown key \"gaol\", expected one of name, description, vehicle, bounds, start, "
+             "6: unknown key \"gaol\", did you mean goal? Expected one of name, description, "
+             "vehicle, bounds, start, "
              "goal, goals, obstacles, kerbs, map, unknown, moving, options"),
       spoilt("heading: .5", "y: 6",
              "9: key \"y\" is given again, expected it once (first on line 8)"),
@@ -410,7 +414,8 @@ std::vector<BadFile> bad_files() {
       spoilt("bounds:", "options: {margin: [1]}\nbounds:",
              "4: options.margin: is a list, expected a text"),
       spoilt("bounds:", "options: {margn: 1}\nbounds:",
-             "4: options.margn: unknown option, expected one of style, seed, time_limit, "
+             "4: options.margn: unknown option, did you mean margin? Expected one of style, seed, "
+             "time_limit, "
              "max_iterations, threads, target_gap, reverse_weight, gear_change_cost, "
              "curvature_change_cost, clearance_weight, clearance_distance, initial_gear, cost, "
              "margin, "

@@ -88,7 +88,8 @@ TEST(VehicleFile, WhatALimitMayNotBeIsSaid) {
   EXPECT_EQ(message_for("{" + truck + ", max_speed: 3}"),
             "s.yaml:2: vehicle.max_speed: is \"3\", expected a map of keys");
   EXPECT_EQ(message_for("{" + truck + ", max_speed: {forwards: 3}}"),
-            "s.yaml:2: vehicle.max_speed: unknown key \"forwards\", expected one of forward, "
+            "s.yaml:2: vehicle.max_speed: unknown key \"forwards\", did you mean forward? Expected "
+            "one of forward, "
             "reverse");
   EXPECT_EQ(message_for("{" + truck + ", max_acceleration: none}"),
             "s.yaml:2: vehicle.max_acceleration: is \"none\", expected a number");

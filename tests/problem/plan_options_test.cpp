@@ -154,7 +154,8 @@ TEST(PlannerOptions, ARunWithoutALimitTakesTheDefaultTime) {
 
 TEST(PlannerOptions, AnUnknownNameListsTheKnownOnes) {
   const std::string expected =
-      "gaol_bias: unknown option, expected one of seed, time_limit, max_iterations, margin, "
+      "gaol_bias: unknown option, did you mean goal_bias? Expected one of seed, time_limit, "
+      "max_iterations, margin, "
       "margin_ramp, steering, region, goal_bias, max_nodes, max_parents, try_goal, keep_tree, "
       "profile";
   EXPECT_EQ(message_of_setting("rrt-bsc-euc", "gaol_bias", "0.1"), expected);
@@ -162,12 +163,9 @@ TEST(PlannerOptions, AnUnknownNameListsTheKnownOnes) {
 }
 
 TEST(PlannerOptions, AnIgnoredOneNamesThePlannersThatHonourIt) {
-  std::string trees;
-  for (const Planner& planner : planners()) {
-    if (planner.properties.family == "rrt") trees += (trees.empty() ? "" : ", ") + planner.name;
-  }
   const std::string expected =
-      "max_parents: is no option of anytime, expected one of the planners that honour it: " + trees;
+      "max_parents: is no option of anytime, expected one of the planners that honour it: rrt-... "
+      "(28)";
   EXPECT_EQ(message_of_setting("anytime", "max_parents", "10"), expected);
   EXPECT_EQ(message_of_completing("anytime", with("max_parents", whole(10))), expected);
 }

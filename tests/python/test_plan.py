@@ -68,7 +68,7 @@ def test_options_of_the_scenario_hold_unless_others_are_given():
     ("planner", "options", "message"),
     [
         ("anytime", {"margin": -1}, "margin: -1 is not a number from 0 to 1000"),
-        ("anytime", {"marign": 1}, "marign: unknown option, expected one of"),
+        ("anytime", {"marign": 1}, "marign: unknown option, did you mean margin"),
         ("rrt-opt-euc", {"reverse_weight": 3}, "reverse_weight: is no option of rrt-opt-euc"),
         ("anytime", {"time": -1}, "time_limit"),
         ("anytime", {"max_iterations": -1}, "max_iterations"),
