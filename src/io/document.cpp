@@ -38,6 +38,17 @@ std::string description_of(const Node& node) {
   return quoted(node.text);
 }
 
+bool is_digits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// ", with a point instead of the comma" behind what is expected instead of "0,5"; else empty.
+std::string comma_hint(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos || !is_digits(text.substr(comma + 1))) return "";
+  return ", with a point instead of the comma";
+}
+
 std::string wrong_kind(const Node& node, std::string_view expected) {
   return "is " + description_of(node) + ", expected " + std::string(expected);
 }
@@ -139,6 +150,11 @@ void Document::allow_only(const Node& node, std::initializer_list<std::string_vi
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
     const std::string& key = node.keys[i].text;
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    if (is_digits(key) && node.items[i].kind == Node::Kind::nothing) {
+      throw InputError(in_file(where_, node.keys[i].line),
+                       prefix_for(node) + "has the digits " + quoted(key) +
+                           " behind a comma, expected a number with a point");
+    }
     throw InputError(
         in_file(where_, node.keys[i].line),
         prefix_for(node) + "unknown key " + quoted(key) + ", " + base::expected_one_of(key, keys));
@@ -161,7 +177,7 @@ double Document::number(const Node& node) const {
   if (error == std::errc::result_out_of_range) {
     fail(node, wrong_kind(node, "a number that fits a double"));
   }
-  fail(node, wrong_kind(node, "a number"));
+  fail(node, wrong_kind(node, "a number" + comma_hint(text)));
 }
 
 std::int64_t Document::integer(const Node& node) const {

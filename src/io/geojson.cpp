@@ -103,6 +103,7 @@ struct Draft {
   std::map<std::string, int> left_out = {};
   int filled_holes = 0;
   std::vector<std::string> notes = {};
+  std::vector<std::string> warnings = {};
 };
 
 std::vector<Point> line_from(const Draft& draft, const Node& node) {
@@ -134,6 +135,35 @@ void add(Shapes& shapes, const Node& source, std::vector<Polygon> polygons) {
   }
 }
 
+/// Adds a warning if start or goal lies in an area that becomes an obstacle.
+void warn_of_ends_within(Draft& draft, const Node& source, const Polygon& ring) {
+  const bool has_start = lies_within(ring, {draft.start.x, draft.start.y});
+  const bool has_goal = lies_within(ring, {draft.goal.x, draft.goal.y});
+  if (!has_start && !has_goal) return;
+  const char* const ends = !has_goal ? "the start" : !has_start ? "the goal" : "start and goal";
+  draft.warnings.push_back(
+      fmt::format("{}: is an obstacle with {} in it; a boundary is a LineString along its ring, or "
+                  "has kind \"bounds\"",
+                  draft.file.place_of(source), ends));
+}
+
+/// Adds a warning if the bounds were drawn as something else than a box along the axes.
+void warn_of_box(Draft& draft) {
+  if (draft.bounds == nullptr) return;
+  const Bounds box = bounding_box(draft.bounds_corners);
+  const double slack = 0.01 * std::max(box.x_max - box.x_min, box.y_max - box.y_min);
+  const auto is_at_corner = [&](const Point& p) {
+    return std::min(p.x - box.x_min, box.x_max - p.x) <= slack &&
+           std::min(p.y - box.y_min, box.y_max - p.y) <= slack;
+  };
+  if (draft.bounds_corners.size() >= 4 && std::ranges::all_of(draft.bounds_corners, is_at_corner)) {
+    return;
+  }
+  draft.warnings.push_back(draft.file.place_of(*draft.bounds) +
+                           ": the bounds become the box around them; a LineString along the ring "
+                           "keeps the vehicle inside of it");
+}
+
 /// An area with holes. One that start and goal are not in is closed ground, and filled. Else the
 /// rings become walls, which nothing passes.
 void add_area(Draft& draft, Shapes& shapes, const Node& source, const Node& node) {
@@ -147,6 +177,7 @@ void add_area(Draft& draft, Shapes& shapes, const Node& source, const Node& node
            lies_within(hole, {draft.goal.x, draft.goal.y});
   });
   if (!keeps_holes) {
+    warn_of_ends_within(draft, source, rings.front());
     draft.filled_holes += static_cast<int>(rings.size()) - 1;
     return add(shapes, source, {std::move(rings.front())});
   }
@@ -343,7 +374,9 @@ GeoJsonScenario read_geojson(const GeoJsonSite& site) {
   } catch (const InputError& error) {
     blame(draft, start.node, goal.node, error);
   }
+  warn_of_box(draft);
   tell(draft, result);
+  result.warnings = draft.warnings;
   warn_of_degrees(file, features, result.warnings);
   return result;
 }

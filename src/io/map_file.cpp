@@ -16,6 +16,7 @@
 
 #include "io/document.h"
 #include "io/image_file.h"
+#include "io/map_file.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
@@ -103,6 +104,7 @@ struct Cells {
   std::int32_t rows = 0;
   std::vector<Cell> cells;
   std::size_t missing = 0;               // the first so many are not there yet
+  bool has_grey = false;                 // the one that map_saver writes for unknown ground
   std::vector<Cell> cell_of_brightness;  // few brightnesses, many pixels
 
   void take(const Rule& rule, const io::ImageShape& shape,
@@ -117,6 +119,7 @@ struct Cells {
       cells.resize(missing);
     }
     missing -= brightness.size();
+    if (shape.white == 255 && !has_grey) has_grey = std::ranges::count(brightness, 205U) > 0;
     std::ranges::transform(
         brightness, cells.begin() + static_cast<std::ptrdiff_t>(missing), [&](std::uint32_t pixel) {
           return pixel == io::transparent_pixel ? Cell::unknown : cell_of_brightness[pixel];
@@ -173,6 +176,11 @@ bool is_map(const std::string& name) {
 }
 
 OccupancyGrid read_map(const std::string& name) {
+  std::vector<std::string> warnings;
+  return io::map_from(name, warnings);
+}
+
+OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& warnings) {
   const Document file = parse_yaml(read_file(name, largest_text), name);
   const Node& root = file.root();
   if (file.find(root, "image") == nullptr) {
@@ -186,7 +194,14 @@ OccupancyGrid read_map(const std::string& name) {
     file.fail(origin, fmt::format("has {} elements, expected [x, y, yaw]", place.size()));
   }
   grid.origin = {file.number(place[0]), file.number(place[1]), file.number(place[2])};
-  Cells cells = cells_from(file, name, rule_from(file));
+  const Rule rule = rule_from(file);
+  Cells cells = cells_from(file, name, rule);
+  if (cells.has_grey && rule.mode != Mode::raw && cell_of(rule, 205, 255) == Cell::free) {
+    const Node& free_thresh = file.at(root, "free_thresh");
+    warnings.push_back(file.place_of(free_thresh) +
+                       ": frees pixels of 205, which map_saver writes for unknown ground; 0.196 "
+                       "keeps them unknown");
+  }
   grid.columns = cells.columns;
   grid.rows = cells.rows;
   grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells.cells));

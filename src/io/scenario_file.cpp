@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/document.h"
+#include "io/map_file.h"
 #include "io/moving_file.h"
 #include "io/polygons.h"
 #include "io/vehicle_file.h"
@@ -157,26 +158,38 @@ std::vector<Setting> settings_from(const Document& file, const Node& node) {
 using Map = std::optional<OccupancyGrid>;
 
 /// The map that a scenario names, relative to itself.
-OccupancyGrid map_from(const Document& file, const Node& node, const std::string& where) {
+OccupancyGrid map_of(const Document& file, const Node& node, const std::string& where,
+                     std::vector<std::string>& warnings) {
   const auto path = std::filesystem::path(where).parent_path() / file.text(node);
   try {
-    return read_map(path.string());
+    return io::map_from(path.string(), warnings);
   } catch (const InputError& error) {
     if (error.where() != path.string()) throw;  // in the map and not the file as such
     file.fail(node, error.what());
   }
 }
 
+/// Whether the vehicle may be anywhere on the map.
+bool has_free_cell(const OccupancyGrid& map) {
+  return map.unknown_is_free || std::ranges::find(*map.cells, Cell::free) != map.cells->end();
+}
+
 /// Map, bounds, obstacles and kerbs; with a map the others may be left out.
 void read_ground(const Document& file, const std::string& where, const Map& known,
-                 Scenario& scenario) {
+                 ScenarioFile& result) {
+  Scenario& scenario = result.scenario;
   const Node& root = file.root();
   const Node* const map = file.find(root, "map");
   const Node* const unknown = file.find(root, "unknown");
   if (map != nullptr) {
     scenario.map_file = file.text(*map);
-    scenario.map = known ? *known : map_from(file, *map, where);
+    scenario.map = known ? *known : map_of(file, *map, where, result.warnings);
     scenario.map->unknown_is_free = unknown != nullptr && unknown_from(file, *unknown);
+    if (!has_free_cell(*scenario.map)) {
+      result.warnings.push_back(file.place_of(*map) +
+                                ": has no free cell; look at mode, negate, free_thresh and "
+                                "occupied_thresh of the map");
+    }
   } else if (unknown != nullptr) {
     file.fail(*unknown, "is given without a map, expected map beside it");
   }
@@ -215,7 +228,7 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   if (const Node* const description = file.find(root, "description")) {
     scenario.description = file.text(*description);
   }
-  scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"));
+  scenario.vehicle = vehicle_from(file, file.at(root, "vehicle"), where);
   const End start = end_from(file, file.at(root, "start"), scenario.vehicle);
   End end;
   if (goals != nullptr) {
@@ -229,7 +242,7 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   scenario.goal = end.pose;
   scenario.curvatures = {start.curvature, end.curvature};
   scenario.hitch_angles = {start.hitch_angle, end.hitch_angle};
-  read_ground(file, where, map, scenario);
+  read_ground(file, where, map, result);
   if (const Node* const moving = file.find(root, "moving")) {
     scenario.moving = moving_from(file, *moving);
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -216,15 +217,20 @@ std::string no_such_vehicle(std::string_view name) {
 
 }  // namespace
 
-Vehicle vehicle_from(const Document& file, const Node& node) {
+Vehicle vehicle_from(const Document& file, const Node& node, const std::string& where) {
   if (node.kind != Node::Kind::scalar) {
     Vehicle vehicle = lengths_from(file, node);
     vehicle.limits = usual_limits(vehicle);
     read_limits(file, node, vehicle.limits);
     return vehicle;
   }
+  if (node.text.ends_with(".yaml") || node.text.ends_with(".yml")) {
+    return read_vehicle((std::filesystem::path(where).parent_path() / node.text).string());
+  }
   const EmbeddedVehicle* const found = find_vehicle(node.text);
-  if (found == nullptr) file.fail(node, no_such_vehicle(node.text) + ", or a map of lengths");
+  if (found == nullptr) {
+    file.fail(node, no_such_vehicle(node.text) + ", a map of lengths, or a file (.yaml)");
+  }
   return read(*found);
 }
 
@@ -255,7 +261,7 @@ Vehicle read_vehicle(const std::string& name) {
   if (file.root().kind != io::Node::Kind::map) {
     file.fail(file.root(), "is no vehicle, expected a map of lengths");
   }
-  Vehicle vehicle = io::vehicle_from(file, file.root());
+  Vehicle vehicle = io::vehicle_from(file, file.root(), name);
   try {
     check_vehicle(vehicle);
   } catch (const InputError& error) {

@@ -13,7 +13,10 @@ namespace vandplan::io {
 /// A map of lengths and limits, or the name of a vehicle of the catalogue. Limits that the map
 /// lacks are those of the vehicle of the catalogue with these lengths; if there is none, the
 /// defaults.
-[[nodiscard]] Vehicle vehicle_from(const Document& file, const Node& node);
+/// The vehicle of a map of lengths, of a name, or of a file, whose name is relative to the file
+/// `where`.
+[[nodiscard]] Vehicle vehicle_from(const Document& file, const Node& node,
+                                   const std::string& where);
 
 /// The map of lengths that `vehicle_from` reads back exactly, with the limits that it would not
 /// find out itself.

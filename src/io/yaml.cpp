@@ -105,6 +105,17 @@ class YamlEvents : public YAML::EventHandler {
   std::size_t replayed_ = 0;
 };
 
+/// The first line up to `last` that has a tab before anything else; 0: there is none.
+int line_with_tab(std::string_view text, int last) {
+  for (int line = 1; line <= last && !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view indent = text.substr(0, text.find_first_not_of(" \t"));
+    if (indent.substr(0, end).find('\t') != std::string_view::npos) return line;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return 0;
+}
+
 /// `lists` are those that the text has marks for.
 Document parse(const std::string& text, const std::vector<NumberLists>& lists,
                const std::string& where) {
@@ -122,6 +133,9 @@ Document parse(const std::string& text, const std::vector<NumberLists>& lists,
     if (!events.all_lists_came()) throw MisplacedMark();
   } catch (const YAML::Exception& error) {
     const int line = error.mark.is_null() ? 1 : error.mark.line + 1;
+    if (const int tab = line_with_tab(text, line + 1); tab > 0) {
+      builder.fail(tab, "begins with a tab, expected spaces");
+    }
     builder.fail(line, "is not YAML (" + error.msg + "), expected keys and values");
   }
   return {where, builder.finish()};

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/nearest_word.h"
 #include "planners/pricing.h"
 #include "planners/registered.h"
 #include "planners/shared_options.h"
+#include "problem/map_hit.h"
 #include "vandplan/goal_estimate.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
@@ -148,11 +150,32 @@ std::string reason_at(const Problem& problem, const RigState& state,
   const auto& [pose, angle] = state;
   const Problem there =
       make_problem(problem.world(), problem.vehicle(), pose, pose, {}, {angle, angle});
-  std::string reason = check_path(there, Path{pose, {}}, {.clearance = options}).reason;
-  if (!reason.empty()) return reason;
+  const PathCheck check = check_path(there, Path{pose, {}}, {.clearance = options});
+  if (check.reason.ends_with("hits the map")) {
+    return check.reason + ": " + problem::map_hit(problem, state);
+  }
+  const bool is_free = check.clearance && *check.clearance > 0.0;
+  if (!check.reason.empty() && is_free && options.margin_ramp == 0.0) {
+    return check.reason + "; with margin_ramp a start or goal may be nearer";
+  }
+  if (!check.reason.empty()) return check.reason;
   return "the pose keeps the margin of " + base::shortest_text(options.margin) +
          " m, but planning asks for up to " +
          base::shortest_text(1e3 * CollisionChecker::tolerance) + " mm more";
+}
+
+/// Why a search that ended without a path is likely to have none: the wheels turn so slowly that
+/// from lock to lock the vehicle drives further than its bounds are long. Empty otherwise.
+std::string likely_reason(const Task& task) {
+  if (task.steering != Steering::continuous) return "";  // they turn where the vehicle stands
+  const double rate = max_curvature_rate(task.vehicle);
+  const double way = 2.0 / (task.vehicle.min_turning_radius * rate);
+  const Bounds& b = task.world->local().bounds;
+  const double extent = std::max(b.x_max - b.x_min, b.y_max - b.y_min);
+  if (!(way > extent)) return "";
+  return "likely because of max_curvature_rate: the wheels turn from lock to lock on " +
+         base::shortest_text(std::round(way)) + " m, and the bounds are " +
+         base::shortest_text(std::round(extent)) + " m long";
 }
 
 /// What needs no search: a start or goal that cannot be, and a goal that is the start.
@@ -433,6 +456,9 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
     const RigState state{problem.goal(), problem.hitch_angles().goal};
     result.reason = reason_at(problem, state, all.clearance);
   }
+  const bool is_undecided =
+      result.status == PlanStatus::time_limit || result.status == PlanStatus::iteration_limit;
+  if (is_undecided && result.reason.empty()) result.reason = likely_reason(task);
   if (!result.path) return result;
   settle_cost(task, all.cost, result);
   judge(problem, all, result);

@@ -76,6 +76,19 @@ TEST_F(BadInput, WrongType) {
   EXPECT_EQ(complaint_about("x: 20", "x: far"), "5: goal.x: is \"far\", expected a number");
 }
 
+TEST_F(BadInput, NumberWithAComma) {
+  EXPECT_EQ(complaint_about("x: 20", "x: 20,5"),
+            "5: goal: has the digits \"5\" behind a comma, expected a number with a point");
+  EXPECT_EQ(
+      complaint_about("goal: {x: 20, y: 5, heading: 0}", "goal:\n  x: 20,5\n  y: 5\n  heading: 0"),
+      "6: goal.x: is \"20,5\", expected a number, with a point instead of the comma");
+}
+
+TEST_F(BadInput, LineThatBeginsWithATab) {
+  EXPECT_EQ(complaint_about("goal: {x: 20, y: 5, heading: 0}", "goal:\n\tx: 20\n\ty: 5"),
+            "6: begins with a tab, expected spaces");
+}
+
 TEST_F(BadInput, NumberThatIsNotFinite) {
   EXPECT_EQ(complaint_about("x: 20", "x: .nan"),
             "5: goal.x: is \".nan\", expected a finite number");

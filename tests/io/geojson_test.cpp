@@ -149,6 +149,30 @@ const std::string ring =
     "[[[-50, -50], [50, -50], [50, 50], [-50, 50], [-50, -50]],"
     " [[-40, -40], [40, -40], [40, 40], [-40, 40], [-40, -40]]]";
 
+TEST_F(GeoJson, ABoundaryThatBecomesABoxIsSaid) {
+  const auto drawn = [&](const std::string& corners) {
+    return with(feature(R"({"kind": "bounds"})", "Polygon", corners)).warnings;
+  };
+  const std::vector<std::string> triangle = drawn("[[[0,0],[60,0],[0,60],[0,0]]]");
+  ASSERT_EQ(triangle.size(), 1U);
+  EXPECT_NE(triangle[0].find("a.geojson:4: features[2]: the bounds become the box around them"),
+            std::string::npos)
+      << triangle[0];
+  EXPECT_EQ(drawn("[[[0,0],[60,0],[60,50],[0,50],[0,0]]]").size(), 0U);
+}
+
+TEST_F(GeoJson, AnObstacleAroundStartOrGoalIsSaid) {
+  const auto drawn = [&](const std::string& corners) {
+    return with(feature(R"({"building": "yes"})", "Polygon", corners)).warnings;
+  };
+  const std::vector<std::string> field = drawn("[[[0,0],[60,0],[60,50],[0,50],[0,0]]]");
+  ASSERT_EQ(field.size(), 1U);
+  EXPECT_NE(field[0].find("is an obstacle with start and goal in it"), std::string::npos);
+  EXPECT_NE(drawn("[[[0,0],[9,0],[9,9],[0,9],[0,0]]]").at(0).find("with the start in it"),
+            std::string::npos);
+  EXPECT_EQ(drawn("[[[10,0],[19,0],[19,9],[10,9],[10,0]]]").size(), 0U);
+}
+
 TEST_F(GeoJson, AHoleWithoutStartAndGoalIsFilled) {
   const GeoJsonScenario made = with(
       feature("{}", "Polygon",

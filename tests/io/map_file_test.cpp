@@ -415,5 +415,46 @@ TEST_F(MapFile, IsToldFromAScenario) {
   }
 }
 
+TEST_F(MapFile, AMapWithoutAFreeCellIsSaid) {
+  const auto warnings = [&](const std::string& yaml, const std::string& image) {
+    folder_.put("m.pgm", image);
+    folder_.put("m.yaml", yaml);
+    return read_scenario_file(folder_.put("s.yaml",
+                                          "name: s\nvehicle: van\nmap: m.yaml\n"
+                                          "start: {x: 0, y: 0, heading: 0}\n"
+                                          "goal: {x: 0, y: 0, heading: 0}\n"))
+        .warnings;
+  };
+  const std::string all_thresholds = exchanged(keys, "free_thresh: 0.196", "free_thresh: 0");
+  const std::vector<std::string> found = warnings(all_thresholds, "P2 2 1 255 254 255");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].ends_with(
+      "s.yaml:3: map: has no free cell; look at mode, negate, free_thresh and occupied_thresh of "
+      "the map"))
+      << found[0];
+  EXPECT_EQ(warnings(keys, "P2 2 1 255 254 255").size(), 0U);
+}
+
+TEST_F(MapFile, AThresholdThatFreesUnknownGroundIsSaid) {
+  const auto warnings = [&](const std::string& yaml, const std::string& image) {
+    folder_.put("m.pgm", image);
+    folder_.put("m.yaml", yaml);
+    return read_scenario_file(folder_.put("s.yaml",
+                                          "name: s\nvehicle: van\nmap: m.yaml\n"
+                                          "start: {x: 0, y: 0, heading: 0}\n"
+                                          "goal: {x: 0, y: 0, heading: 0}\n"))
+        .warnings;
+  };
+  const std::string loose = exchanged(keys, "free_thresh: 0.196", "free_thresh: 0.25");
+  const std::vector<std::string> found = warnings(loose, "P2 2 1 255 254 205");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].ends_with(
+      "m.yaml:6: free_thresh: frees pixels of 205, which map_saver writes for unknown ground; "
+      "0.196 keeps them unknown"))
+      << found[0];
+  EXPECT_EQ(warnings(loose, "P2 2 1 255 254 255").size(), 0U);
+  EXPECT_EQ(warnings(keys, "P2 2 1 255 254 205").size(), 0U);
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -227,7 +227,22 @@ TEST(ScenarioFile, AVehicleMayBeNamed) {
             "s.yaml:3: vehicle: is \"city-buss\", did you mean city-bus? Expected one of "
             "car-caravan, city-bus, coach, "
             "three-axle-truck, tpcap-car, tractor-semitrailer, truck-drawbar-trailer, "
-            "two-axle-truck, van, or a map of lengths");
+            "two-axle-truck, van, a map of lengths, or a file (.yaml)");
+}
+
+TEST(ScenarioFile, AVehicleMayBeAFileBesideTheScenario) {
+  const TemporaryFolder folder;
+  folder.put("truck.yaml", to_yaml(vehicle_named("city-bus")));
+  const std::string file = folder.put("s.yaml", with_vehicle("truck.yaml"));
+  EXPECT_EQ(read_scenario(file).vehicle, vehicle_named("city-bus"));
+  folder.put("truck.yaml", "{wheelbase: far}");
+  try {
+    (void)read_scenario(file);
+    FAIL() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(), "wheelbase: is \"far\", expected a number");
+    EXPECT_TRUE(error.where().ends_with("truck.yaml:1")) << error.where();
+  }
 }
 
 TEST(ScenarioFile, EveryVehicleOfTheCatalogueIsOne) {

@@ -157,11 +157,15 @@ TEST(Margin, IsKept) {
 TEST(Margin, AStartOrGoalThatIsNearerIsNamed) {
   const PlanResult result = plan(beside_a_kerb(0.1), with_margin(0.3));
   EXPECT_EQ(result.status, PlanStatus::start_in_collision);
-  EXPECT_EQ(result.reason, "the wheels are only 0.100 m from kerbs[0], the margin is 0.3 m");
+  EXPECT_EQ(result.reason,
+            "the wheels are only 0.100 m from kerbs[0], the margin is 0.3 m; with margin_ramp a "
+            "start or goal may be nearer");
   const Problem goal = problem_of({0, 0, 0}, {30, 0, 0}, {box(36.1, -2, 40, 2)});
   const PlanResult at_goal = plan(goal, with_margin(0.3));
   EXPECT_EQ(at_goal.status, PlanStatus::goal_in_collision);
-  EXPECT_EQ(at_goal.reason, "the footprint is only 0.200 m from obstacles[0], the margin is 0.3 m");
+  EXPECT_EQ(at_goal.reason,
+            "the footprint is only 0.200 m from obstacles[0], the margin is 0.3 m; with "
+            "margin_ramp a start or goal may be nearer");
 }
 
 // What is exactly as far away as it has to be is valid, and still no path can be planned there.
@@ -318,6 +322,29 @@ TEST(OwnPlanner, IsAskedWhereOnlyTheWheelsAreToTurn) {
   EXPECT_EQ(runs_for(turned, Steering::continuous), 1);
   EXPECT_EQ(runs_for(turned, Steering::continuous_between_stops), 0);
   EXPECT_EQ(runs_for(here, Steering::continuous), 0);
+}
+
+TEST(PlanResult, SlowWheelsAreALikelyReason) {
+  const Vehicle slow{.wheelbase = 1,
+                     .front_overhang = 0.3,
+                     .rear_overhang = 0.3,
+                     .width = 1.3,
+                     .min_turning_radius = 1,
+                     .limits = {.max_curvature_rate = 0.03}};
+  PlanOptions options;
+  options.budget.max_iterations = 0;
+  options.steering = Steering::continuous;
+  const auto reason_in = [&](const Bounds& bounds) {
+    const std::vector<Polygon> walls = {box(-1, -1, 8, 0), box(-1, 7, 8, 8), box(-1, 0, 0, 7),
+                                        box(7, 0, 8, 7)};
+    return plan(problem_of({2.75, 4, 1.57}, {4.25, 4, -1.57}, walls, bounds, slow), options).reason;
+  };
+  EXPECT_EQ(reason_in({0, 7, 0, 7}),
+            "likely because of max_curvature_rate: the wheels turn from lock to lock on 67 m, and "
+            "the bounds are 7 m long");
+  EXPECT_EQ(reason_in({-40, 47, -40, 47}), "");
+  options.steering = Steering::continuous_between_stops;
+  EXPECT_EQ(reason_in({0, 7, 0, 7}), "");
 }
 
 TEST(OwnPlanner, IsNotAskedWhatNeedsNoSearch) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "support/grids.h"
 #include "support/problems.h"
 #include "vandplan/path_check.h"
+#include "vandplan/planner.h"
 
 namespace {
 
@@ -59,6 +61,37 @@ std::shared_ptr<const World> mapped_world() {
                             .columns = side,
                             .rows = side,
                             .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))}});
+}
+
+/// A map of 40 x 20 cells of 0.5 m at [0, 20] x [0, 10]: occupied at [10, 10.5] x [5, 5.5], unknown
+/// where x is at least 16 m.
+Surroundings small_map() {
+  std::vector<Cell> cells(40 * 20, Cell::free);
+  cells[10 * 40 + 20] = Cell::occupied;
+  for (std::size_t row = 0; row < 20; ++row) {
+    std::fill_n(cells.begin() + static_cast<std::ptrdiff_t>(row * 40 + 32), 8, Cell::unknown);
+  }
+  return {
+      .bounds = {-50, 50, -50, 50},
+      .map = OccupancyGrid{.resolution = 0.5,
+                           .columns = 40,
+                           .rows = 20,
+                           .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))}};
+}
+
+TEST(World, AReasonSaysWhichCellIsHitAndWhere) {
+  const auto world = std::make_shared<const World>(small_map(), Point{5, 5});
+  const auto reason_from = [&](const Pose& start) {
+    return plan(make_problem(world, car, start, {6, 5, 0})).reason;
+  };
+  EXPECT_EQ(reason_from({9, 5.2, 0}),
+            "the footprint hits the map: occupied at x = 10.25, y = 5.25");
+  EXPECT_EQ(reason_from({15, 5.2, 0}).substr(0, 46),
+            "the footprint hits the map: unknown at x = 16.");
+  EXPECT_EQ(reason_from({5, 0.2, 0}).substr(0, 53),
+            "the footprint hits the map: beyond the edge of the ma");
+  EXPECT_EQ(reason_from({-20, 5, 0}).substr(0, 53),
+            "the footprint hits the map: beyond the edge of the ma");
 }
 
 TEST(World, HasNoVehicleSoSeveralMayDriveInIt) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which map is in a file of ROS' map_server, and what about it deserves a look?
+
+#include <string>
+#include <vector>
+
+#include "vandplan/occupancy_grid.h"
+
+namespace vandplan::io {
+
+/// What `read_map` gives; adds warnings "file:line: key: what".
+[[nodiscard]] OccupancyGrid map_from(const std::string& name, std::vector<std::string>& warnings);
+
+}  // namespace vandplan::io
