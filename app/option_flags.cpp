@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 
 #include "vandplan/input_error.h"
 
@@ -63,8 +64,25 @@ OptionText option_text(std::string_view name) {
   return {std::string(name), "", ""};
 }
 
+/// An option and its summary in two columns, at most 100 wide.
 std::string line_of(const OptionText& text) {
-  return fmt::format("  {:<28}{}\n", text.name + "=" + text.standard, text.summary);
+  constexpr std::size_t column = 30;
+  constexpr std::size_t widest = 100;
+  std::string lines = fmt::format("  {:<28}", text.name + "=" + text.standard);
+  std::size_t at = lines.size();  // of the line that is being written
+  const auto break_line = [&] {
+    lines += "\n" + std::string(column, ' ');
+    at = column;
+  };
+  if (at > column) break_line();
+  std::istringstream words(text.summary);
+  for (std::string word; words >> word;) {
+    if (at + word.size() + 1 > widest) break_line();
+    if (at > column) word.insert(0, " ");
+    lines += word;
+    at += word.size();
+  }
+  return lines + "\n";
 }
 
 /// Adds an option of a planner to those of its family; "a|b" for a default in which they differ.

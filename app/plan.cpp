@@ -51,16 +51,31 @@ std::vector<ResultRecord> plan_goals(const ScenarioProblems& read, const Planner
   return records;
 }
 
+/// By what the cost was worked out.
+std::string_view name_of(const CostOptions& cost) {
+  if (is_length(cost)) return "length alone";
+  return cost == driver_style ? "a driver's prices" : "prices";
+}
+
+/// ", cost 63.450 m by a driver's prices, proven: at most 12.3 % above the optimum"
+std::string cost_text(const PlanResult& result, const CostOptions& cost) {
+  constexpr double weak = 0.25;  // a gap that says more of the bound than of the path
+  const bool is_time = cost.measure == CostMeasure::time || result.drive_check;
+  std::string text =
+      is_time ? "" : fmt::format(", cost {} by {}", metres_text(result.cost), name_of(cost));
+  if (!(result.lower_bound > 0)) return text;  // none is proven
+  const double gap = result.cost / result.lower_bound - 1;
+  return fmt::format("{}, proven: at most {:.1f} % above the optimum{}", text, 100 * gap,
+                     gap > weak ? " (the bound is weak)" : "");
+}
+
 std::string outcome_of(const PlanResult& result, const PlanOptions& options) {
   if (!result.path) return no_path_text(result);
   const bool is_time = options.cost.measure == CostMeasure::time && !result.drive_check;
   const std::string time = is_time ? fmt::format(", driven in {}", seconds_text(result.cost))
                                    : drive_text(result.drive_check);
-  const double bound = result.lower_bound;  // 0 if the planner proves none
-  const std::string gap =
-      bound > 0 ? fmt::format(", gap {:.1f} %", 100 * (result.cost / bound - 1)) : "";
-  return fmt::format("solved: {}{}{}, first path after {}", path_text(*result.check), time, gap,
-                     seconds_text(result.anytime.front().time));
+  return fmt::format("solved: {}{}{}, first path after {}", path_text(*result.check), time,
+                     cost_text(result, options.cost), seconds_text(result.anytime.front().time));
 }
 
 void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
@@ -138,10 +153,16 @@ int run(const PlanArguments& arguments) {
 // ---- the command line ----
 
 std::string help_on_keys() {
-  return "Keys of --set, with their defaults:\n" + help_on_common_options() +
-         help_on_own_options() +
+  return "Examples:\n"
+         "  vandplan plan yard.yaml --draw yard.png\n"
+         "  vandplan plan yard.yaml --max-iterations 20000 --seed 1 --output r.json\n"
+         "  vandplan plan yard.yaml --set margin=0.3 --set style=shortest\n\n"
+         "Keys of --set, with their defaults:\n" +
+         help_on_common_options() + help_on_options_of(default_planner()) +
          fmt::format(
-             "A key, or its flag, that the planner does not honour is refused.\n"
+             "Other planners have other keys, see vandplan planners --options. A key, or its "
+             "flag,\n"
+             "that the planner does not honour is refused.\n"
              "Without a limit of time or iterations a run takes {} s. In a row of goals each\n"
              "goal has the whole budget. Ctrl-C ends the run with the best path so far.\n"
              "Exit status: 0 solved (in a row: a goal at least; with --poses: all), 1 no path,\n"
@@ -163,7 +184,7 @@ void add_plan(CLI::App& vandplan, int& status) {
   add_table_flag(*command, arguments->table);
   command
       ->add_option("--primitives", arguments->primitives,
-                   "What joins the vertices of a lattice: a file of Nav2 (.json) or SBPL (.mprim)")
+                   "What joins the vertices of a lattice: a file of Nav2 (.json)\nor SBPL (.mprim)")
       ->type_name("FILE");
   command
       ->add_option("--output", arguments->output,
@@ -171,10 +192,10 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->type_name("FILE");
   add_picture(*command, arguments->picture);
   command
-      ->add_option(
-          "--poses", arguments->poses,
-          "Plan many pairs in this one world: a line x, y, heading, x, y, heading of start\n"
-          "and goal each (CSV); --output writes a result a line then (JSON Lines, or binary)")
+      ->add_option("--poses", arguments->poses,
+                   "Plan many pairs in this one world: a line of x, y, heading of start\n"
+                   "and goal each (CSV); --output then writes a result a line\n"
+                   "(JSON Lines, or binary)")
       ->type_name("FILE")
       ->excludes("--draw");
   command

@@ -83,6 +83,7 @@ void print_one(const Planner& planner, bool as_json) {
 
 struct PlannersArguments {
   std::string name;
+  bool options = false;
   bool json = false;
 };
 
@@ -93,9 +94,13 @@ void add_planners(CLI::App& vandplan, int&) {
       "planners", "List every planner, or tell what can be set for one of them.");
   const auto arguments = std::make_shared<PlannersArguments>();
   command->add_option("NAME", arguments->name, "Planner to be told about");
+  command->add_flag("--options", arguments->options, "List the options of all planners instead")
+      ->excludes("NAME");
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
   command->callback([arguments] {
-    if (arguments->name.empty()) {
+    if (arguments->options) {
+      fmt::print("{}", help_on_own_options());
+    } else if (arguments->name.empty()) {
       print_list(arguments->json);
     } else {
       print_one(planner_named(arguments->name), arguments->json);

@@ -29,6 +29,8 @@ struct Drawing {
   /// When the vehicle is where on the path: an SVG plays then, the vehicle drives over the picture
   /// and all that moves does; or none.
   const SpeedProfile* speeds = nullptr;
+  /// What stands in the way of the start or the goal: outlined in red.
+  std::vector<Polygon> hit = {};
   double margin = 0.0;       ///< a band so wide is drawn around all that is swept [m]
   std::string caption = {};  ///< one line above the picture, UTF-8
   /// Below the picture of a path: how far the wheels are turned along it.

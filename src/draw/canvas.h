@@ -45,6 +45,7 @@ inline constexpr Colour tree{0.66, 0.72, 0.79};
 inline constexpr Colour forward{0.0, 0.447, 0.698};
 inline constexpr Colour reverse{0.835, 0.369, 0.0};
 inline constexpr Colour driven{0.0, 0.0, 0.0};
+inline constexpr Colour hit{0.85, 0.07, 0.07};
 inline constexpr Colour start{0.0, 0.62, 0.451};
 inline constexpr Colour goal{0.70, 0.30, 0.55};
 }  // namespace colour

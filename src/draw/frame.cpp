@@ -72,6 +72,7 @@ std::vector<Entry> entries_of(const LegendContent& content) {
   if (content.obstacles) entries.push_back({"obstacle", area, colour::obstacle});
   if (content.margin) entries.push_back({"margin", area, colour::margin});
   if (content.kerbs) entries.push_back({"kerb", area, colour::kerb});
+  if (content.hit) entries.push_back({"in the way", area, colour::hit});
   if (content.unknown) entries.push_back({"unknown", area, colour::unknown});
   if (content.outside) entries.push_back({"out of bounds", area, colour::outside});
   return entries;
@@ -253,6 +254,7 @@ void LegendContent::add(const Scene& scene, const View& view) noexcept {
   obstacles |= !scene.obstacles.empty() || shows(scene.map, Cell::occupied);
   margin |= scene.path && scene.margin > 0.0;
   kerbs |= !scene.kerbs.empty();
+  hit |= !scene.hit.empty();
   unknown |= shows(scene.map, Cell::unknown);
   outside |= !contains(scene.bounds, {seen.x_min, seen.y_min}) ||
              !contains(scene.bounds, {seen.x_max, seen.y_max});

@@ -70,6 +70,7 @@ struct LegendContent {
   bool obstacles = false;
   bool margin = false;
   bool kerbs = false;
+  bool hit = false;      ///< by start or goal
   bool unknown = false;  ///< cells of a map
   bool outside = false;  ///< ground out of bounds
 

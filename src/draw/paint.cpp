@@ -271,6 +271,10 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   if (scene.path) paint_sweep(cairo, scene, view);
   paint_rig(cairo, scene, {scene.goal, scene.hitch_angles.goal}, colour::goal, view);
   paint_rig(cairo, scene, {scene.start, scene.hitch_angles.start}, colour::start, view);
+  for (const Polygon& polygon : scene.hit) {
+    add_polygon(cairo, view, polygon);
+    stroke(cairo, 2.5, colour::hit, 1.0);
+  }
   if (scene.path) paint_path(cairo, scene, view);
   if (!scene.driven.empty()) {
     add_line(cairo, view, scene.driven);

@@ -147,6 +147,7 @@ Scene scene_of(const Drawing& drawing) {
   if (!(drawing.margin >= 0.0)) throw InputError("margin", "must be at least 0 [m]");
   scene.margin = drawing.margin;
   scene.curvature_strip = drawing.curvature_strip && drawing.path != nullptr;
+  scene.hit = moved(drawing.hit, scene.origin);
   if (drawing.tree) scene.tree = moved(*drawing.tree, scene.origin);
   if (drawing.driven) {
     for (const Pose& pose : *drawing.driven) {

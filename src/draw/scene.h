@@ -32,6 +32,7 @@ struct Scene {
   std::optional<Path> path;
   double margin = 0.0;           ///< around what the path sweeps [m]
   TreeSnapshot tree;             ///< empty when there is none
+  std::vector<Polygon> hit;      ///< what is in the way of start or goal
   std::vector<Pose> driven;      ///< empty when nobody drove
   bool curvature_strip = false;  ///< and there is a path
 };

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
+#include <string>
 
 #include "support/process.h"
 #include "support/shared_files.h"
@@ -67,6 +69,26 @@ TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
     EXPECT_NE(page.find("```\n" + outcome.out + "```\n"), std::string::npos)
         << "docs/command-line.md is not up to date, see tools/update_command_line_page";
   }
+}
+
+TEST(CommandLine, HelpOnPlanFitsAScreen) {
+  std::istringstream help(run_vandplan({"plan", "--help"}).out);
+  int lines = 0;
+  for (std::string line; std::getline(help, line); ++lines) EXPECT_LE(line.size(), 100U) << line;
+  EXPECT_LE(lines, 75);
+  EXPECT_GE(lines, 30);
+}
+
+TEST(PlannersCommand, ListsTheOptionsOfAll) {
+  const Outcome outcome = run_vandplan({"planners", "--options"});
+  EXPECT_EQ(outcome.status, 0);
+  for (const Planner& planner : planners()) {
+    for (const OptionInfo& info : planner.options) {
+      EXPECT_NE(outcome.out.find("\n  " + info.name + "="), std::string::npos) << info.name;
+    }
+  }
+  EXPECT_NE(content_of(repository() / "docs/command-line.md").find("```\n" + outcome.out + "```\n"),
+            std::string::npos);
 }
 
 TEST(PlannersCommand, ListsEveryPlannerAndMarksTheDefault) {

@@ -65,12 +65,39 @@ TEST_F(PlanCommand, TheScenarioMayWantOptions) {
                              ": options.gear_change_cost: rrt-opt-rs-goal does not honour it\n");
 }
 
+TEST_F(PlanCommand, APictureMarksWhatStandsInTheWay) {
+  const auto marks = [&](const std::string& from, const std::string& to) {
+    write_content(scenario_, replaced(yard(), from, to));
+    const std::string picture = folder_ / "hit.svg";
+    EXPECT_EQ(plan({"--max-iterations", "10", "--draw", picture}).status, 1);
+    // Red, as an outline: the colour of nothing else.
+    return content_of(picture).find("85%,7%,7%") != std::string::npos ||
+           content_of(picture).find("85%, 7%, 7%") != std::string::npos;
+  };
+  EXPECT_TRUE(marks("start: {x: 0", "start: {x: 10"));
+  EXPECT_TRUE(marks("goal: {x: 20", "goal: {x: 51"));
+  EXPECT_FALSE(
+      marks("[12, -9], [13, -9], [13, 9], [12, 9]", "[12, -99], [13, -99], [13, 99], [12, 99]"));
+}
+
+TEST_F(PlanCommand, SummarySaysTheCostAndItsKind) {
+  const auto summary = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--max-iterations", "300"});
+    return plan(options).out;
+  };
+  EXPECT_NE(summary({}).find(" m by a driver's prices, "), std::string::npos) << summary({});
+  EXPECT_NE(summary({"--set", "style=shortest"}).find(" m by length alone, "), std::string::npos);
+  EXPECT_NE(summary({"--set", "gear_change_cost=1"}).find(" m by prices, "), std::string::npos);
+  EXPECT_EQ(summary({"--set", "cost=time"}).find(" by "), std::string::npos);
+}
+
 TEST_F(PlanCommand, SummarySaysHowFarFromTheShortestAPathMayBe) {
   const Outcome outcome = plan({"--max-iterations", "300"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Json result = Json::parse(plan({"--max-iterations", "300", "--json"}).out);
   std::array<char, 40> gap;
-  std::snprintf(gap.data(), gap.size(), ", gap %.1f %%,", 100 * result.at("gap").get<double>());
+  std::snprintf(gap.data(), gap.size(), ", proven: at most %.1f %% above",
+                100 * result.at("gap").get<double>());
   EXPECT_NE(outcome.out.find(gap.data()), std::string::npos) << outcome.out;
 }
 
@@ -368,8 +395,8 @@ TEST_F(PlanCommand, TheSteeringIsAnOption) {
             "continuous");
 }
 
-TEST_F(PlanCommand, HelpListsTheOptionsOfEveryFamily) {
-  const Outcome help = run_vandplan({"plan", "--help"});
+TEST_F(PlanCommand, OptionsOfEveryFamilyAreListed) {
+  const Outcome help = run_vandplan({"planners", "--options"});
   EXPECT_EQ(help.status, 0);
   for (const Planner& planner : planners()) {
     for (const OptionInfo& info : planner.options) {
