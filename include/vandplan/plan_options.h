@@ -36,6 +36,9 @@ struct BudgetOptions {
   /// path does; [0, 1000]; none: it goes on for as long as it may.
   std::optional<double> target_gap = {};
   const std::atomic<bool>* stop = nullptr;  ///< the run ends soon after this becomes true
+  /// With one thread: times, `time_limit` too, are processor time of that thread, so that a busy
+  /// machine takes none of it.
+  bool processor_time = false;
   bool operator==(const BudgetOptions&) const = default;
 };
 

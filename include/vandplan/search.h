@@ -45,14 +45,22 @@ class Budget {
   [[nodiscard]] std::int64_t iterations() const noexcept { return iterations_; }
   /// Time since the run began [s].
   [[nodiscard]] double elapsed() const;
+  /// Time from the begin of the run to its first iteration [s]; 0 before that.
+  [[nodiscard]] double set_up_time() const noexcept { return set_up_time_; }
   /// Why `next` said no.
   [[nodiscard]] PlanStatus reason() const noexcept { return reason_; }
 
  private:
+  [[nodiscard]] bool is_late() const;
+
   std::optional<double> time_limit_;
   std::optional<std::int64_t> max_iterations_;
   const std::atomic<bool>* stop_;
+  bool by_processor_;
   std::chrono::steady_clock::time_point begin_;
+  std::chrono::nanoseconds processor_begin_;
+  mutable double due_;  // before that much wall time the limit need not be looked at [s]
+  double set_up_time_ = 0.0;
   std::int64_t iterations_ = 0;
   PlanStatus reason_ = PlanStatus::stopped;
 };

@@ -116,6 +116,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, Selection selec
   }
   answer.iterations = budget.iterations();
   tree.report(options, best, unsolved, answer);
+  answer.phases.push_back({"setup", budget.set_up_time()});
   answer.counters.push_back({"refused", refused});
   return answer;
 }

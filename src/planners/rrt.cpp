@@ -90,6 +90,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, Variant variant
   }
   answer.iterations = budget.iterations();
   tree.report(options, best, unsolved, answer);
+  answer.phases.push_back({"setup", budget.set_up_time()});
   return answer;
 }
 

@@ -303,7 +303,7 @@ OptionValue fitting_value(const OptionInfo& info, const OptionValue& given) {
 }
 
 void validate(const PlanOptions& options) {
-  const auto& [time, iterations, seed, threads, gap, stop] = options.budget;
+  const auto& [time, iterations, seed, threads, gap, stop, by_processor] = options.budget;
   require(!time || (std::isfinite(*time) && *time >= 0.0), "time_limit", text_of(time),
           "a number >= 0 [s]");
   require(!iterations || *iterations >= 0, "max_iterations", text_of(iterations),
