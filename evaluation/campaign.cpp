@@ -165,7 +165,10 @@ class RunList {
   SharedOptions options_for(const Planner& planner, Region region, bool profile) const {
     PlanOptions options = options_of(campaign_, planner);
     if (takes_region(planner)) options.planner.set("region", std::string(name_of(region)));
-    if (profile) options.planner.set("profile", true);
+    if (profile) {
+      options.planner.set("profile", true);
+      options.budget.processor_time = false;  // phases are measured by the wall clock
+    }
     return options;
   }
 
@@ -219,6 +222,7 @@ PlanOptions options_of(const Campaign& campaign, const Planner& planner) {
   set_option(options, planner, "style", "shortest");
   set_honoured(options, planner, campaign.settings);
   if (asks_for_table(planner, options)) options.table = campaign.table;
+  options.budget.processor_time = options.budget.threads == 1;
   return complete(planner, options);
 }
 

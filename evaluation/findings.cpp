@@ -85,6 +85,8 @@ Finding better_in_six_of_nine(const Summary& summary, const Circumstances& where
           ? fmt::format("In none of {} scenarios, by any table", scenarios)
           : fmt::format("At most in {} of {}, by {}; worse in {}, no difference in {}", best.better,
                         scenarios, best.planner, best.worse, best.no_difference);
+  if (best.nothing_searched > 0)
+    found += fmt::format(", nothing searched in {}", best.nothing_searched);
   for (const Verdict kind : {Verdict::smaller, Verdict::larger}) {
     std::string list;
     for (const Pooled& planner : pooled_tables(summary, where)) {
@@ -147,48 +149,79 @@ Winner winner(const Summary& summary, Region region, Kind is_of_kind) {
   return best;
 }
 
-// How often the tables beat Euclid; empty where none was run beside it.
-std::string tables_sentence(const Summary& summary, const Circumstances& where) {
-  Tally sum;
-  for (const Tally& found : tally(summary, where.region, &TwinComparison::cost)) {
-    if (!is_table_under(found.properties, where.setting)) continue;
-    sum.better += found.better;
-    sum.worse += found.worse;
-    sum.no_difference += found.no_difference;
-  }
-  const int comparisons = sum.better + sum.worse + sum.no_difference;
-  if (comparisons == 0) return "";
-  const std::vector<Pooled> together = pooled_tables(summary, where);
-  const auto count = [&](Verdict verdict) {
-    return std::ranges::count(together, verdict, &Pooled::verdict);
+// The largest gain that a table brings in one scenario.
+std::string gain_sentence(const Summary& summary, const Circumstances& where,
+                          const std::vector<ScenarioFile>& scenarios) {
+  const auto best =
+      extreme(table_comparisons(summary, where, &TwinComparison::cost), Verdict::smaller);
+  if (!best) return "no table makes paths shorter in any one scenario, beyond chance.";
+  const PlannerProperties& properties = best->twins->properties;
+  const std::string table = upper(properties.estimate), tree = upper(properties.strategy);
+  const std::string& scenario = scenarios[best->scenario].scenario.name;
+  const auto here = std::ranges::find_if(summary.scenarios, [&](const ScenarioSummary& found) {
+    return found.scenario == best->scenario && found.region == where.region;
+  });
+  const auto solved = [&](const std::string& planner) {
+    const MethodSummary& method =
+        *std::ranges::find(here->methods, planner, &MethodSummary::planner);
+    return 100.0 * method.solved / method.runs;
   };
-  const char* const setting = where.setting == GoalSetting::sampled
-                                  ? "As the thesis prints its methods"
-                                  : "With the goal tried from every node";
-  return fmt::format(
-      " {}, its tables end better than Euclid in {}, worse in {} of {} comparisons scenario by"
-      " scenario, beyond chance; over all scenarios together {} of {} tables are better, {} worse.",
-      setting, sum.better, sum.worse, comparisons, count(Verdict::smaller), together.size(),
-      count(Verdict::larger));
+  const double with = solved(best->twins->planner), without = solved(best->twins->twin);
+  if (with > without) {
+    return fmt::format(
+        "with {}, {} finds a path in {} in {:.0f} % of the runs, with Euclid in {:.0f} %.", table,
+        tree, scenario, with, without);
+  }
+  return fmt::format("with {}, paths of {} in {} change most: {} against Euclid.", table, tree,
+                     scenario, change_text(best->result.ratio));
 }
 
-// Claims that hold, or that do not, each with its regions: "up to 20 % less time" (bounds, scene).
-std::string claims_text(const std::vector<Finding>& findings, GoalSetting setting, bool hold) {
-  std::vector<std::pair<std::string, std::string>> claims;
-  for (const Finding& finding : findings) {
-    if (finding.where.setting != setting || finding.holds != hold) continue;
-    const std::string region = name_of(finding.where.region);
-    const auto known =
-        std::ranges::find(claims, finding.claim, [](const auto& claim) { return claim.first; });
-    if (known == claims.end()) {
-      claims.emplace_back(finding.claim, region);
-    } else {
-      known->second += ", " + region;
-    }
+// With how many tables each strategy ends better over all scenarios.
+std::string together_sentence(const std::vector<Pooled>& tables) {
+  std::vector<std::string> strategies;
+  for (const Pooled& table : tables) {
+    const std::string& strategy = table.properties.strategy;
+    if (std::ranges::find(strategies, strategy) == strategies.end()) strategies.push_back(strategy);
   }
   std::string text;
-  for (const auto& [claim, regions] : claims)
-    text += fmt::format("{}\"{}\" ({})", text.empty() ? "" : ", ", claim, regions);
+  for (const std::string& strategy : strategies) {
+    const auto count = [&](Verdict verdict) {
+      return std::ranges::count_if(tables, [&](const Pooled& table) {
+        return table.properties.strategy == strategy && table.verdict == verdict;
+      });
+    };
+    text += fmt::format(
+        " Over all scenarios {} ends better with {} of {} tables, worse with {}.", upper(strategy),
+        count(Verdict::smaller),
+        std::ranges::count_if(
+            tables, [&](const Pooled& table) { return table.properties.strategy == strategy; }),
+        count(Verdict::larger));
+  }
+  return text;
+}
+
+// What the tables bring; empty where none was run beside Euclid.
+std::string tables_sentences(const Summary& summary, const Circumstances& where,
+                             const std::vector<ScenarioFile>& scenarios) {
+  const std::vector<Pooled> tables = pooled_tables(summary, where);
+  if (tables.empty()) return "";
+  return fmt::format(" {}: {}{}",
+                     where.setting == GoalSetting::sampled ? "As printed" : "Goal tried",
+                     gain_sentence(summary, where, scenarios), together_sentence(tables));
+}
+
+// "as printed (bounds, scene), goal tried (bounds)": where a claim holds.
+std::string places_text(const std::vector<Finding>& findings, const std::string& claim) {
+  std::string text;
+  for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried}) {
+    std::string regions;
+    for (const Finding& finding : findings) {
+      if (finding.claim != claim || finding.where.setting != setting || !finding.holds) continue;
+      regions += fmt::format("{}{}", regions.empty() ? "" : ", ", name_of(finding.where.region));
+    }
+    if (!regions.empty())
+      text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", name_of(setting), regions);
+  }
   return text;
 }
 
@@ -209,20 +242,20 @@ bool is_table_under(const PlannerProperties& properties, GoalSetting setting) no
          properties.tries_goal == (setting == GoalSetting::tried);
 }
 
-std::string headline(const Summary& summary, Region region) {
-  const auto scenarios = std::ranges::count(summary.scenarios, region, &ScenarioSummary::region);
-  if (scenarios == 0) return "";
+std::string headline(const Summary& summary, const std::vector<ScenarioFile>& scenarios,
+                     Region region) {
+  const auto count = std::ranges::count(summary.scenarios, region, &ScenarioSummary::region);
+  if (count == 0) return "";
   const Winner all = winner(summary, region, [](const MethodSummary&) { return true; });
   const Winner tree = winner(summary, region, is_random_tree);
   if (all.scenarios == 0) return "No planner solves half of its runs in any scenario.";
   std::string text = fmt::format(
-      "{} {} with the shortest paths (medians) in {} of {} scenarios", all.names,
-      all.names.find(" and ") == std::string::npos ? "ends" : "end", all.scenarios, scenarios);
+      "{} {} with the shortest paths (medians) in {} of {} scenarios.", all.names,
+      all.names.find(" and ") == std::string::npos ? "ends" : "end", all.scenarios, count);
   if (tree.scenarios > 0 && tree.names != all.names)
-    text += fmt::format("; of the random trees {}, in {}", tree.names, tree.scenarios);
-  text += ".";
+    text += fmt::format(" Best random tree: {}, in {} of {}.", tree.names, tree.scenarios, count);
   for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried})
-    text += tables_sentence(summary, {region, setting});
+    text += tables_sentences(summary, {region, setting}, scenarios);
   return text;
 }
 
@@ -238,6 +271,7 @@ std::vector<Tally> tally(const Summary& summary, Region region, Measure measure)
       found->better += verdict == Verdict::smaller;
       found->worse += verdict == Verdict::larger;
       found->no_difference += verdict == Verdict::no_difference;
+      found->nothing_searched += verdict == Verdict::nothing_searched;
     }
   }
   return tallies;
@@ -266,14 +300,14 @@ std::vector<Finding> findings(const Summary& summary, const std::vector<Scenario
 }
 
 std::vector<std::string> verdicts(const std::vector<Finding>& findings) {
-  std::vector<std::string> sentences;
-  for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried}) {
-    const std::string holds = claims_text(findings, setting, true);
-    const std::string fails = claims_text(findings, setting, false);
-    if (holds.empty() && fails.empty()) continue;
-    sentences.push_back(fmt::format("The thesis' claims, {}: confirmed {}; not confirmed {}.",
-                                    name_of(setting), holds.empty() ? "nothing" : holds,
-                                    fails.empty() ? "nothing" : fails));
+  std::vector<std::string> claims, sentences;
+  for (const Finding& finding : findings) {
+    if (std::ranges::find(claims, finding.claim) != claims.end()) continue;
+    claims.push_back(finding.claim);
+    const std::string holds = places_text(findings, finding.claim);
+    sentences.push_back(
+        holds.empty() ? fmt::format("The thesis claims {}: not confirmed.", finding.claim)
+                      : fmt::format("The thesis claims {}: confirmed {}.", finding.claim, holds));
   }
   return sentences;
 }

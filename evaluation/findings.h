@@ -37,6 +37,7 @@ struct Tally {
   int better = 0;
   int worse = 0;
   int no_difference = 0;
+  int nothing_searched = 0;  ///< scenarios that say nothing about what ranks the nodes
 };
 
 /// For every planner that has a Euclid twin, in order of appearance.
@@ -58,12 +59,13 @@ struct Finding {
 [[nodiscard]] std::vector<Finding> findings(const Summary& summary,
                                             const std::vector<ScenarioFile>& scenarios);
 
-/// Which claims hold where: a sentence for each setting that was judged.
+/// Where each claim holds: one sentence a claim.
 [[nodiscard]] std::vector<std::string> verdicts(const std::vector<Finding>& findings);
 
-/// The shortest answer for a region, one to three sentences: who ends with the best paths, and how
-/// often the thesis' tables beat Euclid in each setting. Empty if the region was not run.
-[[nodiscard]] std::string headline(const Summary& summary, Region region);
+/// The shortest answer for a region in short sentences: who ends with the best paths, and what the
+/// thesis' tables gain over Euclid in each setting. Empty if the region was not run.
+[[nodiscard]] std::string headline(const Summary& summary,
+                                   const std::vector<ScenarioFile>& scenarios, Region region);
 
 /// A ratio as a change, "-12 %", "+3.4 %", "x 8.1", "from unsolved to solved".
 [[nodiscard]] std::string change_text(double ratio);

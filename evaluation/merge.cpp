@@ -175,11 +175,11 @@ struct Measured {
 };
 constexpr Measured all_times = {
     "jobs, started, status, reason, cost, start_x, start_y, start_heading, iterations, time_total,"
-    " nodes, exact_solves, edge_checks, time_ranking, time_steering, time_checking",
+    " nodes, exact_solves, edge_checks, time_ranking, time_steering, time_checking, time_setup",
     "time"};
 constexpr Measured no_times = {
     "1, '', status, reason, cost, start_x, start_y, start_heading, iterations, 9e999,"
-    " nodes, exact_solves, edge_checks, NULL, NULL, NULL",
+    " nodes, exact_solves, edge_checks, NULL, NULL, NULL, NULL",
     "9e999"};
 
 void copy_runs(Database& whole, const Part& part, bool is_repeatable) {

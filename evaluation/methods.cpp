@@ -106,4 +106,10 @@ const char* name_of(Region region) noexcept {
   return region == Region::bounds ? "bounds" : "scene";
 }
 
+std::string upper(std::string name) {
+  for (char& letter : name)
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  return name;
+}
+
 }  // namespace vandplan::evaluation

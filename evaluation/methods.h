@@ -35,4 +35,7 @@ namespace vandplan::evaluation {
 /// "bounds" or "scene".
 [[nodiscard]] const char* name_of(Region region) noexcept;
 
+/// A strategy or estimate as people write it: "BSC", "HLUT-2".
+[[nodiscard]] std::string upper(std::string name);
+
 }  // namespace vandplan::evaluation

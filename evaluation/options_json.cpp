@@ -25,6 +25,10 @@ OptionValue value_of(const std::string& name, const nlohmann::json& json) {
 }
 
 void set(PlanOptions& options, const std::string& name, const nlohmann::json& value) {
+  if (name == processor_clock.first) {
+    options.budget.processor_time = true;
+    return;
+  }
   const auto common = std::ranges::find(common_options(), name, &CommonOption::name);
   if (common == common_options().end()) {
     options.planner.set(name, value_of(name, value));
@@ -46,7 +50,9 @@ std::vector<std::pair<std::string, std::string>> option_values(const PlanOptions
 
 std::string options_to_json(const PlanOptions& options) {
   std::string json;
-  for (const auto& [name, value] : option_values(options))
+  std::vector<std::pair<std::string, std::string>> values = option_values(options);
+  if (options.budget.processor_time) values.push_back(processor_clock);
+  for (const auto& [name, value] : values)
     json += (json.empty() ? "{\"" : ", \"") + name + "\": " + value;
   return json + "}";
 }

@@ -16,6 +16,9 @@ namespace vandplan::evaluation {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> option_values(
     const PlanOptions& options);
 
+/// Name and value beside the options of a run whose times are processor time.
+inline const std::pair<std::string, std::string> processor_clock = {"clock", "\"processor\""};
+
 /// The options but for the seed as a JSON object, and back with their types. Reading throws
 /// InputError for text that is no JSON object of options.
 [[nodiscard]] std::string options_to_json(const PlanOptions& options);

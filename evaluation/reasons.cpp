@@ -7,18 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evaluation/methods.h"
 #include "vandplan/heuristic_table.h"
 
 namespace vandplan::evaluation {
 namespace {
 
 constexpr int number_of_tables = 4;
-
-std::string upper(std::string text) {
-  for (char& letter : text)
-    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
-  return text;
-}
 
 // In order of appearance.
 std::vector<std::string> strategies_of(const Summary& summary) {

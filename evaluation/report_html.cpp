@@ -251,7 +251,7 @@ Json data_of(const Report& report) {
           {"pooled", pooled_json(report.summary)},
           {"searches", search_matrix_json(report)},
           {"literature", literature_json(report)},
-          {"headlines", headlines_json(report.summary)},
+          {"headlines", headlines_json(report)},
           {"all_runs", report.runs.size()},
           {"runs", runs_json(report, listed)}};
 }

@@ -16,19 +16,29 @@ OrderedJson json_of(const Interval& interval) {
   return {finite_json(interval.low), finite_json(interval.high)};
 }
 
-const char* verdict_name(PairedComparison::Verdict verdict) {
-  if (verdict == PairedComparison::Verdict::smaller) return "better";
-  return verdict == PairedComparison::Verdict::larger ? "worse" : "no difference";
-}
-
 OrderedJson json_of(const PairedComparison& comparison) {
   return {{"pairs", comparison.pairs},
           {"ratio", finite_json(comparison.ratio)},
           {"interval", json_of(comparison.interval)},
+          {"p_value", comparison.p_value},
           {"verdict", verdict_name(comparison.verdict)}};
 }
 
 }  // namespace
+
+const char* verdict_name(PairedComparison::Verdict verdict) {
+  switch (verdict) {
+    case PairedComparison::Verdict::smaller:
+      return "better";
+    case PairedComparison::Verdict::larger:
+      return "worse";
+    case PairedComparison::Verdict::nothing_searched:
+      return "nothing searched";
+    case PairedComparison::Verdict::no_difference:
+      break;
+  }
+  return "no difference";
+}
 
 OrderedJson json_of(const MedianEstimate& estimate) {
   return {{"median", finite_json(estimate.median)}, {"interval", json_of(estimate.interval)}};
@@ -171,10 +181,10 @@ OrderedJson planners_json(const std::vector<Planner>& planners) {
   return list;
 }
 
-OrderedJson headlines_json(const Summary& summary) {
+OrderedJson headlines_json(const Report& report) {
   OrderedJson headlines = OrderedJson::object();
   for (const Region region : {Region::bounds, Region::scene}) {
-    const std::string text = headline(summary, region);
+    const std::string text = headline(report.summary, report.scenarios, region);
     if (!text.empty()) headlines[name_of(region)] = text;
   }
   return headlines;
@@ -194,7 +204,7 @@ std::string headline_json(const Report& report) {
                          {"against_euclid", twins}});
   }
   const OrderedJson all = {{"verdicts", verdicts_json(report.findings)},
-                           {"headline", headlines_json(report.summary)},
+                           {"headline", headlines_json(report)},
                            {"runs", report.runs.size()},
                            {"left_out", report.left_out},
                            {"environment", environment_json(report.environment)},

@@ -11,6 +11,9 @@ namespace vandplan::evaluation {
 
 using OrderedJson = nlohmann::ordered_json;
 
+/// "better", "worse", "no difference" or "nothing searched".
+[[nodiscard]] const char* verdict_name(PairedComparison::Verdict verdict);
+
 [[nodiscard]] OrderedJson environment_json(const Environment& environment);
 
 /// JSON knows no infinity: null.
@@ -34,7 +37,7 @@ using OrderedJson = nlohmann::ordered_json;
 [[nodiscard]] OrderedJson claims_json(const std::vector<Finding>& findings);
 
 /// By region.
-[[nodiscard]] OrderedJson headlines_json(const Summary& summary);
+[[nodiscard]] OrderedJson headlines_json(const Report& report);
 
 /// Sentences that say which claims hold where.
 [[nodiscard]] OrderedJson verdicts_json(const std::vector<Finding>& findings);

@@ -142,22 +142,12 @@ std::string row_table(const ScenarioSummary& scenario) {
   return table.markdown();
 }
 
-const char* verdict_text(PairedComparison::Verdict verdict) {
-  switch (verdict) {
-    case PairedComparison::Verdict::smaller:
-      return "better";
-    case PairedComparison::Verdict::larger:
-      return "worse";
-    case PairedComparison::Verdict::no_difference:
-      break;
-  }
-  return "no difference";
-}
-
 std::string comparison_text(const PairedComparison& comparison) {
+  if (comparison.verdict == PairedComparison::Verdict::nothing_searched)
+    return verdict_name(comparison.verdict);
   const auto& [low, high] = comparison.interval;
   std::string text =
-      fmt::format("{}: {}", verdict_text(comparison.verdict), change_text(comparison.ratio));
+      fmt::format("{}: {}", verdict_name(comparison.verdict), change_text(comparison.ratio));
   if (low == 0.0 && std::isinf(high)) return text;  // too few pairs, or too mixed, to bound it
   return fmt::format("{} [{}, {}]", text, change_text(low), change_text(high));
 }
@@ -188,7 +178,7 @@ std::string pooled_table(const Report& report, Region region) {
                share(found.cheaper, found.pairs),
                share(found.pairs - found.cheaper - found.dearer, found.pairs),
                share(found.dearer, found.pairs), change_text(found.ratio),
-               fmt::format("{:.1f}", found.exact_solves), verdict_text(verdict)});
+               fmt::format("{:.1f}", found.exact_solves), verdict_name(verdict)});
   }
   return "\nAgainst the twin that ranks by Euclid, pairs of equal seed, cost at the end:\n\n" +
          table.markdown();
@@ -304,14 +294,14 @@ bool has_region(const Report& report, Region region) {
 
 std::string headline_markdown(const Report& report) {
   std::string text = "# Comparison of planners\n\n";
-  for (const std::string& verdict : verdicts(report.findings))
-    text += "- " + markdown(verdict) + "\n";
   for (const Region region : {Region::bounds, Region::scene}) {
     if (has_region(report, region)) {
       text += fmt::format("- Samples from the {}: {}\n", name_of(region),
-                          markdown(headline(report.summary, region)));
+                          markdown(headline(report.summary, report.scenarios, region)));
     }
   }
+  for (const std::string& verdict : verdicts(report.findings))
+    text += "- " + markdown(verdict) + "\n";
   text += "\n" + circumstances(report);
   for (const Region region : {Region::bounds, Region::scene}) {
     if (!has_region(report, region)) continue;
@@ -339,8 +329,12 @@ std::string report_markdown(const Report& report) {
   }
   return text + fmt::format(
                     "\nMedians with their {0:.0f} % intervals in brackets, from ranks alone; an "
-                    "unsolved run counts as infinite.\nComparisons are paired by seed and hold "
-                    "for all scenarios together with {0:.0f} % confidence.\n",
+                    "unsolved run counts as infinite.\nComparisons are paired by seed. An interval "
+                    "holds for its comparison alone with {0:.0f} % confidence, the verdicts of all "
+                    "comparisons hold together (Holm).\nThe first solution is timed from the first "
+                    "iteration. A difference below what setting a run up takes is a tie. Nothing "
+                    "searched: every run found its path at once, which says nothing about a "
+                    "heuristic.\n",
                     100.0 * confidence);
 }
 

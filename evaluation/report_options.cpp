@@ -14,6 +14,11 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 
 Values comparable_values(const PlanOptions& options) {
   Values values = option_values(options);
+  // Profiled runs are told of beside those whose time counts.
+  const OptionValue* const profile = options.planner.find("profile");
+  const bool is_profiled = profile != nullptr && *profile == OptionValue(true);
+  if (options.budget.processor_time || (is_profiled && options.budget.threads == 1))
+    values.push_back(processor_clock);
   std::erase_if(values, [](const auto& option) {
     return option.first == "region" || option.first == "profile";
   });

@@ -16,6 +16,7 @@
 
 #include "evaluation/shards.h"
 #include "vandplan/input_error.h"
+#include "vandplan/search.h"
 
 namespace vandplan::evaluation {
 namespace {
@@ -87,9 +88,9 @@ Finished carry_out(const Job& job, const std::atomic<bool>& stop) {
   PlanOptions options = *run.options;
   options.budget.seed = run.seed;
   options.budget.stop = &stop;
-  const Clock::time_point begin = Clock::now();
+  const search::Budget clock(options.budget);  // the planner's kind
   run.result = plan(*job.problem, *job.planner, options);
-  finished.judging_time = seconds(Clock::now() - begin) - run.result.time_total;
+  finished.judging_time = clock.elapsed() - run.result.time_total;
   run.result.tree.reset();
   return finished;
 }

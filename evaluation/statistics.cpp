@@ -14,19 +14,30 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// P(B(n, 1/2) = k).
+double fair_share(std::size_t n, std::size_t k) {
+  const auto [size, chosen] = std::pair(static_cast<double>(n), static_cast<double>(k));
+  return std::exp(std::lgamma(size + 1.0) - std::lgamma(chosen + 1.0) -
+                  std::lgamma(size - chosen + 1.0) - size * std::log(2.0));
+}
+
 // The largest k such that the k-th smallest and the k-th largest of n values enclose the median
 // with the confidence; 0 if not even the extremes do. P(median outside) = 2 P(B(n, 1/2) < k).
 std::size_t enclosing_rank(std::size_t n, double confidence) {
-  const double log_all = static_cast<double>(n) * std::log(2.0);
   double outside = 0.0;
   std::size_t k = 0;
   for (; k < n / 2; ++k) {
-    const auto [size, chosen] = std::pair(static_cast<double>(n), static_cast<double>(k));
-    outside += 2.0 * std::exp(std::lgamma(size + 1.0) - std::lgamma(chosen + 1.0) -
-                              std::lgamma(size - chosen + 1.0) - log_all);
+    outside += 2.0 * fair_share(n, k);
     if (outside > 1.0 - confidence) break;
   }
   return k;
+}
+
+// P(as many fair coins of n, or more, fall to one side), both sides together.
+double sign_test(std::size_t n, std::size_t on_one_side) {
+  double p = 0.0;
+  for (std::size_t k = on_one_side; k <= n; ++k) p += 2.0 * fair_share(n, k);
+  return std::min(p, 1.0);
 }
 
 // The z with P(|Z| < z) = confidence for a standard normal Z, by bisection of erf.
@@ -77,12 +88,35 @@ PairedComparison compare_pairs(std::span<const double> first, std::span<const do
   std::vector<double> ratios;
   for (std::size_t i = 0; i < first.size(); ++i)
     ratios.push_back(first[i] == second[i] ? 1.0 : first[i] / second[i]);
+  const auto smaller = std::ranges::count_if(ratios, [](double ratio) { return ratio < 1.0; });
+  const auto larger = std::ranges::count_if(ratios, [](double ratio) { return ratio > 1.0; });
+  comparison.p_value = sign_test(first.size(), static_cast<std::size_t>(std::max(smaller, larger)));
   const MedianEstimate estimate = median_of(std::move(ratios), confidence);
   comparison.ratio = estimate.median;
   comparison.interval = {std::max(0.0, estimate.interval.low), estimate.interval.high};
-  if (comparison.interval.high < 1.0) comparison.verdict = PairedComparison::Verdict::smaller;
-  if (comparison.interval.low > 1.0) comparison.verdict = PairedComparison::Verdict::larger;
+  if (comparison.p_value > 1.0 - confidence) return comparison;
+  comparison.verdict =
+      smaller > larger ? PairedComparison::Verdict::smaller : PairedComparison::Verdict::larger;
   return comparison;
+}
+
+// Holm 1979: by rising p, the k-th of m must be at most alpha / (m - k), k from 0; the first that
+// is not and all after it have no verdict.
+void judge_together(std::span<PairedComparison* const> comparisons, double confidence) {
+  const double alpha = 1.0 - confidence;
+  std::vector<PairedComparison*> able;
+  for (PairedComparison* const comparison : comparisons) {
+    const auto pairs = static_cast<std::size_t>(comparison->pairs);
+    const bool is_able = comparison->verdict != PairedComparison::Verdict::nothing_searched &&
+                         pairs > 0 && sign_test(pairs, pairs) <= alpha;
+    if (is_able) able.push_back(comparison);
+  }
+  std::ranges::stable_sort(able, {}, &PairedComparison::p_value);
+  bool holds = true;
+  for (std::size_t k = 0; k < able.size(); ++k) {
+    holds = holds && able[k]->p_value <= alpha / static_cast<double>(able.size() - k);
+    if (!holds) able[k]->verdict = PairedComparison::Verdict::no_difference;
+  }
 }
 
 }  // namespace vandplan::evaluation

@@ -39,11 +39,23 @@ struct PairedComparison {
   int pairs = 0;
   double ratio = 1.0;      ///< median over the pairs
   Interval interval = {};  ///< of the median ratio
-  enum class Verdict { smaller, no_difference, larger } verdict = Verdict::no_difference;
+  double p_value = 1.0;    ///< of the sign test, two-sided; equal pairs speak for no difference
+  enum class Verdict {
+    smaller,
+    no_difference,
+    larger,
+    nothing_searched,  ///< all of what is compared was found without a search
+  } verdict = Verdict::no_difference;
 };
 
-/// Compares `first[i]` with `second[i]`, both > 0; two infinite ones are equal.
+/// Compares `first[i]` with `second[i]`, both > 0; two infinite ones are equal. Interval and
+/// verdict hold for this comparison alone.
 [[nodiscard]] PairedComparison compare_pairs(std::span<const double> first,
                                              std::span<const double> second, double confidence);
+
+/// Takes back verdicts until all of them hold together with the confidence (Holm 1979). Comparisons
+/// of nothing searched, and those of so few pairs that they could not have a verdict even alone, do
+/// not count.
+void judge_together(std::span<PairedComparison* const> comparisons, double confidence);
 
 }  // namespace vandplan::evaluation

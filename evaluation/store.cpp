@@ -17,6 +17,7 @@ namespace vandplan::evaluation {
 namespace {
 
 constexpr int application_id = 0x56504c4e;  // "VPLN"
+constexpr int without_set_up = 3;           // the format whose runs lack `time_setup`
 
 // Ids count from 1 in the order of insertion and nothing is ever deleted: index = id - 1.
 constexpr const char* schema = R"(
@@ -41,7 +42,7 @@ CREATE TABLE runs(
   cost REAL, start_x REAL, start_y REAL, start_heading REAL,
   iterations INTEGER NOT NULL, time_total REAL NOT NULL,
   nodes INTEGER, exact_solves INTEGER, edge_checks INTEGER,
-  time_ranking REAL, time_steering REAL, time_checking REAL,
+  time_ranking REAL, time_steering REAL, time_checking REAL, time_setup REAL,
   UNIQUE(environment, scenario, goal, configuration, region, seed)) STRICT;
 CREATE TABLE costs(
   run INTEGER NOT NULL REFERENCES runs(id), number INTEGER NOT NULL,
@@ -76,7 +77,7 @@ Region region_named(const std::string& name) {
 
 // What has columns of its own: NULL where a planner does not count or measure it.
 constexpr std::array counters = {"nodes", "exact_solves", "edge_checks"};
-constexpr std::array phases = {"ranking", "steering", "checking"};
+constexpr std::array phases = {"ranking", "steering", "checking", "setup"};
 
 std::optional<std::int64_t> counted(const PlanResult& result, std::string_view name) {
   const auto found = std::ranges::find(result.counters, name, &Counter::name);
@@ -92,7 +93,7 @@ void check_is_store(Database& database) {
   if (database.integer("PRAGMA application_id") != application_id)
     throw InputError(database.file(), "is not a result store of vandplan");
   const std::int64_t format = database.integer("PRAGMA user_version");
-  if (format != Store::format) {
+  if (format != Store::format && format != without_set_up) {
     throw InputError(database.file(), fmt::format("is a result store of format {}, expected {}",
                                                   format, Store::format));
   }
@@ -101,13 +102,17 @@ void check_is_store(Database& database) {
   const std::string orphan = database.text("PRAGMA foreign_key_check");
   if (!orphan.empty())
     throw InputError(database.file(), "is damaged: a row of " + orphan + " refers to nothing");
+  if (format == without_set_up) {
+    database.execute(fmt::format(
+        "ALTER TABLE runs ADD COLUMN time_setup REAL; PRAGMA user_version = {}", Store::format));
+  }
 }
 
 // The part of a run that is in the table of runs; its columns are `columns_of_runs`.
 constexpr const char* columns_of_runs =
     "id, environment, scenario, goal, configuration, region, seed, jobs, started, status, reason,"
     " iterations, time_total, cost, start_x, start_y, start_heading, nodes, exact_solves,"
-    " edge_checks, time_ranking, time_steering, time_checking";
+    " edge_checks, time_ranking, time_steering, time_checking, time_setup";
 
 RunRecord run_of(const Statement& row) {
   RunRecord run;
@@ -150,7 +155,7 @@ struct Store::Statements {
                  "SELECT id FROM runs WHERE environment = ? AND scenario = ? AND goal = ?"
                  " AND configuration = ? AND region = ? AND seed = ?"),
         add_run(database, fmt::format("INSERT INTO runs({}) VALUES (NULL{})", columns_of_runs,
-                                      repeated(", ?", 22))),
+                                      repeated(", ?", 23))),
         add_cost(database, "INSERT INTO costs VALUES (?, ?, ?, ?, ?)"),
         add_segment(database, "INSERT INTO segments VALUES (?, ?, ?, ?, ?)") {}
 
@@ -250,13 +255,13 @@ bool Store::insert(const RunRecord& run) {
     y = result.path->start.y;
     heading = result.path->start.heading;
   }
-  statements_->add_run.run(id_at(run.environment), id_at(run.scenario),
-                           static_cast<std::int64_t>(run.goal), configuration, name_of(run.region),
-                           signed_seed(run.seed), run.jobs, run.started, name_of(result.status),
-                           result.reason, result.iterations, result.time_total, cost, x, y, heading,
-                           counted(result, counters[0]), counted(result, counters[1]),
-                           counted(result, counters[2]), measured(result, phases[0]),
-                           measured(result, phases[1]), measured(result, phases[2]));
+  statements_->add_run.run(
+      id_at(run.environment), id_at(run.scenario), static_cast<std::int64_t>(run.goal),
+      configuration, name_of(run.region), signed_seed(run.seed), run.jobs, run.started,
+      name_of(result.status), result.reason, result.iterations, result.time_total, cost, x, y,
+      heading, counted(result, counters[0]), counted(result, counters[1]),
+      counted(result, counters[2]), measured(result, phases[0]), measured(result, phases[1]),
+      measured(result, phases[2]), measured(result, phases[3]));
   const std::int64_t id = database_.last_id();
   int number = 0;
   for (const CostSample& sample : result.anytime)

@@ -25,7 +25,7 @@ namespace vandplan::evaluation {
 class Store {
  public:
   /// Raised when the tables change.
-  static constexpr int format = 3;
+  static constexpr int format = 4;
 
   /// Opens a store. Throws InputError when it is missing, damaged, of another format, or no store.
   [[nodiscard]] static Store open(const std::string& file);

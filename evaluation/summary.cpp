@@ -178,29 +178,83 @@ MethodSummary summarize_method(const Runs& runs, const Runs& profiled, const Sce
   return summary;
 }
 
-// Pairs of runs of the same goal and seed.
-TwinComparison compare_twins(const Runs& runs, const Runs& twin_runs, double level) {
+// Time from the first iteration to the first path: what sets a ranking up counts for nobody.
+double search_time(const RunRecord& run) {
+  return first_solution_time(run) - phase_time(run.result, "setup");
+}
+
+// Runs of the same goal and seed, of a planner and of its twin.
+struct Pairs {
+  Runs first;
+  Runs second;
+
+  template <typename Holds>
+  bool all(Holds holds) const {
+    const auto of_run = [&](const RunRecord* run) { return holds(*run); };
+    return std::ranges::all_of(first, of_run) && std::ranges::all_of(second, of_run);
+  }
+};
+
+// Times that differ by less than setting a run up takes are equal.
+template <typename Time>
+PairedComparison compare_times(const Pairs& pairs, Time time) {
+  std::vector<double> first = values_of(pairs.first, time);
+  const std::vector<double> second = values_of(pairs.second, time);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const double set_up = std::max(phase_time(pairs.first[i]->result, "setup"),
+                                   phase_time(pairs.second[i]->result, "setup"));
+    if (std::abs(first[i] - second[i]) < set_up) first[i] = second[i];
+  }
+  return compare_pairs(first, second, confidence);
+}
+
+// A run that its limit ended took the limit: how late it noticed says nothing.
+double run_time(const RunRecord& run) {
+  return std::min(run.result.time_total, run.options->budget.time_limit.value_or(unreached));
+}
+
+// A first path of the first iteration: no tree has grown, so nothing was ranked.
+bool is_found_at_once(const RunRecord& run) {
+  return !run.result.anytime.empty() && run.result.anytime.front().iteration <= 1;
+}
+
+bool is_never_improved(const RunRecord& run) { return run.result.anytime.size() == 1; }
+
+TwinComparison compare_twins(const Runs& runs, const Runs& twin_runs) {
   std::map<std::pair<std::size_t, std::uint64_t>, const RunRecord*> by_seed;
   for (const RunRecord* run : twin_runs) by_seed[{run->goal, run->seed}] = run;
-  Runs first, second;
+  Pairs pairs;
   for (const RunRecord* run : runs) {
     const auto found = by_seed.find({run->goal, run->seed});
     if (found == by_seed.end()) continue;
-    first.push_back(run);
-    second.push_back(found->second);
+    pairs.first.push_back(run);
+    pairs.second.push_back(found->second);
   }
-  const auto compare = [&](auto value) {
-    return compare_pairs(values_of(first, value), values_of(second, value), level);
-  };
   TwinComparison twins;
-  twins.first_time = compare(first_solution_time);
-  twins.time_total = compare([](const RunRecord& run) { return run.result.time_total; });
-  twins.cost = compare(final_cost);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const double cost = final_cost(*first[i]), twin_cost = final_cost(*second[i]);
+  twins.first_time = compare_times(pairs, search_time);
+  twins.time_total = compare_times(pairs, run_time);
+  twins.cost = compare_pairs(values_of(pairs.first, final_cost),
+                             values_of(pairs.second, final_cost), confidence);
+  if (!pairs.first.empty() && pairs.all(is_found_at_once)) {
+    twins.first_time.verdict = PairedComparison::Verdict::nothing_searched;
+    if (pairs.all(is_never_improved))
+      twins.cost.verdict = PairedComparison::Verdict::nothing_searched;
+  }
+  for (std::size_t i = 0; i < pairs.first.size(); ++i) {
+    const double cost = final_cost(*pairs.first[i]), twin_cost = final_cost(*pairs.second[i]);
     twins.cost_ratios.push_back(cost == twin_cost ? 1.0 : cost / twin_cost);
   }
   return twins;
+}
+
+// Verdicts that hold for all comparisons together.
+void judge(std::vector<ScenarioSummary>& scenarios) {
+  std::vector<PairedComparison*> all;
+  for (ScenarioSummary& scenario : scenarios) {
+    for (TwinComparison& twins : scenario.twins)
+      all.insert(all.end(), {&twins.cost, &twins.first_time, &twins.time_total});
+  }
+  judge_together(all, confidence);
 }
 
 // Runs by scenario, region and planner.
@@ -236,7 +290,6 @@ std::vector<double> curve_times(const std::vector<RunRecord>& runs) {
 Summary summarize(const std::vector<ScenarioFile>& scenarios, const std::vector<Planner>& planners,
                   const std::vector<RunRecord>& runs) {
   Summary summary{curve_times(runs), {}};
-  const double level = 1.0 - (1.0 - confidence) / static_cast<double>(scenarios.size());
   for (const auto& [key, methods] : grouped(runs)) {
     const auto& [scenario, region] = key;
     ScenarioSummary found{scenario, region, {}, {}};
@@ -252,7 +305,7 @@ Summary summarize(const std::vector<ScenarioFile>& scenarios, const std::vector<
       found.methods.push_back(std::move(method));
       const Planner* const twin = euclid_twin(planner, planners);
       if (twin == nullptr || !methods.contains(twin->name)) continue;
-      TwinComparison twins = compare_twins(timed, methods.at(twin->name).timed, level);
+      TwinComparison twins = compare_twins(timed, methods.at(twin->name).timed);
       twins.planner = planner.name;
       twins.properties = planner.properties;
       twins.twin = twin->name;
@@ -260,6 +313,7 @@ Summary summarize(const std::vector<ScenarioFile>& scenarios, const std::vector<
     }
     summary.scenarios.push_back(std::move(found));
   }
+  judge(summary.scenarios);
   std::ranges::stable_sort(summary.scenarios, {}, &ScenarioSummary::region);
   return summary;
 }

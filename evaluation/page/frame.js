@@ -37,9 +37,9 @@ function renderFrame() {
       : 'on any machine, which finds the same; times are not told.');
   renderClaims();
   $('headlines').replaceChildren(
-    ...data.verdicts.map((text) => element('p', {class: 'headline'}, text)),
     ...Object.entries(data.headlines).filter(([, text]) => text)
-      .map(([region, text]) => element('p', {class: 'headline'}, element('b', {}, `Samples from the ${region}: `), text)));
+      .map(([region, text]) => element('p', {class: 'headline'}, element('b', {}, `Samples from the ${region}: `), text)),
+    ...data.verdicts.map((text) => element('p', {class: 'headline'}, text)));
   $('claims-section').hidden = data.claims.length === 0;
   const share = (part) => overhead.planning === 0 ? 'not told' : `${((100 * part) / overhead.planning).toFixed(2)} % of the planning time`;
   $('facts').replaceChildren(

@@ -38,7 +38,7 @@ const measures = {
 };
 
 function arrow(comparison) {
-  if (!comparison || comparison.verdict === 'no difference') return null;
+  if (!comparison || !['better', 'worse'].includes(comparison.verdict)) return null;
   const better = comparison.verdict === 'better';
   return element('span', {class: better ? 'better' : 'worse',
     title: `against Euclid: ${comparison.text} (${comparison.between.join(' to ')})`},

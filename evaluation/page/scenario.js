@@ -50,6 +50,7 @@ function renderGoals(c, row) {
 function renderTwins(c) {
   const column = (title, key) => ({title, value: (t) => t[key].ratio, show: (t) => {
     const {verdict, text, between, bounded} = t[key];
+    if (verdict === 'nothing searched') return verdict;
     return element('span', {}, element('span', {class: verdict === 'no difference' ? null : verdict}, verdict),
       ` ${text} `, element('small', {}, bounded ? `[${between.join(', ')}]` : ''));
   }});

@@ -96,7 +96,7 @@ TEST_F(EvaluateCommand, TakesTheThesisAsPrintedFirst) {
   ASSERT_EQ(json.at("claims").size(), 12U);
   EXPECT_EQ(json.at("claims").at(0).at("setting"), "as printed");
   EXPECT_EQ(json.at("claims").at(11).at("setting"), "goal tried");
-  EXPECT_EQ(json.at("verdicts").size(), 2U);
+  EXPECT_EQ(json.at("verdicts").size(), 3U);
 }
 
 TEST_F(EvaluateCommand, PrintsOneJsonObjectInstead) {

@@ -145,6 +145,17 @@ TEST(Campaign, GivesSettingsToThosePlannersThatHonourThem) {
   }
 }
 
+TEST(Campaign, CountsTheProcessorTimeOfRunsOfOneThread) {
+  Campaign campaign = small_campaign();
+  campaign.planners = {planner_named("anytime")};
+  campaign.profile = false;
+  for (const char* const threads : {"1", "2"}) {
+    campaign.settings = {{"threads", threads}};
+    for (const RunSpec& run : runs_of(campaign))
+      EXPECT_EQ(run.options->budget.processor_time, std::string(threads) == "1");
+  }
+}
+
 TEST(Campaign, SteersAsItsSettingsSayAndOtherwiseInTheShortestStyle) {
   Campaign campaign = small_campaign();
   campaign.planners = {planner("plain"), planner_named("rrt-bsc-euc"), planner_named("anytime")};

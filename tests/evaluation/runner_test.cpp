@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <map>
 #include <stdexcept>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "vandplan/path_check.h"
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/search.h"
 
 namespace vandplan::evaluation {
 namespace {
@@ -46,6 +48,14 @@ PlannerAnswer plan_endlessly(const Task&, const PlanOptions& options) {
   return {};
 }
 
+// Sleeps longer than its budget of 10 ms, and says how many iterations it has after that.
+PlannerAnswer sleep_past_the_limit(const Task&, const PlanOptions& options) {
+  search::Budget budget(options.budget);
+  std::this_thread::sleep_for(std::chrono::milliseconds(15));
+  static_cast<void>(budget.next());
+  return {.status = PlanStatus::node_limit, .iterations = budget.iterations()};
+}
+
 Planner planner(const std::string& name, const PlannerFunction& function) {
   return {.name = name, .summary = "", .function = function};
 }
@@ -56,6 +66,20 @@ Campaign small_campaign() {
       .planners = {planner("direct", plan_directly), planner("nothing", plan_nothing)},
       .repeats = 5,
       .settings = {{"max_iterations", "100"}}};
+}
+
+// On a busy machine a run waits for its core; that is not its time.
+TEST(Runner, DoesNotCountWhatARunWaits) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign = small_campaign();
+  campaign.planners = {planner("sleeper", sleep_past_the_limit)};
+  campaign.settings = {{"time_limit", "0.01"}};
+  run_campaign(campaign, store, {});
+  for (const RunRecord& run : store.runs()) {
+    EXPECT_EQ(run.result.iterations, 1);
+    EXPECT_LT(run.result.time_total, 0.01);
+  }
 }
 
 TEST(Runner, StoresEveryRunOfACampaign) {

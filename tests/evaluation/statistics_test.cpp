@@ -126,6 +126,83 @@ TEST(PairedComparison, RarelySeesADifferenceThatIsNotThere) {
   EXPECT_LT(seen, 4000 * 0.06);
 }
 
+// Sixteen pairs of 25 one way: 2 P(B(25, 1/2) >= 16) = 0.2295; 20 of them: 0.00408.
+TEST(PairedComparison, HasThePValueOfTheSignTest) {
+  const auto p_value = [](int smaller) {
+    std::vector<double> first(25, 2.0);
+    std::fill_n(first.begin(), smaller, 0.5);
+    return compare_pairs(first, std::vector<double>(25, 1.0), 0.95).p_value;
+  };
+  EXPECT_NEAR(p_value(16), 0.22952, 5e-6);
+  EXPECT_NEAR(p_value(9), 0.22952, 5e-6);
+  EXPECT_NEAR(p_value(20), 0.0040770, 5e-7);
+  EXPECT_EQ(p_value(13), 1.0);
+}
+
+PairedComparison comparison(double p_value, int pairs = 25) {
+  return {.pairs = pairs, .p_value = p_value, .verdict = Verdict::smaller};
+}
+
+std::vector<bool> judged(std::vector<PairedComparison> comparisons) {
+  std::vector<PairedComparison*> all;
+  for (PairedComparison& one : comparisons) all.push_back(&one);
+  judge_together(all, 0.95);
+  std::vector<bool> holds;
+  for (const PairedComparison& one : comparisons) holds.push_back(one.verdict == Verdict::smaller);
+  return holds;
+}
+
+TEST(JudgeTogether, IsHolms) {
+  EXPECT_EQ(judged({comparison(0.024), comparison(0.012), comparison(0.049), comparison(0.013)}),
+            (std::vector{true, true, true, true}));  // up to 0.05 / 4, / 3, / 2 and / 1
+  EXPECT_EQ(judged({comparison(0.026), comparison(0.012), comparison(0.026), comparison(0.013)}),
+            (std::vector{false, true, false, true}));
+  // After the first that fails nothing holds.
+  EXPECT_EQ(judged({comparison(0.013), comparison(0.014), comparison(0.015), comparison(0.016)}),
+            (std::vector{false, false, false, false}));
+}
+
+// Five pairs have p >= 2 / 2^5, whatever they show; where nothing was searched nothing can be
+// shown.
+TEST(JudgeTogether, CountsWhatCouldHaveAVerdict) {
+  std::vector<PairedComparison> comparisons = {comparison(0.03)};
+  comparisons.resize(20, comparison(0.0625, 5));
+  EXPECT_TRUE(judged(comparisons).front());
+  PairedComparison at_once = comparison(1.0);
+  at_once.verdict = Verdict::nothing_searched;
+  comparisons.resize(40, at_once);
+  EXPECT_TRUE(judged(comparisons).front());
+  comparisons.push_back(comparison(0.9));
+  EXPECT_FALSE(judged(comparisons).front());
+}
+
+// A comparison of eight tables with nothing but chance between them and Euclid, in nine scenarios;
+// four tables share a twin.
+bool is_one_confirmed_by_chance(Rng& rng) {
+  constexpr int scenarios = 9, tables = 8, pairs = 40;
+  std::vector<PairedComparison> comparisons;
+  std::vector<double> table(pairs), twin(pairs);
+  for (int i = 0; i < scenarios * tables; ++i) {
+    for (double& value : table) value = uniform(1.0, 2.0, rng);
+    if (i % 4 == 0)
+      for (double& value : twin) value = uniform(1.0, 2.0, rng);
+    comparisons.push_back(compare_pairs(table, twin, 0.95));
+  }
+  std::vector<PairedComparison*> all;
+  for (PairedComparison& one : comparisons) all.push_back(&one);
+  judge_together(all, 0.95);
+  return std::ranges::any_of(
+      comparisons, [](const PairedComparison& one) { return one.verdict == Verdict::smaller; });
+}
+
+TEST(JudgeTogether, ConfirmsByChanceInAtMostOneReportOfTwenty) {
+  Rng rng(4);
+  constexpr int reports = 1000;
+  int confirmed = 0;
+  for (int i = 0; i < reports; ++i) confirmed += is_one_confirmed_by_chance(rng);
+  EXPECT_LE(confirmed, reports / 20);  // B(1000, 0.025) exceeds it once in a million
+}
+
 TEST(PairedComparison, OfNothingSaysNothing) {
   EXPECT_EQ(compare_pairs({}, {}, 0.95).pairs, 0);
   EXPECT_EQ(compare_pairs({}, {}, 0.95).verdict, Verdict::no_difference);

@@ -42,7 +42,7 @@ RunRecord solved_run(Store& store, std::uint64_t seed) {
   run.result.time_total = 0.0625;
   run.result.anytime = {{0.01, 7, 1e3}, {0.02, 90, 1.0 / 3.0 + 2e-7}};
   run.result.counters = {{"nodes", 500}, {"exact_solves", 1234}, {"edge_checks", 567}};
-  run.result.phases = {{"ranking", 0.5}, {"steering", 0.25}, {"checking", 0.125}};
+  run.result.phases = {{"ranking", 0.5}, {"steering", 0.25}, {"checking", 0.125}, {"setup", 0.001}};
   return run;
 }
 
@@ -280,9 +280,25 @@ TEST(Store, RefusesAnotherFormat) {
   Database(file, Database::Mode::write).execute("PRAGMA user_version = 99");
   EXPECT_EQ(complaint(file),
             file + ": is a result store of format 99, expected " + std::to_string(Store::format));
-  // The one before this knew no clothoids.
+  // The second one knew no clothoids.
   Database(file, Database::Mode::write).execute("PRAGMA user_version = 2");
-  EXPECT_EQ(complaint(file), file + ": is a result store of format 2, expected 3");
+  EXPECT_EQ(complaint(file), file + ": is a result store of format 2, expected 4");
+}
+
+TEST(Store, AddsToTheThirdFormatWhatItLacks) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "runs.sqlite";
+  {
+    Store store = Store::create(file);
+    store.add(unsolved_run(store, 1));
+  }
+  Database(file, Database::Mode::write)
+      .execute("ALTER TABLE runs DROP COLUMN time_setup; PRAGMA user_version = 3");
+  Store store = Store::open(file);
+  store.add(solved_run(store, 2));
+  ASSERT_EQ(store.runs().size(), 2U);
+  expect_equal(store.runs()[0], unsolved_run(store, 1));
+  expect_equal(store.runs()[1], solved_run(store, 2));
 }
 
 TEST(Store, RefusesADamagedFile) {
@@ -326,6 +342,8 @@ TEST(Store, WritesOptionsAsJsonThatReadsBack) {
   options.planner.set("max_nodes", std::int64_t{2});
   options.planner.set("keep_tree", true);
   options.planner.set("region", std::string("scene"));
+  EXPECT_EQ(options_from_json(options_to_json(options)), options);
+  options.budget.processor_time = true;
   EXPECT_EQ(options_from_json(options_to_json(options)), options);
 }
 

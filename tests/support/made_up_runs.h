@@ -42,7 +42,7 @@ inline RunRecord made_up_run(const std::string& planner, std::uint64_t seed,
   if (!cost) return run;
   run.result.path = Path{{10.0, 20.0, 0.5}, {{0.0, *cost}}};
   run.result.cost = *cost;
-  run.result.anytime = {{time, 1, 2.0 * *cost}, {2.0 * time, 2, *cost}};
+  run.result.anytime = {{time, 10, 2.0 * *cost}, {2.0 * time, 20, *cost}};
   return run;
 }
 
