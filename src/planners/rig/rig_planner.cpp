@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "planners/commands/shorten_drive.h"
+#include "planners/rig/behind_tractor.h"
+#include "planners/rig/open_drives.h"
 #include "planners/rig/rig_search.h"
 #include "planners/rig/softer_wheels.h"
 #include "planners/rig/towed.h"
@@ -35,8 +37,30 @@ struct Kind {
   int levels;
   int share;  ///< of the expansions, beside others
 };
-constexpr std::array<Kind, 4> kinds = {
-    {{3, 8, 1, 1}, {2.2, 8, 2, 1}, {1.5, 8, 4, 1}, {1, 1.7, 1, 3}}};
+constexpr std::array<Kind, 5> kinds = {
+    {{3, 8, 1, 1}, {2.2, 8, 2, 1}, {1.5, 8, 4, 1}, {1, 1.7, 1, 3}, {3, 8, 1, 1}}};
+constexpr std::size_t forward_kind = 4;  // looks forward alone until there is a drive
+
+/// Trials between two looks at whether a drive may become the best one.
+constexpr int trials_of_look = 128;
+/// A drive is given up where so many looks like the last one would not make it the best.
+constexpr double hope = 6.0;
+
+/// By these prices the first drive is looked for, whatever the ones in force are.
+CostRule helpful_rule(const CostOptions& cost) {
+  CostOptions options = driver_style;
+  options.initial_gear = cost.initial_gear;
+  return cost_rule(options);
+}
+
+/// Prices that lead to drives of other kinds: hardly in reverse.
+CostRule forward_rule(const CostOptions& cost) {
+  CostOptions options = driver_style;
+  options.initial_gear = cost.initial_gear;
+  options.reverse_weight = 1000.0;
+  options.gear_change_cost = 100.0;
+  return cost_rule(options);
+}
 
 /// By how much the strokes before and after gear changes are shorter than `least`, in all [m].
 double missing(std::span<const Segment> segments, double least) {
@@ -64,18 +88,21 @@ class Run {
         pricing_(pricing),
         min_stroke_(options.planner.number("min_stroke")),
         budget_(options.budget),
-        unit_(0.3 * std::sqrt(turning_radius(task.vehicle) * task.vehicle.trailer->wheelbase)),
+        rules_{pricing.rule(), helpful_rule(options.cost), pricing.rule(),
+               forward_rule(options.cost)},
+        unit_(search_unit(task.vehicle)),
         guides_(task),
         towed_(towed_task(task)),
         bound_(least_cost(task, pricing)) {}
 
+  /// Drives that need no search.
+  void begin();
   /// Searches for a drive, in several ways by turns. False when the budget is spent.
   bool search();
   /// Proven: the tractor or the trailer cannot get from the start to the goal.
   [[nodiscard]] bool is_walled_in() const { return tractor_.is_proven() || trailer_.is_proven(); }
-  /// Makes a drive cheaper until that brings next to nothing. False when the budget is spent.
-  bool shorten();
   [[nodiscard]] PlannerAnswer answer();
+  [[nodiscard]] bool is_over() { return budget_.exhausted() || is_walled_in() || is_good_enough(); }
 
  private:
   static constexpr int first_share = 128, most_share = 1 << 14;
@@ -83,14 +110,20 @@ class Run {
   struct Search {
     std::optional<RigSearch> now;
     int rounds = 0;
-    std::size_t task = 0;  // whose wheels it looks with
+    std::size_t task = 0;       // whose wheels it looks with
+    bool is_of_prices = false;  // by the prices in force
   };
 
   void look_for_walls();
   void begin(Search& search);
   void end(Search& search);
   [[nodiscard]] double cutoff() const;
-  void keep(const std::vector<Segment>& segments, double wanted);
+  void turn(Search& search, int expansions);
+  void follow_tractor(std::int64_t work);
+  void polish();
+  void shorten(DriveShortener& drive, std::size_t task);
+  void take(std::vector<Segment> commands, std::size_t with);
+  void keep(const DriveShortener& drive, std::size_t task);
   [[nodiscard]] commands::DriveShortener::Measure measure() const;
   [[nodiscard]] bool is_good_enough() const {
     const double gap = options_.budget.target_gap.value_or(0.0);
@@ -103,18 +136,18 @@ class Run {
   const planning::Pricing& pricing_;
   double min_stroke_;  // that is asked for [m]
   Budget budget_;
-  double unit_;  // of the steps of a search [m]
+  std::array<CostRule, 4> rules_;  // of searches: in force, and others for drives of other kinds
+  double unit_;                    // of the steps of a search [m]
   Guides guides_;
   std::array<Search, kinds.size()> searches_;
-  std::size_t turn_ = 0;     // of a search
   int share_ = first_share;  // of expansions, which grows
-  int left_ = first_share;
+  int follows_ = 0;          // paths of the tractor
   Task towed_;
   Enclosure tractor_{task_}, trailer_{towed_};
-  double bound_;                               // no drive costs less [m]
-  std::optional<std::vector<Segment>> found_;  // commands
-  std::size_t found_with_ = 0;                 // task whose wheels obey them
-  std::optional<std::vector<Segment>> best_;   // what is driven
+  double bound_;                              // no drive costs less [m]
+  std::optional<std::vector<Segment>> best_;  // what is driven
+  std::vector<Segment> best_commands_;
+  std::size_t best_with_ = 0;  // task whose wheels obey them
   double best_cost_ = 0.0;
   double best_wanted_ = 0.0;  // its cost, and more where strokes are shorter than is asked for
   std::vector<CostSample> trace_;
@@ -123,16 +156,21 @@ class Run {
 };
 
 /// A search that is at its end, or has found something, makes way for a finer one of its kind.
+/// Until there is a drive all look by helpful prices; then each goes through all of them.
 void Run::begin(Search& search) {
   const auto kind = static_cast<std::size_t>(&search - searches_.data());
   const auto& [step, weight, levels, share] = kinds[kind];
   const int round = search.rounds++;
-  search.task = best_ ? (kind + static_cast<std::size_t>(round)) % tasks_.size() : 0;
   constexpr int most_rounds = 16;
   constexpr double finer = 0.7;
   const int finest = std::min(round, most_rounds);
+  const std::size_t first_rule = kind == forward_kind ? 3 : 1;
+  const std::size_t later = pricing_.counts_time() ? 0 : (static_cast<std::size_t>(round) + kind);
+  const std::size_t rule = best_ ? later % rules_.size() : first_rule;
+  search.task = best_ ? (kind + static_cast<std::size_t>(round)) % tasks_.size() : 0;
+  search.is_of_prices = rule % 2 == 0;
   search.now.emplace(
-      tasks_[search.task], pricing_.rule(), guides_,
+      tasks_[search.task], rules_[rule], guides_,
       Fineness{.step = unit_ * step * std::pow(finer, finest % 6),
                .weight = round % 2 == 0 ? weight : 1 + weight / 4,
                .levels = levels,
@@ -157,29 +195,61 @@ void Run::look_for_walls() {
   }
 }
 
-bool Run::search() {
-  while (!found_) {
-    Search& search = searches_[turn_];
-    if (!search.now) begin(search);
-    if (best_) search.now->set_cutoff(cutoff());
-    bool goes_on = true;
-    for (; left_ > 0 && goes_on && !found_ && budget_.next(); --left_) {
-      goes_on = search.now->step();
-      found_ = search.now->take_found();
-      found_with_ = search.task;
-    }
-    if (!goes_on || found_) end(search);
-    if (budget_.exhausted()) break;
-    if (left_ > 0 && !found_) continue;
-    turn_ = (turn_ + 1) % kinds.size();
-    if (turn_ == 0) {
-      look_for_walls();
-      if (is_walled_in()) break;
-      share_ = std::min(2 * share_, most_share);
-    }
-    left_ = share_ * kinds[turn_].share;
+/// [1] and, where the way is far, [2] before the searches, which take long there.
+void Run::begin() {
+  std::vector<std::vector<Segment>> open;
+  if (!pricing_.counts_time()) open = open_drives(task_, pricing_.rule());
+  for (const std::vector<Segment>& drive : open) {
+    if (!budget_.next()) return;
+    take(drive, 0);
   }
-  return !budget_.exhausted() && !is_walled_in();
+  constexpr double far = 12;  // [turning radii]
+  constexpr std::int64_t work_of_far_way = 1000;
+  const double apart = std::hypot(task_.goal.x - task_.start.x, task_.goal.y - task_.start.y);
+  if (!best_ && apart > far * turning_radius(task_.vehicle)) follow_tractor(work_of_far_way);
+}
+
+/// [3] Some expansions of a search.
+void Run::turn(Search& search, int expansions) {
+  if (!search.now) begin(search);
+  if (best_ && search.is_of_prices) search.now->set_cutoff(cutoff());
+  while (expansions-- > 0 && budget_.next()) {
+    const bool goes_on = search.now->step();
+    std::optional<std::vector<Segment>> found = search.now->take_found();
+    if (goes_on && !found) continue;
+    end(search);
+    if (found) take(std::move(*found), search.task);
+    return;
+  }
+}
+
+/// [2] Along another path of the tractor.
+void Run::follow_tractor(std::int64_t work) {
+  constexpr std::array radii = {1.3, 1.05, 1.6};
+  constexpr std::array reverse_weights = {20.0, 2.0};
+  const auto turn = static_cast<std::size_t>(follows_++);
+  const TractorTerms terms{.radius = radii[turn % radii.size()] * turning_radius(task_.vehicle),
+                           .reverse_weight = reverse_weights[turn / 2 % reverse_weights.size()],
+                           .distance = 0.4 * task_.vehicle.trailer->wheelbase,
+                           .iterations = work,
+                           .expansions = work,
+                           .seed = stream_seed(options_.budget.seed, turn)};
+  const auto drive = drive_behind_tractor(task_, options_, terms, budget_);
+  if (drive) take(*drive, 0);
+}
+
+bool Run::search() {
+  for (std::size_t i = 0; i < kinds.size() && !is_over(); ++i) {
+    const bool had_drive = best_.has_value();
+    turn(searches_[i], share_ * kinds[i].share);
+    if (!had_drive && best_) break;  // the others had no chance to look by the prices in force
+  }
+  const bool tries_others = !pricing_.counts_time() || !best_;  // a trial takes long by time
+  if (tries_others && !is_over()) follow_tractor(share_);
+  if (tries_others && !is_over()) polish();
+  look_for_walls();
+  share_ = std::min(2 * share_, most_share);
+  return !is_over();
 }
 
 /// Measure that drives are compared by; none where the cost is a sum over segments. A metre that
@@ -198,41 +268,56 @@ double Run::cutoff() const {
   return worth_a_trial * drive_cost(pricing_.rule(), *best_, driven);
 }
 
-void Run::keep(const std::vector<Segment>& segments, double wanted) {
-  if (best_ && wanted >= best_wanted_) return;
-  best_ = segments;
-  best_wanted_ = wanted;
-  best_cost_ = wanted - price_of_lack * missing(segments, min_stroke_);
+void Run::keep(const DriveShortener& drive, std::size_t task) {
+  if (best_ && drive.cost() >= best_wanted_) return;
+  best_ = drive.segments();
+  best_commands_ = drive.commands();
+  best_with_ = task;
+  best_wanted_ = drive.cost();
+  best_cost_ = best_wanted_ - price_of_lack * missing(*best_, min_stroke_);
   // A drive with longer strokes may cost more than the one before.
   std::erase_if(trace_, [&](const CostSample& sample) { return sample.cost <= best_cost_; });
   trace_.push_back({budget_.elapsed(), budget_.iterations(), best_cost_});
 }
 
-bool Run::shorten() {
-  if (!found_) return !budget_.exhausted();
-  std::vector<Segment> commands = *std::exchange(found_, std::nullopt);
-  for (std::size_t i = found_with_; i < tasks_.size() && !budget_.exhausted(); ++i) {
+/// [4] Makes a drive cheaper for as long as it is the best one, or may become that.
+void Run::shorten(DriveShortener& drive, std::size_t task) {
+  keep(drive, task);
+  double before = drive.cost();
+  for (int trial = 1; !drive.is_stalled() && !is_good_enough() && budget_.next(); ++trial) {
+    ++trials_;
+    if (drive.step()) keep(drive, task);
+    if (pricing_.counts_time() || trial % trials_of_look != 0) continue;
+    const double gain = before - drive.cost();
+    if (drive.cost() - hope * gain > best_wanted_) break;
+    before = drive.cost();
+  }
+  checks_ += drive.checks();
+}
+
+/// A drive that the wheels of a task obey: shortened with those, and with softer ones.
+void Run::take(std::vector<Segment> commands, std::size_t with) {
+  for (std::size_t i = with; i < tasks_.size() && !budget_.exhausted(); ++i) {
     const Task& task = tasks_[i];
     std::optional<std::vector<Segment>> chain = commands;
-    if (i != found_with_) chain = obeyed(task, std::move(commands));
-    if (!chain) break;
-    DriveShortener shortener(task, pricing_.rule(), *chain,
-                             stream_seed(options_.budget.seed, shortened_++), measure());
-    keep(shortener.segments(), shortener.cost());
-    while (!shortener.is_stalled() && !is_good_enough() && budget_.next()) {
-      ++trials_;
-      if (shortener.step()) keep(shortener.segments(), shortener.cost());
-    }
-    checks_ += shortener.checks();
-    commands = shortener.commands();
+    if (i != with) chain = obeyed(task, std::move(commands));
+    if (!chain) return;
+    DriveShortener drive(task, pricing_.rule(), *chain,
+                         stream_seed(options_.budget.seed, shortened_++), measure());
+    shorten(drive, i);
+    commands = drive.commands();
   }
-  return !budget_.exhausted() && !is_good_enough();
+}
+
+/// [5] Another look at the best drive.
+void Run::polish() {
+  if (best_) take(best_commands_, best_with_);
 }
 
 PlannerAnswer Run::answer() {
   for (Search& search : searches_) end(search);
   PlannerAnswer answer;
-  answer.status = best_ ? PlanStatus::solved : budget_.reason();
+  answer.status = best_ ? PlanStatus::solved : budget_.exhausted().value_or(PlanStatus::stopped);
   if (!best_ && is_walled_in()) {
     answer.status = PlanStatus::no_path;
     answer.reason = std::string("proven: nothing as wide as the ") +
@@ -253,16 +338,12 @@ PlannerAnswer Run::answer() {
 
 }  // namespace
 
-// Searches from both ends look for each other, and what they find is made exact and then cheaper:
-//
-//   until the budget is spent, or it is proven that there is no path:
-//   [1]   search, forward from the start and back from the goal, until exact steering joins two
-//         states or two of them are near: a drive by way of both is bent until it ends at the goal
-//   [2]   change a few segments at random and close the gap; keep what is cheaper and free
+// The steps of docs/algorithms/trailers.md.
 PlannerAnswer plan_rig(const Task& task, const PlanOptions& options,
                        const planning::Pricing& pricing) {
   Run run(task, options, pricing);
-  while (run.search() && run.shorten()) {
+  run.begin();
+  while (run.search()) {
   }
   return run.answer();
 }

@@ -31,13 +31,6 @@ Bounds around(const Task& task) {
           std::max(b.y_min, low - margin), std::min(b.y_max, high + margin)};
 }
 
-std::optional<RigSteering> steering_of(const Vehicle& vehicle) {
-  const bool is_known = std::abs(vehicle.hitch) < vehicle.trailer->wheelbase &&
-                        vehicle.max_hitch_angle >= 0.05 && vehicle.max_hitch_angle <= 3.0;
-  if (!is_known) return std::nullopt;
-  return RigSteering(vehicle);
-}
-
 /// The same way in the other gear.
 Segment backwards(const Segment& segment) {
   if (segment.curvature_rate == 0.0) return {segment.curvature, -segment.length};
@@ -70,11 +63,22 @@ CostRule priced(CostRule rule) {
 
 }  // namespace
 
+std::optional<RigSteering> steering_of(const Vehicle& vehicle) {
+  const bool is_known = std::abs(vehicle.hitch) < vehicle.trailer->wheelbase &&
+                        vehicle.max_hitch_angle >= 0.05 && vehicle.max_hitch_angle <= 3.0;
+  if (!is_known) return std::nullopt;
+  return RigSteering(vehicle);
+}
+
 double turning_radius(const Vehicle& vehicle) {
   const double most = std::min(vehicle.max_hitch_angle, std::numbers::pi / 2);
   const auto [sin, cos] = base::sin_cos(most);
   return std::max(vehicle.min_turning_radius,
                   (vehicle.trailer->wheelbase - vehicle.hitch * cos) / sin);
+}
+
+double search_unit(const Vehicle& vehicle) {
+  return 0.3 * std::sqrt(turning_radius(vehicle) * vehicle.trailer->wheelbase);
 }
 
 Primitive::Primitive(const Vehicle& vehicle, const Segment& of) noexcept
@@ -96,7 +100,7 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
     : task_(task),
       wheels_(task.vehicle, task.steering),
       ends_(wheel_ends(task)),
-      closer_(task.vehicle, task.steering),
+      exact_(task),
       steering_(steering_of(task.vehicle)),
       fineness_(fineness),
       trailer_radius_(task.vehicle.trailer->wheelbase /
@@ -344,14 +348,7 @@ void RigSearch::join(std::int32_t forward, std::int32_t backward,
   std::vector<Segment> back = branch(sides_[1], backward);
   std::ranges::reverse(back);
   for (const Segment& segment : back) segments.push_back(backwards(segment));
-  if (segments.empty()) return;
-  std::vector<Segment> commands = wheels_.commands(segments, ends_);
-  const RigState from = sides_[0].root;
-  if (!closer_.close(from, commands, sides_[1].root, ends_)) return;
-  commands = wheels_.tidied(commands, ends_.before);
-  if (!closer_.close(from, commands, sides_[1].root, ends_)) return;
-  if (!is_free(from, wheels_.driven(commands, ends_.before))) return;
-  found_ = std::move(commands);
+  found_ = exact_.along(segments);
 }
 
 bool RigSearch::is_free(const RigState& from, std::span<const Segment> segments) {

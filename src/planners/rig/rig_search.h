@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/trigonometry.h"
-#include "planners/commands/closer.h"
 #include "planners/commands/wheels.h"
+#include "planners/rig/exact_drive.h"
 #include "search/grid_distance.h"
 #include "vandplan/random.h"
 #include "vandplan/rig.h"
@@ -144,7 +144,7 @@ class RigSearch {
   const Task& task_;
   Wheels wheels_;
   WheelEnds ends_;
-  Closer closer_;
+  ExactDrive exact_;
   std::optional<RigSteering> steering_;  // none for vehicles that it does not know
   Fineness fineness_;
   double trailer_radius_;  // that a trailer turns with in ease [m]
@@ -160,6 +160,12 @@ class RigSearch {
   std::int64_t bridges_ = 0;
   std::int64_t out_of_sight_ = 0;  // of the bridges
 };
+
+/// About what a rig drives until its trailer follows [m]: the unit of the steps of a search.
+[[nodiscard]] double search_unit(const Vehicle& vehicle);
+
+/// Exact steering of the vehicle; none for vehicles that it does not know.
+[[nodiscard]] std::optional<RigSteering> steering_of(const Vehicle& vehicle);
 
 /// Of the sharpest circle that the rig can go on driving, of its tractor [m].
 [[nodiscard]] double turning_radius(const Vehicle& vehicle);

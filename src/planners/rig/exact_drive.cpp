@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/rig/exact_drive.h"
+
+namespace vandplan::rig {
+
+ExactDrive::ExactDrive(const Task& task)
+    : task_(task),
+      wheels_(task.vehicle, task.steering),
+      ends_(commands::wheel_ends(task)),
+      closer_(task.vehicle, task.steering) {}
+
+std::optional<std::vector<Segment>> ExactDrive::along(std::span<const Segment> segments) {
+  if (segments.empty()) return std::nullopt;
+  const RigState from{task_.start, task_.hitch_angles.start};
+  const RigState to{task_.goal, task_.hitch_angles.goal};
+  std::vector<Segment> commands = wheels_.commands(segments, ends_);
+  if (!closer_.close(from, commands, to, ends_)) return std::nullopt;
+  commands = wheels_.tidied(commands, ends_.before);
+  if (!closer_.close(from, commands, to, ends_)) return std::nullopt;
+  if (!task_.checker->rig_is_free(from, wheels_.driven(commands, ends_.before))) {
+    return std::nullopt;
+  }
+  return commands;
+}
+
+}  // namespace vandplan::rig
