@@ -131,6 +131,21 @@ DriveTotals all_driven(const Choice& choice, const DriveArguments& arguments) {
   return totals;
 }
 
+/// How far the path is driven with the wheels turned as far as they go [m]. A controller that has
+/// no spare steering cannot correct there.
+double metres_at_full_lock(const Path& path, const Vehicle& vehicle) {
+  constexpr double nearly = 0.999;
+  const double most = nearly / vehicle.min_turning_radius;
+  double metres = 0.0;
+  for (const Segment& segment : path.segments) {
+    const double way = std::abs(segment.length);
+    const double at_end = curvature_at(segment, way);
+    const bool is_locked = std::abs(segment.curvature) >= most && std::abs(at_end) >= most;
+    if (is_locked && segment.curvature * at_end > 0.0) metres += way;
+  }
+  return metres;
+}
+
 nlohmann::ordered_json json_of(const Execution& execution) {
   nlohmann::ordered_json json = {{"passes", execution.passes},
                                  {"duration", execution.duration},
@@ -188,6 +203,7 @@ nlohmann::ordered_json json_of(const Choice& choice, const DriveArguments& argum
   json["clearance"] = nullptr;
   if (std::isfinite(worst.clearance)) json["clearance"] = worst.clearance;
   if (totals.contact) json["first_contact"] = json_of(*totals.contact, totals.seed);
+  json["full_lock"] = metres_at_full_lock(*choice.record.result.path, choice.problem.vehicle());
   json["executable"] = {{"jumps", check.jumps},
                         {"flowing", json_of(check.flowing)},
                         {"pausing", json_of(check.pausing)}};
@@ -223,6 +239,8 @@ std::string executable_text(const ExecutableCheck& check) {
 void print_summary(const Choice& choice, const DriveArguments& arguments, const DriveTotals& totals,
                    const ExecutableCheck& check) {
   const DriveResult& worst = totals.worst;
+  const double locked = metres_at_full_lock(*choice.record.result.path, choice.problem.vehicle());
+  const bool has_spare = locked == 0.0 || arguments.options.spare_steering > 0.0;
   fmt::print("{}: {}: {}\n", printable(choice.label), arguments.options.controller,
              contacts_text(totals));
   if (totals.contact) {
@@ -249,7 +267,16 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
   if (worst.out_of_bounds > 0.0) {
     fmt::print("  rear axle: at most {} out of bounds\n", metres_text(worst.out_of_bounds));
   }
-  fmt::print("  executable: {}\n", executable_text(check));
+  if (!has_spare) {
+    fmt::print(
+        "  steering: the wheels are turned as far as they go for {}, where no controller can "
+        "correct; try --spare-steering 0.1\n",
+        metres_text(locked));
+  }
+  fmt::print("  executable: {}{}\n", executable_text(check),
+             check.flowing.passes && !has_spare
+                 ? " without noise, but a controller lacks spare steering"
+                 : "");
 }
 
 /// Drives once more, and writes how.
@@ -342,9 +369,11 @@ void add_options(CLI::App& command, DriveArguments& arguments) {
       ->type_name("SHARE")
       ->capture_default_str();
   command
-      .add_option("--spare-steering", options.spare_steering,
-                  "The wheels can make a curvature larger by this share than min_turning_radius\n"
-                  "says, to steer against what drives out of the tightest turns; 0 to 0.5")
+      .add_option(
+          "--spare-steering", options.spare_steering,
+          "What the plan leaves to correct with: the wheels can make a curvature larger by\n"
+          "this share than min_turning_radius says, and a rig folds up further by it than\n"
+          "max_hitch_angle says; 0 to 0.5")
       ->type_name("SHARE")
       ->capture_default_str();
   command.add_option("--runs", arguments.runs, "Drives, with the seeds from --seed on")

@@ -44,8 +44,9 @@ struct DriveOptions {
   /// Share of steering rate, acceleration and braking that the planned speeds leave for
   /// corrections; 0 to 0.5.
   double reserve = 0.1;
-  /// The wheels can make a curvature larger by this share than `min_turning_radius` says; 0 to 0.5.
-  /// Without it nobody can steer against what drives out of the tightest turn.
+  /// What the plan leaves to correct with; 0 to 0.5. The wheels can make a curvature larger by this
+  /// share than `min_turning_radius` says, and a rig folds up further by it than `max_hitch_angle`
+  /// says. At 0 nobody can steer against what drives out of the tightest turn.
   double spare_steering = 0.0;
   std::uint64_t seed = 1;  ///< of the noise
   bool keep_log = false;   ///< `DriveResult::log` is filled

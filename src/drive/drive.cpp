@@ -146,7 +146,7 @@ class Drive {
         origin_(problem.world()->origin()),
         rng_(options.seed),
         error_(actuator_error(options.noise, rng_)),
-        watch_(problem),
+        watch_(problem, options.spare_steering),
         errors_(vehicle_) {
     expect_drivable(path, problem.vehicle());
     check_limits(vehicle_.limits);

@@ -41,14 +41,14 @@ double distance_outside(const Bounds& box, const Pose& pose) {
 
 }  // namespace
 
-Watch::Watch(const Problem& problem)
+Watch::Watch(const Problem& problem, double spare)
     : world_(unbounded(*problem.world())),
       vehicle_(problem.vehicle()),
       bounds_(problem.world()->local().bounds) {
   // The judge is asked about the footprint alone: whatever the wheels do, it is not too sharp, and
   // how far a trailer may fold up is asked here.
   vehicle_.min_turning_radius = 1e-3;
-  most_hitch_angle_ = vehicle_.max_hitch_angle;
+  most_hitch_angle_ = vehicle_.max_hitch_angle * (1 + spare);
   vehicle_.max_hitch_angle = 3.14;
   checker_ = world_->checker(vehicle_);
   for (const Footprint& part : {footprint(vehicle_), wheel_footprint(vehicle_)}) {

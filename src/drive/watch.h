@@ -20,7 +20,8 @@ namespace vandplan::driving {
 /// Looks at a drive step by step, in the frame of the world.
 class Watch {
  public:
-  explicit Watch(const Problem& problem);
+  /// The rig may fold up further than `max_hitch_angle` by the share `spare`.
+  explicit Watch(const Problem& problem, double spare = 0.0);
 
   /// Looks at an arc that is driven from `from` to `to`. What is touched, the first time that
   /// something is: "the footprint hits obstacles[3]". A trailer that folds up beyond its limit

@@ -56,6 +56,24 @@ TEST_F(DriveCommand, SaysHowItWent) {
   EXPECT_NE(outcome.out.find("  executable: yes\n"), std::string::npos);
 }
 
+TEST_F(DriveCommand, SaysThatAPathAtFullLockLeavesNothingToCorrectWith) {
+  // Seven metres to the left at the least turning radius, which is seven metres, too.
+  const std::string goal = "goal: {x: 5.890296894, y: 3.217883858, heading: 1.0}";
+  write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5, heading: 0}", goal));
+  Json turn = result();
+  turn["path"]["segments"] = {{{"turn", "left"}, {"length", 7}}};
+  write_content(result_, turn.dump());
+  const std::string line =
+      "  steering: the wheels are turned as far as they go for 7.000 m, where no controller can "
+      "correct; try --spare-steering 0.1\n";
+  const Outcome locked = drive();
+  EXPECT_NE(locked.out.find(line), std::string::npos) << locked.out << locked.err;
+  EXPECT_NE(locked.out.find("without noise, but a controller lacks spare steering\n"),
+            std::string::npos);
+  EXPECT_EQ(drive({"--spare-steering", "0.1"}).out.find("  steering:"), std::string::npos);
+  EXPECT_EQ(Json::parse(drive({"--json"}).out).at("full_lock"), 7);
+}
+
 TEST_F(DriveCommand, WritesALog) {
   EXPECT_EQ(drive({"--output", csv_}).status, 0);
   std::istringstream stream(content_of(csv_));
