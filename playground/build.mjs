@@ -47,7 +47,8 @@ function bundle(entry, to, format, more = []) {
 
 mkdirSync(work, {recursive: true});
 writeFileSync(join(work, 'catalogue.js'), catalogue());
-const browsers = ['--platform=browser', '--external:fs', '--external:path'];
+// Without `process` the core takes no part of Node for granted: what it needs is in browsers and in Node.
+const browsers = ['--platform=browser', '--external:fs', '--external:path', '--define:process=undefined'];
 bundle(join(here, 'main.js'), join(work, 'page.js'), 'iife', browsers);
 bundle(join(root, 'bindings/web/vandplan.js'), join(output, 'vandplan.mjs'), 'esm', browsers);
 bundle(join(root, 'bindings/web/vandplan.js'), join(output, 'vandplan.cjs'), 'cjs', ['--platform=node']);

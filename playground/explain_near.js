@@ -109,7 +109,7 @@ export function near(root, vandplan) {
       paintTruck(context, view, vehicle, goal, light, {ghost: true});
       paintTruck(context, view, vehicle, from, {...light, body: '#ffffff90'});
       if (name !== 'euclid') {
-        paintPath(context, view, rows, {...light, accent: way, 'accent-ink': way}, 3);
+        paintPath(context, view, rows, {...light, forward: way, reverse: way, 'accent-ink': way}, 3);
         continue;
       }
       context.beginPath();

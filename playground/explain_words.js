@@ -51,7 +51,7 @@ export function wordsAround(root, vandplan) {
       const rows = vandplan.sample({start: from, segments}, 0.4);
       const best = i === all.length - 1;
       context.globalAlpha = best ? 1 : 0.1 + (0.3 * i) / all.length;
-      paintPath(context, view, rows, best ? state.colours : {...state.colours, accent: state.colours.soft, 'accent-ink': state.colours.soft}, best ? 3.5 : 1.25);
+      paintPath(context, view, rows, best ? state.colours : {...state.colours, forward: state.colours.soft, reverse: state.colours.soft, 'accent-ink': state.colours.soft}, best ? 3.5 : 1.25);
     });
     context.globalAlpha = 1;
     paintTruck(context, view, vehicle, to, state.colours, {ghost: true});

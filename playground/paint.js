@@ -5,7 +5,7 @@
 
 import {mapCorners, outline, placed, trailerOutline, trailerPose} from './geometry.js';
 
-const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'body', 'glass', 'bad'];
+const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'forward', 'reverse', 'body', 'glass', 'bad'];
 
 /** The colours of the page as they are now. */
 export function paletteOf(element) {
@@ -259,7 +259,7 @@ export function paintFootprints(context, view, vehicle, path, colours, spacing) 
   context.globalAlpha = 1;
 }
 
-/** The way of the rear axle: forward solid, in reverse dashed, a ring at each gear change. */
+/** The way of the rear axle, in the colours of pictures: forward solid, in reverse dashed, a ring at each gear change. */
 export function paintPath(context, view, rows, colours, width = 3) {
   const px = 1 / view.scale;
   const changes = [];
@@ -272,7 +272,7 @@ export function paintPath(context, view, rows, colours, width = 3) {
       if (i === begin) context.moveTo(rows[i + 1], rows[i + 2]);
       else context.lineTo(rows[i + 1], rows[i + 2]);
     }
-    context.strokeStyle = direction > 0 ? colours.accent : colours['accent-ink'];
+    context.strokeStyle = direction > 0 ? colours.forward : colours.reverse;
     context.lineWidth = width * px;
     context.lineCap = 'round';
     context.lineJoin = 'round';

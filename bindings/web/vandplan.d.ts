@@ -57,7 +57,10 @@ export interface Vehicle {
   front_overhang: number;
   rear_overhang: number;
   width: number;
-  min_turning_radius: number;
+  /** Of the rear axle's midpoint [m]; this or `max_steering_angle` has to be given. */
+  min_turning_radius?: number;
+  /** Of the front wheels, in a single-track model [rad]; in place of `min_turning_radius`. */
+  max_steering_angle?: number;
   track_width?: number;
   max_steering_rate?: number;
   max_curvature_rate?: number;
@@ -89,7 +92,8 @@ export interface OccupancyMap {
 export interface Scenario {
   name?: string;
   description?: string;
-  vehicle?: Vehicle;
+  /** Lengths, or a name of `vehicles()`. */
+  vehicle?: Vehicle | string;
   /** Where the rear axle may be; without a map they have to be given. */
   bounds?: {x: Point; y: Point};
   start: EndPose;
@@ -191,7 +195,7 @@ export interface Claims {
 export interface Ends {
   start?: EndPose;
   goal?: EndPose | TrailerEnd;
-  vehicle?: Vehicle;
+  vehicle?: Vehicle | string;
 }
 
 /** A scenario whose world is built once, for many plans. */
@@ -199,24 +203,26 @@ export interface Yard {
   /** `warm_start`: a path that was good for a like problem, in whose way the first one is looked for; for "anytime". */
   plan(query?: Ends & {planner?: string; options?: PlanOptions; warm_start?: Path}): Result;
   check(query: Ends & Claims & {path: Path}): Check;
-  isFree(query: {pose: EndPose; vehicle?: Vehicle; margin?: number}): boolean;
+  isFree(query: {pose: EndPose; vehicle?: Vehicle | string; margin?: number}): boolean;
   close(): void;
 }
 
 export interface Vandplan {
   version: string;
   planners(): PlannerInfo[];
+  /** Names of vehicles that may stand for their lengths, such as "two-axle-truck". */
+  vehicles(): string[];
   plan(scenario: Scenario, options?: PlanOptions & {planner?: string}): Result;
   check(scenario: Scenario, path: Path, claims?: Claims): Check;
   yard(scenario: Scenario): Yard;
   /** Rows s, x, y, heading, curvature, direction, at most `step` metres apart. */
   sample(path: Path, step?: number): Float64Array;
   /** Rows t, s, x, y, heading, curvature, speed of the fastest drive, at most `step` seconds apart. */
-  drive(path: Path, vehicle: Vehicle, step?: number): Float64Array;
+  drive(path: Path, vehicle: Vehicle | string, step?: number): Float64Array;
   /** Rows x, y, heading of the trailer for each row that `sample` has with that step. */
-  trailer(path: Path, vehicle: Vehicle, hitchAngle?: number, step?: number): Float64Array;
+  trailer(path: Path, vehicle: Vehicle | string, hitchAngle?: number, step?: number): Float64Array;
   /** Where the vehicle is after a segment, and how its trailer stands. */
-  advance(pose: EndPose, vehicle: Vehicle, segment: {curvature: number; length: number}): EndPose;
+  advance(pose: EndPose, vehicle: Vehicle | string, segment: {curvature: number; length: number}): EndPose;
   /** The shortest path on open ground, by Reeds and Shepp, or by Dubins without reverse. */
   steer(from: Pose, to: Pose, radius: number, options?: {reverse?: boolean}): Segment[];
   /** The path of every word that joins the poses, the shortest first. */

@@ -3,6 +3,7 @@
 
 // The planner for JavaScript: vandplan.d.ts says what each thing is.
 
+import {vehicles} from 'catalogue';
 import makeCore from 'vandplan-core';
 
 /** What was handed in cannot be used; `where` is the key that is wrong. */
@@ -20,6 +21,20 @@ function taken(answer) {
   return answer;
 }
 
+/** A vehicle as the core reads it: by its name in the catalogue, or by its lengths. */
+function vehicleOf(given) {
+  if (typeof given === 'string' && !Object.hasOwn(vehicles, given)) {
+    throw new InputError({where: 'vehicle', problem: `there is no "${given}", expected one of ${Object.keys(vehicles).join(', ')}`});
+  }
+  const vehicle = typeof given === 'string' ? vehicles[given] : given;
+  if (vehicle?.max_steering_angle === undefined) return vehicle;
+  const {max_steering_angle: angle, ...rest} = vehicle;
+  return {...rest, min_turning_radius: (vehicle.wheelbase * Math.cos(angle)) / Math.sin(angle)};
+}
+
+/** A scenario or a query with its vehicle as the core reads it. */
+const withVehicle = (given) => (given?.vehicle === undefined ? given : {...given, vehicle: vehicleOf(given.vehicle)});
+
 /** A scenario whose world is built once; closed with `close`. */
 class Yard {
   #core;
@@ -27,19 +42,19 @@ class Yard {
 
   constructor(core, scenario) {
     this.#core = core;
-    this.#number = taken(core.openYard(scenario));
+    this.#number = taken(core.openYard(withVehicle(scenario)));
   }
 
   plan(query = {}) {
-    return taken(this.#core.planIn(this.#number, query));
+    return taken(this.#core.planIn(this.#number, withVehicle(query)));
   }
 
   check(query) {
-    return taken(this.#core.checkIn(this.#number, query));
+    return taken(this.#core.checkIn(this.#number, withVehicle(query)));
   }
 
   isFree(query) {
-    return taken(this.#core.isFreeIn(this.#number, query));
+    return taken(this.#core.isFreeIn(this.#number, withVehicle(query)));
   }
 
   close() {
@@ -60,13 +75,14 @@ function functionsOf(core) {
   return {
     version: core.version(),
     planners: () => core.planners(),
+    vehicles: () => Object.keys(vehicles),
     yard: (scenario) => new Yard(core, scenario),
     plan: (scenario, {planner, ...options} = {}) => inYard(scenario, (yard) => yard.plan({planner, options})),
     check: (scenario, path, claims = {}) => inYard(scenario, (yard) => yard.check({path, ...claims})),
     sample: (path, step = 0.1) => taken(core.sampledPath(path, step)),
-    drive: (path, vehicle, step = 0.05) => taken(core.drivenPath(path, vehicle, step)),
-    trailer: (path, vehicle, hitchAngle = 0, step = 0.1) => taken(core.trailedPath(path, vehicle, hitchAngle, step)),
-    advance: (pose, vehicle, {curvature, length}) => taken(core.advanced(pose, vehicle, curvature, length)),
+    drive: (path, vehicle, step = 0.05) => taken(core.drivenPath(path, vehicleOf(vehicle), step)),
+    trailer: (path, vehicle, hitchAngle = 0, step = 0.1) => taken(core.trailedPath(path, vehicleOf(vehicle), hitchAngle, step)),
+    advance: (pose, vehicle, {curvature, length}) => taken(core.advanced(pose, vehicleOf(vehicle), curvature, length)),
     steer: (from, to, radius, {reverse = true} = {}) => taken(core.steered(from, to, radius, reverse)),
     words: (from, to, radius, {reverse = true} = {}) => taken(core.wordsBetween(from, to, radius, reverse)),
     distances: (measure, nodes, sample, radius) => taken(core.distances(measure, nodes, sample, radius)),

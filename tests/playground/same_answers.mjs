@@ -10,7 +10,7 @@ import {mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'nod
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {basename, join, resolve} from 'node:path';
-import {fileURLToPath} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 
 const [playground, program] = process.argv.slice(2, 4).map((path) => resolve(path));
 const timing = process.argv.includes('--timing');
@@ -128,6 +128,8 @@ refuses('vehicle.outline', () => vandplan.plan({...yard, vehicle: {...truck, out
 refuses('vehicle.outline', () => vandplan.plan({...yard, vehicle: {wheelbase: 4, min_turning_radius: 6, outline: []}}));
 refuses('map.cells', () => vandplan.plan({...yard, map: {origin: {x: 0, y: 0, heading: 0}, resolution: 1, columns: 2, rows: 2, cells: new Uint8Array(3)}}));
 
+refuses('vehicle', () => vandplan.plan({...yard, vehicle: 'lorry'}));
+
 const planned = vandplan.plan(yard, {max_iterations: 500, time_limit: null, margin: 0.3});
 expect(planned.check.valid && planned.check.clearance >= 0.3, 'the margin is kept');
 expect(vandplan.check(yard, planned.path, {margin: 0.2, steering: planned.steering}).valid, 'the judge accepts the path');
@@ -144,6 +146,19 @@ const [table] = vandplan.distances('hlut-4', nodes, {x: 0, y: 0, heading: 0}, 7)
 expect(table > 0 && Math.abs(table - exact) < 3, `the table says ${table}, the exact length is ${exact}`);
 const drive = vandplan.drive(planned.path, truck);
 expect(drive.length % 7 === 0 && Math.abs(drive.at(-6) - planned.check.length) < 1e-6, 'the drive ends at the end of the path');
+
+// A vehicle may have a name, and an angle of its wheels in place of the radius.
+const few = {max_iterations: 200, time_limit: null};
+const hashWith = (vehicle, one = vandplan) => one.hash(one.plan({...yard, vehicle}, few).path);
+const angle = Math.atan2(truck.wheelbase, truck.min_turning_radius);
+expect(vandplan.vehicles().includes('van'), 'the names of vehicles');
+expect(hashWith('van') === hashWith(yaml.load(readFileSync(join(scenarios, '../vehicles/van.yaml'), 'utf8'))), 'a name stands for the lengths');
+const {min_turning_radius: _, ...lengths} = truck;
+const byAngle = vandplan.plan({...yard, vehicle: {...lengths, max_steering_angle: angle}}, few);
+expect(vandplan.check(yard, byAngle.path).valid, 'an angle of the wheels stands for the radius');
+// The module for pages runs in Node, too.
+const {load: loadModule} = await import(pathToFileURL(join(playground, 'vandplan.mjs')));
+expect(hashWith(truck, await loadModule()) === hashWith(truck), 'both modules plan the same path');
 
 // A trailer follows: its axle stays as far from the hitch as it is, and what a path of many arcs does, its arcs do.
 const rig = {...truck, hitch: -1.6, max_hitch_angle: 0.9, trailers: [{wheelbase: 5.8, front_overhang: -1, rear_overhang: 3.6, width: 2.55}]};

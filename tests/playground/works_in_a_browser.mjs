@@ -367,6 +367,20 @@ async function onADesk(browser) {
   await picture(dark, 'desk-dark');
 }
 
+/** On the screens of laptops nothing lies over the prices, and every tool can be reached. */
+async function onLaptops(browser) {
+  for (const [width, height] of [[1024, 768], [1280, 800], [1366, 768]]) {
+    const page = await browser.page(url, {width, height});
+    const boxes = await page.value(`['#panel', '#tools'].map((name) => { const {left, right, top, bottom} = document.querySelector(name).getBoundingClientRect(); return {left, right, top, bottom}; })`);
+    const [panel, tools] = boxes;
+    expect(tools.right <= panel.left || tools.left >= panel.right || tools.top >= panel.bottom, `${width} x ${height}: the tools lie over the prices`);
+    const hidden = await page.value(`[...document.querySelectorAll('#tools button')].find((button) => { const {left, right, top, bottom} = button.getBoundingClientRect(); return !button.contains(document.elementFromPoint((left + right) / 2, (top + bottom) / 2)); })?.id`);
+    expect(!hidden, `${width} x ${height}: the tool "${hidden}" cannot be reached`);
+    await picture(page, `laptop-${width}`);
+    await page.send('Page.close');
+  }
+}
+
 async function onAPhone(browser) {
   const page = await browser.page(url, {width: 390, height: 844, touch: true});
   await settled(page);
@@ -396,6 +410,7 @@ async function onAPhone(browser) {
 const browser = await Browser.open(chromium);
 try {
   await onADesk(browser);
+  await onLaptops(browser);
   await onAPhone(browser);
 } catch (error) {
   expect(false, error.stack);
