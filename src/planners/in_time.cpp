@@ -226,7 +226,7 @@ class Run {
       if (std::ranges::find(ghosts, ghost) != ghosts.end()) continue;
       ghosts.push_back(ghost);
       const auto is_same = [&](const std::vector<Ghost>& known) {
-        return std::ranges::is_permutation(known, ghosts);
+        return std::is_permutation(known.begin(), known.end(), ghosts.begin(), ghosts.end());
       };
       if (std::ranges::any_of(tried_, is_same)) continue;
       tried_.push_back(ghosts);
