@@ -254,7 +254,8 @@ void add_options_of_runs(CLI::App& command, EvaluateArguments& arguments) {
     };
     command.add_option_function<std::string>(flag, keep, help)->type_name(type);
   };
-  add("--time", "time_limit", "S", "Processor time of a run [s]; 0.1 unless iterations are limited");
+  add("--time", "time_limit", "S",
+      "Processor time of a run [s]; 0.1 unless iterations are limited");
   add("--max-iterations", "max_iterations", "N", "Iterations of a run; reproduces bit for bit");
   add("--max-nodes", "max_nodes", "N", "Nodes of a search tree; 5000");
   const auto set = [&arguments](const std::vector<std::string>& settings) {
