@@ -93,6 +93,12 @@ TEST(Yielding, FindsNothingWhereSomebodyStaysInTheWay) {
   EXPECT_LT(found.states, 200'000);  // it ends by itself
 }
 
+TEST(Yielding, SeesAtOnceThatNobodyGetsThrough) {
+  const MovingObstacle parks{.outline = car,
+                             .trajectory = {{0, {15, -12, pi / 2}}, {4, {15, 0, pi / 2}}}};
+  EXPECT_LT(yielding(ahead, {parks}).states, 1500);  // boxes, and no state
+}
+
 TEST(Yielding, DoesNoMoreWorkThanItMay) {
   std::vector<MovingObstacle> many;
   for (int i = 0; i < 20; ++i) {
@@ -218,6 +224,20 @@ TEST(PlanInTime, WaitsOrGoesRoundAndRepeatsBitForBit) {
   EXPECT_EQ(again.speeds->duration, result.speeds->duration);
   EXPECT_EQ(again.iterations, result.iterations);
   EXPECT_LE(result.iterations, 1500);
+}
+
+TEST(PlanInTime, DoesTheSameAtFirstWhateverTheBudget) {
+  const Problem problem = street_among({crossing()});
+  PlanOptions options;
+  options.budget.max_iterations = 1000;
+  const PlanResult few = plan(problem, options);
+  options.budget.max_iterations = 8000;
+  const PlanResult many = plan(problem, options);
+  ASSERT_EQ(few.status, PlanStatus::solved) << few.reason;
+  ASSERT_EQ(many.status, PlanStatus::solved) << many.reason;
+  EXPECT_EQ(few.anytime.front().iteration, many.anytime.front().iteration);
+  EXPECT_LT(few.anytime.front().iteration, 100);
+  EXPECT_LE(many.cost + 2 * many.speeds->duration, few.cost + 2 * few.speeds->duration + 1e-9);
 }
 
 TEST(PlanInTime, GoesRoundWhoStays) {
