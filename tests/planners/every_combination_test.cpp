@@ -108,7 +108,7 @@ TEST_P(EveryCombination, IsPlannedAndHasWhatWasAskedFor) {
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   // The path, its cost and its steering, in the eyes of the judge.
   PathClaims claims{.clearance = options.clearance, .steering = wish.steering};
-  claims.cost = StatedCost{.cost = result.cost, .rule = options.cost};
+  claims.cost = StatedCost{.cost = result.cost, .rule = result.rule};
   const PathCheck check = check_path(problem, *result.path, claims);
   EXPECT_TRUE(check.valid) << check.reason;
   EXPECT_GE(*check.clearance, wish.margin - 1e-6);

@@ -463,7 +463,7 @@ TEST(RigPlanning, TheFirstPathComesAsSoonUnderAnyPrices) {
     options.steering = Steering::reeds_shepp;
     const PlanResult result = plan(problem, options);
     if (is_sanitized) return;
-    ASSERT_EQ(result.status, PlanStatus::solved) << cost.reverse_weight;
+    ASSERT_EQ(result.status, PlanStatus::solved) << *cost.reverse_weight;
     first.push_back(result.anytime.front().iteration);
   }
   EXPECT_EQ(first[1], first[0]);

@@ -144,7 +144,7 @@ TEST(Rrt, WithoutGoalSamplesOnlyTryingTheGoalFromEveryNodeSolves) {
 }
 
 TEST(Rrt, AFullTreeEndsTheRun) {
-  const Problem narrow = read_problems(thesis + "4-narrow-turn.yaml").problems[0];
+  const Problem narrow = read_problems((thesis / "4-narrow-turn.yaml").string()).problems[0];
   PlanOptions options;
   options.planner.set("max_nodes", std::int64_t{5});
   const PlanResult result = plan(narrow, planner_named("rrt-bsc-euc"), options);
