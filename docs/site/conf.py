@@ -69,7 +69,7 @@ def signature_of(app, what, name, thing, options, signature, returned):
 def plain_docstring(app, what, name, thing, options, lines):
     """Docstrings are plain text with `names` and indented code; here they become reStructuredText."""
     text = "\n".join(lines).strip("\n")
-    if first_paragraph(name, thing):
+    if first_paragraph(name, thing) or text.startswith("-> "):
         text = text.partition("\n\n")[2]
     paragraphs, in_code = [], False
     for paragraph in text.split("\n\n"):

@@ -376,7 +376,8 @@ std::vector<BadFile> bad_files() {
       // Types
       spoilt("+20", "\"20\"", "7: goal.x: is \"20\", expected a number without quotes"),
       spoilt("+20", "20 m", "7: goal.x: is \"20 m\", expected a number"),
-      spoilt("+20", "1,5", "7: goal.x: is \"1,5\", expected a number"),
+      spoilt("+20", "1,5",
+             "7: goal.x: is \"1,5\", expected a number, with a point instead of the comma"),
       spoilt("+20", "0x10", "7: goal.x: is \"0x10\", expected a number"),
       spoilt("+20", "+-20", "7: goal.x: is \"+-20\", expected a number"),
       spoilt("+20", "", "7: goal.x: is empty, expected a number"),

@@ -258,7 +258,7 @@ Says what of the ground has changed. `cells` are tuples (row, column, array) of 
           },
           "moving"_a, R"(set_moving(moving)
 
-Says which `MovingObstacle`s move from now on, with times of the replanner's clock.)")
+Says which `MovingObstacle` objects move from now on, with times of the replanner's clock.)")
       .def_property_readonly(
           "answer",
           [](const OwnReplanner& self) {

@@ -200,7 +200,8 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
   property(
       "grid", [](const Scenario& s) { return s.map; }, "The occupancy grid, or None.");
   property(
-      "moving", [](const Scenario& s) { return s.moving; }, "What else moves: `MovingObstacle`s.");
+      "moving", [](const Scenario& s) { return s.moving; },
+      "What else moves: `MovingObstacle` objects.");
   scenario.def_property_readonly(
       "options",
       [](const CheckedScenario& self) {
@@ -224,7 +225,7 @@ What is to be planned, checked and unchangeable; metres and radians, counter-clo
 `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
 or a dict; None is a truck. With a trailer the hitch angles are the heading of the vehicle less that
 of its trailer. `options` are what this scenario wants of planners: {"margin": 0.3}. `moving` are
-`MovingObstacle`s: what else moves while the vehicle drives.)");
+`MovingObstacle` objects: what else moves while the vehicle drives.)");
   scenario
       .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
            "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
@@ -239,7 +240,7 @@ The one with another start or goal. It shares the world, so that nothing is buil
       .def("with_moving", &among, "moving"_a,
            R"(with_moving(moving) -> Scenario
 
-The one in which these `MovingObstacle`s move, instead of those that moved before. It shares the
+The one in which these `MovingObstacle` objects move, instead of those that moved before. It shares the
 world, so that nothing is built again.)")
       .def(
           "to_yaml", [](const CheckedScenario& self) { return to_yaml(self.file()); },
