@@ -314,7 +314,7 @@ TEST(RigPlanning, WhereTheCostIsTheTimeDrivesAreFaster) {
   options.cost = driver_style;
   options.steering = Steering::continuous_between_stops;
   const PlanResult by_prices = plan(make_problem(dock()), options);
-  options.cost.measure = CostMeasure::time;
+  options.cost = {.measure = CostMeasure::time};
   const PlanResult by_time = plan(make_problem(dock()), options);
   if (is_sanitized) return;
   ASSERT_EQ(by_prices.status, PlanStatus::solved) << by_prices.reason;
