@@ -149,9 +149,10 @@ int run(int argc, char** argv) {
       best = std::min(best, cost_of(one, run_seconds, static_cast<std::uint64_t>(k + 2), steering));
     }
     std::printf("%4llu %-22s %7.1f %6.1f %7.1f %20.2f %6.2f %6.2f %9.2f %8.2f %6.3f\n",
-                static_cast<unsigned long long>(seed), one.vehicle.c_str(), one.cost.reverse_weight,
-                one.cost.gear_change_cost, one.cost.curvature_change_cost, first[0], first[1],
-                first[2], cost, best, cost / best);
+                static_cast<unsigned long long>(seed), one.vehicle.c_str(),
+                *one.cost.reverse_weight, *one.cost.gear_change_cost,
+                *one.cost.curvature_change_cost, first[0], first[1], first[2], cost, best,
+                cost / best);
     std::fflush(stdout);
     if (best == never) continue;
     ++solvable;

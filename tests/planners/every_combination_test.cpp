@@ -35,7 +35,10 @@ struct Wish {
 
 using Combination = std::tuple<Who, Steering, Cost, bool, double, double, double>;
 
-Wish wish_of(const Combination& combination) { return std::make_from_tuple<Wish>(combination); }
+Wish wish_of(const Combination& combination) {
+  const auto& [who, steering, cost, has_movers, margin, gap, min_stroke] = combination;
+  return {who, steering, cost, has_movers, margin, gap, min_stroke};
+}
 
 std::string name_of_wish(const testing::TestParamInfo<Combination>& info) {
   const Wish wish = wish_of(info.param);
