@@ -115,7 +115,7 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error,
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     return stray_problem(stray_of(app), arguments);
   }
-  const std::string text = error.what();
+  std::string text = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
   const std::string option = text.substr(0, text.find(':'));
   if (text.find("At Most 1 required") != std::string::npos) {

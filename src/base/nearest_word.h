@@ -24,6 +24,7 @@ template <class Things, class NameOf = std::identity>
 [[nodiscard]] std::string expected_one_of(std::string_view word, const Things& things,
                                           NameOf name_of = {}) {
   std::vector<std::string_view> names;
+  names.reserve(std::size(things));
   for (const auto& thing : things) names.emplace_back(std::invoke(name_of, thing));
   const std::string_view meant = nearest_word(word, names);
   if (meant.empty()) return "expected one of " + joined(names);
