@@ -53,7 +53,8 @@ std::string planners_that(const Predicate& does) {
     if (!does(planner)) continue;
     const std::string& family = planner.properties.family;
     const auto is_of_family = [&](const Planner& p) { return p.properties.family == family; };
-    const std::ptrdiff_t members = std::ranges::count_if(planners(), is_of_family);
+    const std::ptrdiff_t members =
+        std::count_if(planners().begin(), planners().end(), is_of_family);
     const bool is_whole = std::ranges::all_of(
         planners(), [&](const Planner& p) { return !is_of_family(p) || does(p); });
     std::string name = planner.name;
