@@ -65,15 +65,13 @@ bool OutlineSweep::touches(const Sides& sides) const noexcept {
 
 /// Of two convex sets that are apart one is nearest at a corner of the other. So what is far enough
 /// at the start is so all along if no corner of the body comes near the side, and neither end of
-/// the side, as the body sees it, comes near a side of the body.
+/// the side, as the body sees it, comes near a side of the body. The end b begins the polygon's
+/// next side, which is asked about it.
 bool OutlineSweep::touches_side(const Point& a, const Point& b) const noexcept {
   if (geometry::squared_distance(corners_, a, b) <= near_ * near_) return true;
   Point from = corners_.back();
   for (const Point& to : corners_) {
-    if (comes_near(to, 1.0, a, b) || comes_near(a, -1.0, from, to) ||
-        comes_near(b, -1.0, from, to)) {
-      return true;
-    }
+    if (comes_near(to, 1.0, a, b) || comes_near(a, -1.0, from, to)) return true;
     from = to;
   }
   return false;

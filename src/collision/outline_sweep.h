@@ -22,7 +22,8 @@ class OutlineSweep {
   static constexpr double longest = 64.0;
 
   /// Whether a side may come within the margin: true wherever it does, false where it stays the
-  /// margin and a millimetre away.
+  /// margin and a millimetre away. If only the last corner comes near it may be false: that corner
+  /// begins another side of the polygon, which has to be asked as well.
   [[nodiscard]] bool touches(const Sides& sides) const noexcept;
 
  private:
