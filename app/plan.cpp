@@ -52,30 +52,37 @@ std::vector<ResultRecord> plan_goals(const ScenarioProblems& read, const Planner
 }
 
 /// By what the cost was worked out.
-std::string_view name_of(const CostOptions& cost) {
+std::string name_of(const CostOptions& cost, const Vehicle& vehicle) {
   if (is_length(cost)) return "length alone";
-  return cost == driver_style ? "a driver's prices" : "prices";
+  if (cost == driver_style) return "a driver's prices";
+  if (cost != prices_of(Style::driver, vehicle)) return "prices";
+  return fmt::format("a driver's prices for a turning radius of {:.3g} m",
+                     vehicle.min_turning_radius);
 }
 
 /// ", cost 63.450 m by a driver's prices, proven: at most 12.3 % above the optimum"
-std::string cost_text(const PlanResult& result, const CostOptions& cost) {
+std::string cost_text(const PlanResult& result, const CostOptions& cost, const Vehicle& vehicle) {
   constexpr double weak = 0.25;  // a gap that says more of the bound than of the path
   const bool is_time = cost.measure == CostMeasure::time || result.drive_check;
   std::string text =
-      is_time ? "" : fmt::format(", cost {} by {}", metres_text(result.cost), name_of(cost));
+      is_time ? ""
+              : fmt::format(", cost {} by {}", metres_text(result.cost), name_of(cost, vehicle));
   if (!(result.lower_bound > 0)) return text;  // none is proven
   const double gap = result.cost / result.lower_bound - 1;
   return fmt::format("{}, proven: at most {:.1f} % above the optimum{}", text, 100 * gap,
                      gap > weak ? " (the bound is weak)" : "");
 }
 
-std::string outcome_of(const PlanResult& result, const PlanOptions& options) {
+std::string outcome_of(const ResultRecord& record, const Vehicle& vehicle) {
+  const PlanResult& result = record.result;
+  const PlanOptions& options = record.options;
   if (!result.path) return no_path_text(result);
   const bool is_time = options.cost.measure == CostMeasure::time && !result.drive_check;
   const std::string time = is_time ? fmt::format(", driven in {}", seconds_text(result.cost))
                                    : drive_text(result.drive_check);
   return fmt::format("solved: {}{}{}, first path after {}", path_text(*result.check), time,
-                     cost_text(result, options.cost), seconds_text(result.anytime.front().time));
+                     cost_text(result, options.cost, vehicle),
+                     seconds_text(result.anytime.front().time));
 }
 
 void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
@@ -85,7 +92,7 @@ void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& re
   for (const ResultRecord& record : records) {
     const PlanResult& result = record.result;
     if (record.distance) fmt::print("{:7.6g} m: ", *record.distance);
-    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(result, record.options),
+    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(record, file.scenario.vehicle),
                result.iterations, counter(result, "nodes"), seconds_text(result.time_total));
   }
   if (!file.is_row()) return;
@@ -160,6 +167,10 @@ std::string help_on_keys() {
          "Keys of --set, with their defaults:\n" +
          help_on_common_options() + help_on_options_of(default_planner()) +
          fmt::format(
+             "A driver's prices are those of a truck that turns on 7 m. For a vehicle with a "
+             "smaller\n"
+             "turning radius gear_change_cost and clearance_distance shrink in proportion to it,\n"
+             "curvature_change_cost with its square. Prices that are set hold as they are.\n"
              "Other planners have other keys, see vandplan planners --options. A key, or its "
              "flag,\n"
              "that the planner does not honour is refused.\n"

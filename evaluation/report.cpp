@@ -143,7 +143,9 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   const bool is_ours = planner.has_value();
   PlanOptions usual = is_ours ? complete(*planner) : PlanOptions{};
   usual.budget = {};
-  const bool has_style = is_ours && planner->properties.honours_prices && is_length(shown.cost);
+  const bool has_prices = is_ours && planner->properties.honours_prices;
+  const bool has_style = has_prices && is_length(shown.cost);
+  if (has_prices) usual.cost = {};  // a driver's prices depend on the vehicle
   if (has_style) {
     usual.cost = shortest_style;
     usual.steering = Steering::reeds_shepp;

@@ -116,7 +116,10 @@ export interface Path {
   segments: Segment[];
 }
 
-/** Any key of `vandplan plan --set`, such as margin, gear_change_cost, steering, style, keep_tree. */
+/**
+ * Any key of `vandplan plan --set`, such as margin, gear_change_cost, steering, style, keep_tree. Prices that are not set
+ * are a driver's in a truck; they shrink with a vehicle that turns on less than 7 m.
+ */
 export interface PlanOptions {
   time_limit?: number | null;
   max_iterations?: number | null;

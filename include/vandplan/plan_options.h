@@ -70,8 +70,8 @@ struct CostOptions {
   bool operator==(const CostOptions&) const = default;
 };
 
-/// What a driver of a truck minds: reversing, changing gear, turning the wheels, driving close to
-/// things. docs/algorithms/anytime.md gives the reasons for each figure.
+/// What a driver minds in a truck that turns on 7 m: reversing, changing gear, turning the wheels,
+/// driving close to things. `prices_of` fits it to others. Reasons: docs/algorithms/anytime.md.
 inline constexpr CostOptions driver_style = {.reverse_weight = 2.0,
                                              .gear_change_cost = 5.0,
                                              .curvature_change_cost = 5.0,
@@ -117,7 +117,7 @@ enum class Style : std::uint8_t {
 /// The style of that name. Throws InputError for another one.
 [[nodiscard]] Style style_named(std::string_view name);
 
-/// All prices of a style for a vehicle.
+/// All prices of a style. A driver's lengths shrink with a vehicle that turns on less than 7 m.
 [[nodiscard]] CostOptions prices_of(Style style, const Vehicle& vehicle);
 
 /// How far the vehicle stays away from things.

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "vandplan/input_error.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {
@@ -269,8 +270,17 @@ Style style_named(std::string_view name) {
   throw InputError("style", "\"" + std::string(name) + "\" is not driver or shortest");
 }
 
-CostOptions prices_of(Style style, const Vehicle& /*vehicle*/) {
-  return style == Style::driver ? driver_style : shortest_style;
+CostOptions prices_of(Style style, const Vehicle& vehicle) {
+  if (style == Style::shortest) return shortest_style;
+  constexpr double smallest = 0.01;  // keeps all prices in range
+  const double radius = vehicle.min_turning_radius;
+  const double truck = Vehicle{}.min_turning_radius;
+  const double scale = radius < truck ? std::max(smallest, radius / truck) : 1.0;
+  CostOptions prices = driver_style;
+  *prices.gear_change_cost *= scale;
+  *prices.curvature_change_cost *= scale * scale;
+  *prices.clearance_distance *= scale;
+  return prices;
 }
 
 std::span<const CommonOption> common_options() noexcept { return options_of_all; }

@@ -89,6 +89,10 @@ TEST_F(PlanCommand, SummarySaysTheCostAndItsKind) {
   EXPECT_NE(summary({"--set", "style=shortest"}).find(" m by length alone, "), std::string::npos);
   EXPECT_NE(summary({"--set", "gear_change_cost=1"}).find(" m by prices, "), std::string::npos);
   EXPECT_EQ(summary({"--set", "cost=time"}).find(" by "), std::string::npos);
+  write_content(scenario_, replaced(yard(), "radius: 7.0", "radius: 3.0"));
+  EXPECT_NE(summary({}).find(" m by a driver's prices for a turning radius of 3 m, "),
+            std::string::npos)
+      << summary({});
 }
 
 TEST_F(PlanCommand, SummarySaysHowFarFromTheShortestAPathMayBe) {

@@ -248,5 +248,71 @@ TEST(Anytime, ASurveyFindsTheKindOfWayThatSearchesMiss) {
   EXPECT_LT(result.cost, 112);
 }
 
+// ---- small vehicles ----
+
+/// Everything smaller by the same factor.
+Problem shrunk(Scenario scenario, double factor) {
+  Vehicle& v = scenario.vehicle;
+  for (double* const length :
+       {&v.wheelbase, &v.front_overhang, &v.rear_overhang, &v.width, &v.min_turning_radius}) {
+    *length *= factor;
+  }
+  v.limits.max_curvature_rate = max_curvature_rate({}) / (factor * factor);
+  const auto shrink = [&](double& x, double& y) { x *= factor, y *= factor; };
+  shrink(scenario.start.x, scenario.start.y);
+  shrink(scenario.goal.x, scenario.goal.y);
+  shrink(scenario.bounds.x_min, scenario.bounds.x_max);
+  shrink(scenario.bounds.y_min, scenario.bounds.y_max);
+  for (Polygon& polygon : scenario.obstacles) {
+    for (Point& corner : polygon) shrink(corner.x, corner.y);
+  }
+  return make_problem(scenario);
+}
+
+TEST(Anytime, ASmallRobotInASmallYardDrivesLikeATruckInALargeOne) {
+  const Scenario yard{.bounds = {-50, 50, -50, 50},
+                      .start = {0, 0, 0},
+                      .goal = {0, 12, 0},
+                      .obstacles = {box(-20, 5, 15, 7)}};
+  PlanOptions options;
+  options.budget.max_iterations = 5000;
+  const PlanResult large = run(shrunk(yard, 1.0), options);
+  const PlanResult small = run(shrunk(yard, 0.125), options);
+  ASSERT_TRUE(large.path && small.path);
+  EXPECT_NEAR(8 * small.cost, large.cost, 0.01 * large.cost);
+  EXPECT_EQ(small.check->gear_changes, large.check->gear_changes);
+}
+
+TEST(Anytime, ASmallRobotDrivesNoLoopToGetAside) {
+  const Vehicle robot{.wheelbase = 0.6,
+                      .front_overhang = 0.15,
+                      .rear_overhang = 0.15,
+                      .width = 0.62,
+                      .min_turning_radius = 1.0};
+  PlanOptions options;
+  options.budget.max_iterations = 2000;
+  const PlanResult result =
+      run(problem_of({0, 0, 0}, {0, 0.1, 0}, {}, {-10, 10, -10, 10}, robot), options);
+  ASSERT_TRUE(result.path);
+  EXPECT_LT(length(result.path->segments), 2.0);  // it was 6.4
+}
+
+// Walls are nearer than a truck's metre everywhere in this aisle.
+TEST(Anytime, ASmallRobotKeepsAwayFromCornersInANarrowAisle) {
+  const Vehicle robot{.wheelbase = 0.6,
+                      .front_overhang = 0.15,
+                      .rear_overhang = 0.15,
+                      .width = 0.62,
+                      .min_turning_radius = 0.6};
+  PlanOptions options;
+  options.budget.max_iterations = 10'000;
+  const Problem aisle =
+      problem_of({4.55, 1, 1.5707963267948966}, {8, 5.55, 0},
+                 {box(0, 0, 4, 5), box(5.1, 0, 10, 5), box(0, 6.1, 10, 10)}, {0, 10, 0, 10}, robot);
+  const PlanResult result = run(aisle, options);
+  ASSERT_TRUE(result.path);
+  EXPECT_GT(*result.check->clearance, 0.05);  // it was 4 mm
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "vandplan/input_error.h"
@@ -272,6 +273,27 @@ TEST(Styles, AreSetsOfPrices) {
   }
 }
 
+TEST(Styles, ShrinkWithASmallVehicle) {
+  const auto prices = [](double radius) {
+    return prices_of(Style::driver, {.min_turning_radius = radius});
+  };
+  const CostOptions half = {.reverse_weight = 2.0,
+                            .gear_change_cost = 2.5,
+                            .curvature_change_cost = 1.25,
+                            .clearance_weight = 2.0,
+                            .clearance_distance = 0.5};
+  EXPECT_EQ(prices(3.5), half);
+  for (const double radius : {7.0, 8.0, 1e4}) EXPECT_EQ(prices(radius), driver_style) << radius;
+  EXPECT_EQ(prices_of(Style::shortest, {.min_turning_radius = 1.0}), shortest_style);
+}
+
+TEST(Styles, AreInRangeForEveryVehicle) {
+  for (const double radius : {-7.0, 0.0, 1e-3, 0.07, 1.0, 1e300, std::nan("")}) {
+    const CostOptions prices = prices_of(Style::driver, {.min_turning_radius = radius});
+    EXPECT_EQ(message_of([&] { validate({.cost = prices}); }), "") << radius;
+  }
+}
+
 TEST(Styles, SayHowTheVehicleSteers) {
   const Planner planner = planner_named("anytime");
   for (const char* const name : {"driver", "shortest"}) {
@@ -313,6 +335,15 @@ TEST(UnsetOptions, AreFilledBesideThoseThatAreSet) {
   expected = driver_style;
   expected.reverse_weight = 3.0;
   EXPECT_EQ(complete(planner_named("anytime"), by_length).cost, expected);
+}
+
+TEST(UnsetOptions, FitTheVehicle) {
+  const Vehicle robot{.min_turning_radius = 1.4};
+  const PlanOptions options{.cost = {.gear_change_cost = 5.0}};
+  const CostOptions cost = complete(planner_named("anytime"), options, robot).cost;
+  EXPECT_EQ(cost.gear_change_cost, 5.0) << "it is set";
+  EXPECT_DOUBLE_EQ(*cost.curvature_change_cost, 0.2);
+  EXPECT_DOUBLE_EQ(*cost.clearance_distance, 0.2);
 }
 
 // The default of a price is no value that may be set in vain.

@@ -144,7 +144,8 @@ Plans a path, which the judge has seen before it is returned. `planner` is a nam
 function of a `Task`. Without a limit of `time` [s] or `max_iterations` a run takes 1 s; with
 `max_iterations` alone it repeats bit for bit. `options` are those that the command line takes with
 --set: margin=0.3, style="shortest", steering="continuous", threads=2; those of the scenario's file
-hold unless given here.
+hold unless given here. Prices that are not set are a driver's in a truck; they shrink with a vehicle
+that turns on less than 7 m.
 
 Ctrl-C ends the run and raises KeyboardInterrupt; with on_interrupt="return" it returns the best so
 far. Throws InputError, a ValueError, for what cannot be used.)");
