@@ -14,7 +14,6 @@
 
 #include "planners/commands/shorten_drive.h"
 #include "planners/rig/behind_tractor.h"
-#include "planners/rig/open_drives.h"
 #include "planners/rig/rig_search.h"
 #include "planners/rig/softer_wheels.h"
 #include "planners/rig/towed.h"
@@ -195,21 +194,15 @@ void Run::look_for_walls() {
   }
 }
 
-/// [1] and, where the way is far, [2] before the searches, which take long there.
+/// Where the way is far, [1] comes before the searches, which take long there.
 void Run::begin() {
-  std::vector<std::vector<Segment>> open;
-  if (!pricing_.counts_time()) open = open_drives(task_, pricing_.rule());
-  for (const std::vector<Segment>& drive : open) {
-    if (!budget_.next()) return;
-    take(drive, 0);
-  }
   constexpr double far = 12;  // [turning radii]
   constexpr std::int64_t work_of_far_way = 1000;
   const double apart = std::hypot(task_.goal.x - task_.start.x, task_.goal.y - task_.start.y);
-  if (!best_ && apart > far * turning_radius(task_.vehicle)) follow_tractor(work_of_far_way);
+  if (apart > far * turning_radius(task_.vehicle)) follow_tractor(work_of_far_way);
 }
 
-/// [3] Some expansions of a search.
+/// [2] Some expansions of a search.
 void Run::turn(Search& search, int expansions) {
   if (!search.now) begin(search);
   if (best_ && search.is_of_prices) search.now->set_cutoff(cutoff());
@@ -223,7 +216,7 @@ void Run::turn(Search& search, int expansions) {
   }
 }
 
-/// [2] Along another path of the tractor.
+/// [1] Along another path of the tractor.
 void Run::follow_tractor(std::int64_t work) {
   constexpr std::array radii = {1.3, 1.05, 1.6};
   constexpr std::array reverse_weights = {20.0, 2.0};
