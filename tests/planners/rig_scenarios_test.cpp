@@ -50,6 +50,20 @@ INSTANTIATE_TEST_SUITE_P(All, TrailerScenarios,
                            return name;
                          });
 
+// Where little more than the rig fits, searches that keep the margin find nothing.
+TEST(TrailerScenarioMargins, AreKeptWhereThereIsRoomForThem) {
+  if (is_sanitized) GTEST_SKIP() << "takes minutes";
+  const auto clearance = [](const char* file, double margin) {
+    const std::string path = (repository() / "scenarios/trailer" / file).string();
+    PlanOptions options{.cost = driver_style, .clearance = {.margin = margin}};
+    options.budget = {.max_iterations = 40000, .seed = 1};
+    const PlanResult result = plan(read_problems(path).problems.front(), options);
+    return result.path ? result.check->clearance.value_or(0.0) : 0.0;
+  };
+  EXPECT_GE(clearance("parallel-parking.yaml", 0.04), 0.04);
+  EXPECT_GE(clearance("reverse-corner.yaml", 0.06), 0.06);
+}
+
 TEST(TrailerScenarioFiles, AllAreTried) {
   int files = 0;
   for (const auto& entry :

@@ -15,6 +15,7 @@
 #include "planners/commands/shorten_drive.h"
 #include "planners/rig/behind_tractor.h"
 #include "planners/rig/rig_search.h"
+#include "planners/rig/room_for_margin.h"
 #include "planners/rig/softer_wheels.h"
 #include "planners/rig/towed.h"
 #include "search/enclosure.h"
@@ -36,9 +37,15 @@ struct Kind {
   int levels;
   int share;  ///< of the expansions, beside others
 };
-constexpr std::array<Kind, 5> kinds = {
-    {{3, 8, 1, 1}, {2.2, 8, 2, 1}, {1.5, 8, 4, 1}, {1, 1.7, 1, 3}, {3, 8, 1, 1}}};
+constexpr std::array<Kind, 7> kinds = {{{3, 8, 1, 1},
+                                        {2.2, 8, 2, 1},
+                                        {1.5, 8, 4, 1},
+                                        {1, 1.7, 1, 3},
+                                        {3, 8, 1, 1},
+                                        {2.2, 8, 2, 1},
+                                        {1.5, 8, 4, 1}}};
 constexpr std::size_t forward_kind = 4;  // looks forward alone until there is a drive
+constexpr std::size_t bare_kinds = 5;    // first of those that look without the margin
 
 /// Trials between two looks at whether a drive may become the best one.
 constexpr int trials_of_look = 128;
@@ -90,6 +97,7 @@ class Run {
         rules_{pricing.rule(), helpful_rule(options.cost), pricing.rule(),
                forward_rule(options.cost)},
         unit_(search_unit(task.vehicle)),
+        bare_(without_margin(task, options.clearance.margin)),
         guides_(task),
         towed_(towed_task(task)),
         bound_(least_cost(task, pricing)) {}
@@ -111,6 +119,7 @@ class Run {
     int rounds = 0;
     std::size_t task = 0;       // whose wheels it looks with
     bool is_of_prices = false;  // by the prices in force
+    bool is_bare = false;       // without the margin
   };
 
   void look_for_walls();
@@ -122,6 +131,7 @@ class Run {
   void polish();
   void shorten(DriveShortener& drive, std::size_t task);
   void take(std::vector<Segment> commands, std::size_t with);
+  void widen(const std::vector<Segment>& commands);
   void keep(const DriveShortener& drive, std::size_t task);
   [[nodiscard]] commands::DriveShortener::Measure measure() const;
   [[nodiscard]] bool is_good_enough() const {
@@ -137,6 +147,7 @@ class Run {
   Budget budget_;
   std::array<CostRule, 4> rules_;  // of searches: in force, and others for drives of other kinds
   double unit_;                    // of the steps of a search [m]
+  std::optional<Task> bare_;       // the task without its margin
   Guides guides_;
   std::array<Search, kinds.size()> searches_;
   int share_ = first_share;  // of expansions, which grows
@@ -146,7 +157,9 @@ class Run {
   double bound_;                              // no drive costs less [m]
   std::optional<std::vector<Segment>> best_;  // what is driven
   std::vector<Segment> best_commands_;
-  std::size_t best_with_ = 0;  // task whose wheels obey them
+  std::size_t best_with_ = 0;      // task whose wheels obey them
+  std::vector<Segment> roomiest_;  // drive without the margin, while there is none with it
+  double lack_ = 0.0;              // its cost by the rule of room
   double best_cost_ = 0.0;
   double best_wanted_ = 0.0;  // its cost, and more where strokes are shorter than is asked for
   std::vector<CostSample> trace_;
@@ -168,8 +181,9 @@ void Run::begin(Search& search) {
   const std::size_t rule = best_ ? later % rules_.size() : first_rule;
   search.task = best_ ? (kind + static_cast<std::size_t>(round)) % tasks_.size() : 0;
   search.is_of_prices = rule % 2 == 0;
+  search.is_bare = kind >= bare_kinds;
   search.now.emplace(
-      tasks_[search.task], rules_[rule], guides_,
+      search.is_bare ? *bare_ : tasks_[search.task], rules_[rule], guides_,
       Fineness{.step = unit_ * step * std::pow(finer, finest % 6),
                .weight = round % 2 == 0 ? weight : 1 + weight / 4,
                .levels = levels,
@@ -211,7 +225,8 @@ void Run::turn(Search& search, int expansions) {
     std::optional<std::vector<Segment>> found = search.now->take_found();
     if (goes_on && !found) continue;
     end(search);
-    if (found) take(std::move(*found), search.task);
+    if (found && search.is_bare) widen(*found);
+    if (found && !search.is_bare) take(std::move(*found), search.task);
     return;
   }
 }
@@ -233,6 +248,7 @@ void Run::follow_tractor(std::int64_t work) {
 
 bool Run::search() {
   for (std::size_t i = 0; i < kinds.size() && !is_over(); ++i) {
+    if (i >= bare_kinds && (best_ || !bare_)) break;
     const bool had_drive = best_.has_value();
     turn(searches_[i], share_ * kinds[i].share);
     if (!had_drive && best_) break;  // the others had no chance to look by the prices in force
@@ -302,9 +318,28 @@ void Run::take(std::vector<Segment> commands, std::size_t with) {
   }
 }
 
+/// [2] A drive that is free without the margin: moved away from things until it keeps the margin.
+void Run::widen(const std::vector<Segment>& commands) {
+  const CostRule rule = rule_of_room(options_.clearance.margin);
+  DriveShortener drive(*bare_, rule, commands, stream_seed(options_.budget.seed, shortened_++));
+  while (!drive.is_stalled() && budget_.next()) {
+    ++trials_;
+    if (!drive.step()) continue;
+    std::optional<std::vector<Segment>> chain = obeyed(task_, drive.commands());
+    if (!chain) continue;
+    take(*std::move(chain), 0);
+    break;
+  }
+  checks_ += drive.checks();
+  if (best_ || (!roomiest_.empty() && drive.cost() >= lack_)) return;
+  roomiest_ = drive.commands();
+  lack_ = drive.cost();
+}
+
 /// [5] Another look at the best drive.
 void Run::polish() {
   if (best_) take(best_commands_, best_with_);
+  if (!best_ && !roomiest_.empty()) widen(std::vector(roomiest_));
 }
 
 PlannerAnswer Run::answer() {
