@@ -17,9 +17,12 @@ constexpr double longest_step = 0.1;  // [m]
 constexpr int steps_to_settle = 400;  // of Riccati's equation beyond the end of a stroke
 
 // What a metre with errors costs, in units of the fading distance: the squares of how far both rear
-// axles are beside their places and of how far both bodies are turned, and so much times the square
-// of the change of the curvature.
+// axles are beside their places and of how far both bodies are turned, and `towing_effort` times
+// the square of the change of the curvature.
 constexpr double towing_effort = 2e-3;
+// In reverse the heading of the tractor counts so many times: it steers the trailer by swinging its
+// front, which touches things first.
+constexpr double swing = 8.0;
 
 /// How errors grow in a step around a state of the plan, and what they cost.
 LinearStep<4> step_around(const Vehicle& vehicle, double hitch_angle, double curvature,
@@ -50,7 +53,7 @@ LinearStep<4> step_around(const Vehicle& vehicle, double hitch_angle, double cur
   // 3. What it costs.
   const double a = fading_distance(vehicle);
   const RigError rows[] = {{1 / a, 0, 0, 0},
-                           {0, 1, 0, 0},
+                           {0, direction < 0 ? swing : 1, 0, 0},
                            {cos / a, (hitch * cos - wheelbase) / a, wheelbase / a, 0},
                            {0, 1, -1, 0}};
   for (const RigError& row : rows) {
