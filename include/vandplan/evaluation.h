@@ -53,7 +53,7 @@ struct Campaign {
   std::vector<Planner> planners = {};  ///< of the library or your own; names differ
   /// Where samples are drawn. A planner without an option "region" runs in each of them alike.
   std::vector<Region> regions = {Region::bounds, Region::scene};
-  int repeats = 15;                  ///< of every scenario with one goal; >= 1
+  int repeats = 25;                  ///< of every scenario with one goal; >= 1
   int repeats_per_goal = 1;          ///< of every goal in a row of goals; >= 1
   std::vector<RepeatCap> caps = {};  ///< fewer repeats for some planners
   std::uint64_t seed = 1;            ///< every run's seed is derived from it

@@ -90,7 +90,7 @@ TEST_F(EvaluateCommand, TakesTheThesisAsPrintedFirst) {
   std::map<std::string, int> count;
   for (const RunRecord& run : runs("out")) ++count[run.planner];
   EXPECT_EQ(count.size(), 21U);                // both settings of the goal, and the default planner
-  EXPECT_EQ(count.at("rrt-bsc-euc"), 2 * 16);  // 15 repeats and a profiled run
+  EXPECT_EQ(count.at("rrt-bsc-euc"), 2 * 26);  // 25 repeats and a profiled run
   EXPECT_EQ(count.at("rrt-bsc-euc-goal"), 2 * 6);  // fewer
   const auto json = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(json.at("claims").size(), 12U);
