@@ -148,9 +148,15 @@ PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_
                         const std::vector<TypedOption>& typed) {
   PlanOptions options;
   set_honoured(options, planner, wanted_by_file);
-  std::vector<TypedOption> in_order = typed;  // what is given beside a style wins
+  set_typed(options, planner, typed);
+  return options;
+}
+
+void set_typed(PlanOptions& options, const Planner& planner,
+               const std::vector<TypedOption>& typed) {
+  std::vector<TypedOption> in_order = typed;
   std::stable_partition(in_order.begin(), in_order.end(),
-                        [](const TypedOption& given) { return given.option == "style"; });
+                        [](const TypedOption& given) { return is_set_first(given.option); });
   for (const TypedOption& given : in_order) {
     try {
       set_option(options, planner, given.option, given.value);
@@ -158,7 +164,6 @@ PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_
       throw InputError(given.typed, error.problem());
     }
   }
-  return options;
 }
 
 std::string help_on_common_options() {

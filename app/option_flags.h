@@ -36,6 +36,9 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed);
                                       std::span<const Setting> wanted_by_file,
                                       const std::vector<TypedOption>& typed);
 
+/// Sets what was typed above the options that there are. Throws as `options_for`.
+void set_typed(PlanOptions& options, const Planner& planner, const std::vector<TypedOption>& typed);
+
 /// A line for each option that all planners have.
 [[nodiscard]] std::string help_on_common_options();
 

@@ -51,38 +51,23 @@ std::vector<ResultRecord> plan_goals(const ScenarioProblems& read, const Planner
   return records;
 }
 
-/// By what the cost was worked out.
-std::string name_of(const CostOptions& cost, const Vehicle& vehicle) {
-  if (is_length(cost)) return "length alone";
-  if (cost == driver_style) return "a driver's prices";
-  if (cost != prices_of(Style::driver, vehicle)) return "prices";
-  return fmt::format("a driver's prices for a turning radius of {:.3g} m",
-                     vehicle.min_turning_radius);
-}
-
-/// ", cost 63.450 m by a driver's prices, proven: at most 12.3 % above the optimum"
-std::string cost_text(const PlanResult& result, const CostOptions& cost, const Vehicle& vehicle) {
+/// ", proven: at most 12.3 % above the optimum"; empty where nothing is proven.
+std::string proof_text(const PlanResult& result) {
   constexpr double weak = 0.25;  // a gap that says more of the bound than of the path
-  const bool is_time = cost.measure == CostMeasure::time || result.drive_check;
-  std::string text =
-      is_time ? ""
-              : fmt::format(", cost {} by {}", metres_text(result.cost), name_of(cost, vehicle));
-  if (!(result.lower_bound > 0)) return text;  // none is proven
+  if (!(result.lower_bound > 0)) return "";
   const double gap = result.cost / result.lower_bound - 1;
-  return fmt::format("{}, proven: at most {:.1f} % above the optimum{}", text, 100 * gap,
+  return fmt::format(", proven: at most {:.1f} % above the optimum{}", 100 * gap,
                      gap > weak ? " (the bound is weak)" : "");
 }
 
 std::string outcome_of(const ResultRecord& record, const Vehicle& vehicle) {
   const PlanResult& result = record.result;
-  const PlanOptions& options = record.options;
   if (!result.path) return no_path_text(result);
-  const bool is_time = options.cost.measure == CostMeasure::time && !result.drive_check;
-  const std::string time = is_time ? fmt::format(", driven in {}", seconds_text(result.cost))
-                                   : drive_text(result.drive_check);
-  return fmt::format("solved: {}{}{}, first path after {}", path_text(*result.check), time,
-                     cost_text(result, options.cost, vehicle),
-                     seconds_text(result.anytime.front().time));
+  const std::string cost = result.drive_check
+                               ? drive_text(result.drive_check)
+                               : ", " + cost_text(result.cost, record.options.cost, vehicle);
+  return fmt::format("solved: {}{}{}, first path after {}", path_text(*result.check), cost,
+                     proof_text(result), seconds_text(result.anytime.front().time));
 }
 
 void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& records) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// vandplan smooth: which path near this one can the wheels follow?
+// vandplan smooth: which path near this one is cheaper, and can be followed by the wheels?
 #include "vandplan/smooth.h"
 
 #include <fmt/format.h>
@@ -32,40 +32,76 @@ struct SmoothArguments {
   bool json = false;
 };
 
-/// What smoothing makes of a result; without a path that stays as it is.
-ResultRecord smoothed(const Problem& problem, ResultRecord record, SmoothMethod method,
-                      PlanOptions options) {
-  const std::optional<Path> path = record.result.path;
-  if (!path) return record;
-  const Planner planner = smoother(*path, method);
-  record.planner = planner.name;
-  record.options = complete(planner, options, problem.vehicle());
-  record.result = plan(problem, planner, options);
-  record.claims = {};
-  return record;
+/// A result before and after smoothing.
+struct Run {
+  ResultRecord before;
+  ResultRecord after;  ///< the same if there is no path
+  Smoothed smoothed = {};
+};
+
+/// The options by which a result is smoothed. Throws InputError naming what was typed, or the file
+/// of the result.
+PlanOptions options_of(const SmoothArguments& arguments, const ScenarioFile& scenario,
+                       const ResultRecord& record) {
+  PlanOptions options;
+  try {
+    options = smooth_options(scenario.options, stored_options(record));
+  } catch (const InputError& error) {
+    throw InputError(arguments.result,
+                     fmt::format("options.{}: {}", error.where(), error.problem()));
+  }
+  set_typed(options, smoother({}, {}), arguments.options);
+  return options;
 }
 
-void print_smoothed(const ScenarioFile& file, const std::vector<ResultRecord>& before,
-                    const std::vector<ResultRecord>& after) {
-  fmt::print("{}, {}\n", printable(file.scenario.name), after.front().planner);
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    const PlanResult& result = after[i].result;
-    if (after[i].distance) fmt::print("{:7.6g} m: ", *after[i].distance);
-    if (!before[i].result.path || !result.path) {
-      fmt::print("{}\n", no_path_text(result));
-      continue;
-    }
-    const double length = vandplan::length(*before[i].result.path);
-    fmt::print("smoothed: {}, {:+.2f} %; {} iterations, {}\n", path_text(*result.check),
-               100 * (result.check->length / length - 1), result.iterations,
-               seconds_text(result.time_total));
+Run smoothed(const Problem& problem, const ResultRecord& record, SmoothMethod method,
+             const PlanOptions& options) {
+  Run run{record, record};
+  if (!record.result.path) return run;
+  run.smoothed = smooth(problem, *record.result.path, method, options);
+  run.after.planner = smoother({}, method).name;
+  run.after.options = run.smoothed.options;
+  run.after.result = run.smoothed.result;
+  run.after.claims = {};
+  return run;
+}
+
+/// "71.230 m before": what the path that was given costs by the same options, and why it would not
+/// do.
+std::string before_text(const Smoothed& smoothed) {
+  const bool is_time = smoothed.options.cost.measure == CostMeasure::time;
+  std::string text = is_time ? seconds_text(smoothed.given_cost) : metres_text(smoothed.given_cost);
+  text += " before";
+  if (smoothed.given_fault.empty()) return text;
+  return fmt::format("{} (not allowed: {})", text, printable(smoothed.given_fault));
+}
+
+std::string outcome_of(const Run& run, const Vehicle& vehicle) {
+  const PlanResult& result = run.after.result;
+  if (!run.before.result.path || !result.path) return no_path_text(result);
+  const std::string path = fmt::format("{}, {}", path_text(*result.check),
+                                       cost_text(result.cost, run.after.options.cost, vehicle));
+  const std::string work =
+      fmt::format("{} iterations, {}", result.iterations, seconds_text(result.time_total));
+  if (run.smoothed.is_given) {
+    return fmt::format("nothing better was found, the path stays as it was: {}; {}", path, work);
+  }
+  return fmt::format("smoothed: {}, {}; {}", path, before_text(run.smoothed), work);
+}
+
+void print_summary(const ScenarioFile& file, const std::vector<Run>& runs) {
+  fmt::print("{}, {}\n", printable(file.scenario.name), runs.front().after.planner);
+  for (const Run& run : runs) {
+    if (run.after.distance) fmt::print("{:7.6g} m: ", *run.after.distance);
+    fmt::print("{}\n", outcome_of(run, file.scenario.vehicle));
   }
 }
 
 int run(const SmoothArguments& arguments) {
   const SmoothMethod method = smooth_method_named(arguments.method);
-  const Planner any = smoother({}, method);  // its options do not depend on the path
-  (void)complete(any, options_for(any, {}, arguments.options));
+  PlanOptions typed;
+  set_typed(typed, smoother({}, method), arguments.options);
+  (void)complete(smoother({}, method), typed);
   const std::atomic<bool>* const stop = stop_on_signal();
   if (arguments.output) {
     expect_ending(*arguments.output, result_file);
@@ -74,33 +110,28 @@ int run(const SmoothArguments& arguments) {
   if (!arguments.picture.file.empty()) expect_picture(arguments.picture.file);
   const ScenarioProblems read = read_problems(arguments.scenario);
   warn(read.file.warnings);
-  PlanOptions options = options_for(any, read.file.options, arguments.options);
-  const auto says_so = [](const auto& setting) { return setting.name == "steering"; };
-  const auto types_so = [](const TypedOption& typed) { return typed.option == "steering"; };
-  if (std::ranges::none_of(read.file.options, says_so) &&
-      std::ranges::none_of(arguments.options, types_so)) {
-    options.steering = Steering::continuous_between_stops;  // what smoothing is for
-  }
-  options.budget.stop = stop;
   expect_one_path(arguments.picture, read.file);
   ResultReader reader(arguments.result, read.file);
   if (reader.has_pairs()) {
     throw InputError(arguments.result, "holds results of many pairs, expected one result");
   }
-  const std::vector<ResultRecord> before = reader.all();
-  std::vector<ResultRecord> after;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    after.push_back(smoothed(read.problems[i], before[i], method, options));
+  std::vector<Run> runs;
+  for (const ResultRecord& record : reader.all()) {
+    PlanOptions options = options_of(arguments, read.file, record);
+    options.budget.stop = stop;
+    runs.push_back(smoothed(read.problems[runs.size()], record, method, options));
   }
+  std::vector<ResultRecord> after;
+  std::ranges::transform(runs, std::back_inserter(after), &Run::after);
   if (arguments.output) write_results(*arguments.output, read.file, after);
   if (!arguments.picture.file.empty()) write_picture(arguments.picture, read.file, after);
   if (arguments.json) {
     write_results("-", read.file, after);
   } else {
-    print_smoothed(read.file, before, after);
+    print_summary(read.file, runs);
   }
-  const bool all = std::ranges::equal(before, after, [](const auto& a, const auto& b) {
-    return a.result.path.has_value() == b.result.path.has_value();
+  const bool all = std::ranges::all_of(runs, [](const Run& run) {
+    return run.before.result.path.has_value() == run.after.result.path.has_value();
   });
   return all ? exit_status::done : exit_status::failed;
 }
@@ -110,9 +141,10 @@ int run(const SmoothArguments& arguments) {
 void add_smooth(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand(
       "smooth",
-      "Make the path of a result one that the wheels can follow: clothoids where the curvature\n"
-      "jumps, along the same way, checked like any path. It is never worse than a path that can\n"
-      "be followed already.");
+      "Make the path of a result cheaper, and one that the wheels can follow: clothoids where the\n"
+      "curvature jumps, along the same way, checked like any path. Options are those stored in "
+      "the\n"
+      "result. By these it is never worse than a path that can be followed already.");
   const auto arguments = std::make_shared<SmoothArguments>();
   add_scenario_and_result(*command, arguments->scenario, arguments->result);
   command
@@ -128,8 +160,13 @@ void add_smooth(CLI::App& vandplan, int& status) {
   add_picture(*command, arguments->picture);
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
   command->footer(
-      "Keys of --set are those of `vandplan plan` for all planners; steering says where the\n"
-      "curvature may jump. Exit status: 0 done, 1 no such path was found, 2 bad input or usage.");
+      "What is typed comes before what the result stores (prices, cost, margin, min_stroke,\n"
+      "steering), and that before the options of the scenario. The budget of the run that planned\n"
+      "the path does not count, nor does its steering if that was reeds-shepp: without a trailer\n"
+      "it becomes continuous-between-stops then. Keys of --set are those of `vandplan plan` for "
+      "all\n"
+      "planners, and min_stroke. Exit status: 0 done, 1 no such path was found, 2 bad input or\n"
+      "usage.");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -33,6 +33,15 @@ std::string with_unit(double value, std::span<const Unit> units) {
   return fmt::format("{:.{}f} {}", count, decimals, units[i].name);
 }
 
+/// By what the cost was worked out.
+std::string name_of(const CostOptions& cost, const Vehicle& vehicle) {
+  if (is_length(cost)) return "length alone";
+  if (cost == driver_style) return "a driver's prices";
+  if (cost != prices_of(Style::driver, vehicle)) return "prices";
+  return fmt::format("a driver's prices for a turning radius of {:.3g} m",
+                     vehicle.min_turning_radius);
+}
+
 }  // namespace
 
 std::string metres_text(double metres) { return with_unit(metres, length_units); }
@@ -57,6 +66,11 @@ std::string drive_text(const std::optional<DriveCheck>& check) {
   std::string text = fmt::format(", driven in {}", seconds_text(check->duration));
   if (!check->clearance || !std::isfinite(*check->clearance)) return text;
   return fmt::format("{}, {} from all that moves", text, metres_text(*check->clearance));
+}
+
+std::string cost_text(double cost, const CostOptions& rule, const Vehicle& vehicle) {
+  if (rule.measure == CostMeasure::time) return "driven in " + seconds_text(cost);
+  return fmt::format("cost {} by {}", metres_text(cost), name_of(rule, vehicle));
 }
 
 std::string no_path_text(const PlanResult& result) {

@@ -33,6 +33,9 @@ using base::printable;
 /// where there are none.
 [[nodiscard]] std::string drive_text(const std::optional<DriveCheck>& check);
 
+/// "cost 63.450 m by a driver's prices", "driven in 23.100 s" where the cost is the time.
+[[nodiscard]] std::string cost_text(double cost, const CostOptions& rule, const Vehicle& vehicle);
+
 /// "no path: goal_in_collision (the footprint hits obstacles[3])" of a result without a path.
 [[nodiscard]] std::string no_path_text(const PlanResult& result);
 

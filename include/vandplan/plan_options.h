@@ -177,6 +177,16 @@ struct PlanOptions {
   bool operator==(const PlanOptions&) const = default;
 };
 
+/// An option by its name, with its value as text: {"margin", "0.3"}, {"goal_bias", "0.2"}.
+struct Setting {
+  std::string name;
+  std::string value;
+  bool operator==(const Setting&) const = default;
+};
+
+/// Every option that is set, as `set_option` (planner.h) takes it; those of one planner come last.
+[[nodiscard]] std::vector<Setting> settings_of(const PlanOptions& options);
+
 /// An option of a planner: the type of its default is its type.
 struct OptionInfo {
   std::string name;

@@ -27,13 +27,15 @@ namespace vandplan {
 /// What a planner honours and promises. Reports, help and comparisons read these; a name means
 /// nothing to them.
 struct PlannerProperties {
-  std::string family = {};                ///< planners that are built alike: "rrt"
-  std::string strategy = {};              ///< which node becomes a parent: "bsc", "opt"; or empty
-  std::string estimate = {};              ///< what ranks nodes: "euclid", "hlut-2", ...; or empty
-  std::string search = {};                ///< its name without the estimate; empty if it takes none
-  bool tries_goal = false;                ///< tries the goal from every new node
-  bool honours_prices = false;            ///< CostOptions; else its cost is the length
-  Style style = Style::shortest;          ///< what it minimises when no style and price is set
+  std::string family = {};        ///< planners that are built alike: "rrt"
+  std::string strategy = {};      ///< which node becomes a parent: "bsc", "opt"; or empty
+  std::string estimate = {};      ///< what ranks nodes: "euclid", "hlut-2", ...; or empty
+  std::string search = {};        ///< its name without the estimate; empty if it takes none
+  bool tries_goal = false;        ///< tries the goal from every new node
+  bool honours_prices = false;    ///< CostOptions; else its cost is the length
+  Style style = Style::shortest;  ///< what it minimises when no style and price is set
+  /// Steering of a vehicle without a trailer when none is set; none: that of the style.
+  std::optional<Steering> steering = {};
   bool honours_time = false;              ///< CostMeasure::time
   bool honours_threads = false;           ///< BudgetOptions::threads
   bool honours_target_gap = false;        ///< BudgetOptions::target_gap: it proves lower bounds
@@ -128,12 +130,9 @@ struct PlanResult {
 void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
                 std::string_view text);
 
-/// An option by its name, with its value as text: {"margin", "0.3"}, {"goal_bias", "0.2"}.
-struct Setting {
-  std::string name;
-  std::string value;
-  bool operator==(const Setting&) const = default;
-};
+/// Whether an option is set before others, since it takes back what they set: "style" the prices
+/// and the steering, "cost" the prices.
+[[nodiscard]] bool is_set_first(std::string_view option) noexcept;
 
 /// Sets those options that the planner honours, and passes over the others. Throws InputError
 /// naming the option whose value is no good.

@@ -31,9 +31,16 @@ struct ResultRecord {
   std::optional<double> distance = {};  ///< of the goal in a row of goals [m]
   PlanResult result = {};
   PathClaims claims = {};  ///< what a file that was read says about its path
+  /// Options that a file states for its run, if the record was read; those without a value are left
+  /// out.
+  std::optional<std::vector<Setting>> stated = {};
   /// What that file says about the row that the record belongs to.
   std::optional<StatedFurthest> furthest = {};
 };
+
+/// The options of the run, as far as they are known: those that a file states, or those that were
+/// in force.
+[[nodiscard]] std::vector<Setting> stored_options(const ResultRecord& record);
 
 /// The largest distance among the goals of a row that have a path [m].
 [[nodiscard]] std::optional<double> furthest_reached(const std::vector<ResultRecord>& records);

@@ -162,6 +162,16 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
   expect_in_range(file, node, options);
 }
 
+/// The options that have a value, by their names.
+std::vector<Setting> stated_options(const Node& options) {
+  std::vector<Setting> stated;
+  for (std::size_t i = 0; i < options.items.size(); ++i) {
+    const Node& value = options.items[i];
+    if (value.kind == Node::Kind::scalar) stated.push_back({options.keys[i].text, value.text});
+  }
+  return stated;
+}
+
 /// Whether the planner's cost is the length, whatever the options say.
 bool goes_by_length(const std::string& planner) {
   const std::optional<Planner> known = find_planner(planner);
@@ -211,8 +221,10 @@ ResultRecord run_from(const Document& file, const Node& node) {
 /// What the path is held to, and the claims that follow.
 void read_rules(const Document& file, const Node& node, ResultRecord& record) {
   record.options.cost = shortest_style;
+  record.stated.emplace();
   if (const Node* const options = file.find(node, "options")) {
     read_options(file, *options, record.options);
+    record.stated = stated_options(*options);
   }
   record.result.rule = record.options.cost;
   record.claims.clearance = record.options.clearance;
@@ -311,5 +323,9 @@ ResultRecord pattern_from(const Document& head) {
 }
 
 }  // namespace io
+
+std::vector<Setting> stored_options(const ResultRecord& record) {
+  return record.stated ? *record.stated : settings_of(record.options);
+}
 
 }  // namespace vandplan

@@ -130,7 +130,8 @@ void settle_style(const Planner& planner, const Vehicle& vehicle, PlanOptions& a
   if (!planner.properties.honours_steering) all.steering = Steering::reeds_shepp;
   if (all.steering) return;
   const bool is_shortest = style == Style::shortest || is_length(all.cost);
-  all.steering = is_shortest ? Steering::reeds_shepp : Steering::continuous_between_stops;
+  const Steering usual = is_shortest ? Steering::reeds_shepp : Steering::continuous_between_stops;
+  all.steering = planner.properties.steering.value_or(usual);
 }
 
 /// Throws InputError when a table is asked for that is not there, or is there and not asked for.
@@ -379,14 +380,21 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
     throw InputError(std::string(name),
                      error.problem() + ", expected: " + std::string(common.summary));
   }
+  if (changed.cost.measure != options.cost.measure) {
+    changed.cost = {.initial_gear = changed.cost.initial_gear, .measure = changed.cost.measure};
+  }
   validate(changed);
   options = changed;
 }
 
+bool is_set_first(std::string_view option) noexcept {
+  return option == style_key || option == cost_key;
+}
+
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings) {
-  for (const bool is_style : {true, false}) {  // what is given beside a style wins
+  for (const bool is_first : {true, false}) {
     for (const auto& [name, value] : settings) {
-      if ((name == style_key) == is_style && honours(planner, name)) {
+      if (is_set_first(name) == is_first && honours(planner, name)) {
         set_option(options, planner, name, value);
       }
     }

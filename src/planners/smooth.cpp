@@ -5,89 +5,212 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "planners/anytime/chain.h"
 #include "planners/anytime/shorten.h"
+#include "planners/anytime/tidy.h"
+#include "planners/commands/short_strokes.h"
+#include "planners/commands/shorten_drive.h"
+#include "planners/commands/wheels.h"
+#include "planners/pricing.h"
+#include "planners/rig/softer_wheels.h"
 #include "search/route.h"
 #include "steering/words.h"
 #include "vandplan/input_error.h"
+#include "vandplan/path_check.h"
 
 namespace vandplan {
 namespace {
 
 using namespace search;
+using commands::DriveShortener, commands::price_of_lack;
 
 constexpr std::array<std::string_view, 2> method_names = {"clothoids", "optimised"};
 constexpr std::int64_t most_repairs = 20'000;
 constexpr std::int64_t settling = 1000;  // trials that take out what repairs made longer
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_at(const Pose& pose, const Pose& goal) {
+/// What is asked of the path: its prices, and how long strokes are at least.
+class Wishes {
+ public:
+  Wishes(const Task& task, const PlanOptions& options)
+      : pricing_(task, options.cost), min_stroke_(options.planner.number("min_stroke")) {}
+
+  [[nodiscard]] const CostRule& rule() const { return pricing_.rule(); }
+  /// Whether a path costs something else than its segments one by one.
+  [[nodiscard]] bool are_of_whole_path() const { return pricing_.is_time() || min_stroke_ > 0.0; }
+  /// Cost of a path, and more where strokes are too short.
+  [[nodiscard]] double price(std::span<const Segment> segments, Looks looks) const {
+    return pricing_.cost(segments, looks) + lack(segments);
+  }
+  [[nodiscard]] double lack(std::span<const Segment> segments) const {
+    return min_stroke_ > 0.0 ? price_of_lack(segments, min_stroke_) : 0.0;
+  }
+
+ private:
+  planning::Pricing pricing_;
+  double min_stroke_;  // [m]
+};
+
+/// One run of the smoother.
+class Smoother {
+ public:
+  Smoother(const Task& task, const PlanOptions& options, const Path& path)
+      : task_(task),
+        seed_(options.budget.seed),
+        wishes_(task, options),
+        budget_(options.budget),
+        old_{task.start, path.segments} {}
+
+  [[nodiscard]] PlannerAnswer run(SmoothMethod method);
+
+ private:
+  [[nodiscard]] bool is_drivable(Connector& connector) const;
+  [[nodiscard]] std::optional<Route> chained(Connector& connector);
+  void bend();
+  void improve(std::optional<anytime::Shortener>& shortener, std::int64_t trials);
+  void take(std::vector<Segment> segments, double price);
+
+  const Task& task_;
+  std::uint64_t seed_;
+  Wishes wishes_;
+  Budget budget_;
+  Path old_;
+  std::optional<DriveShortener> drive_;  // along the old path
+  double least_ = infinity;              // price of the answer
+  PlannerAnswer answer_;
+};
+
+/// Whether the wheels can follow the old path from start to goal, and nothing is in its way; as far
+/// as rounding tells.
+bool Smoother::is_drivable(Connector& connector) const {
+  Driven before = gears_at_ends(task_, connector.rule()).before;
+  Pose pose = old_.start;
+  for (const Segment& segment : old_.segments) {
+    if (!anytime::can_drive(connector, segment)) return false;
+    if (!anytime::may_follow(connector, before, segment)) return false;
+    if (!connector.is_free(pose, segment)) return false;
+    before = last_driven(segment);
+    pose = advance(pose, segment);
+  }
+  const double last = gears_at_ends(task_, connector.rule()).after.curvature;
+  if (std::abs(last - before.curvature) * connector.radius() > straight_wheels) return false;
+  const Pose& goal = task_.goal;
   return std::hypot(pose.x - goal.x, pose.y - goal.y) <= steering::at_goal.position &&
          std::abs(wrap_angle(pose.heading - goal.heading)) <= steering::at_goal.heading;
 }
 
-/// The cost of the path itself, if it can be driven as it is; as far as rounding tells.
-std::optional<double> cost_as_it_is(const Task& task, Connector& connector, const Path& old) {
-  Driven before = gears_at_ends(task, connector.rule()).before;
-  Pose pose = old.start;
-  for (const Segment& segment : old.segments) {
-    if (!anytime::may_follow(connector, before, segment)) return std::nullopt;
-    if (!connector.is_free(pose, segment)) return std::nullopt;
-    before = last_driven(segment);
-    pose = advance(pose, segment);
+/// The answer so far. Longer strokes may make it dearer than one before.
+void Smoother::take(std::vector<Segment> segments, double price) {
+  least_ = price;
+  const double cost = price - wishes_.lack(segments);
+  std::erase_if(answer_.anytime, [&](const CostSample& sample) { return sample.cost <= cost; });
+  answer_.anytime.push_back({budget_.elapsed(), budget_.iterations(), cost});
+  answer_.segments = std::move(segments);
+  answer_.status = PlanStatus::solved;
+}
+
+/// [2], [3] A free route along the old path.
+std::optional<Route> Smoother::chained(Connector& connector) {
+  anytime::Chain chain(task_, connector, old_, stream_seed(seed_, 0));
+  if (!chain.join()) return std::nullopt;
+  for (std::int64_t i = 0; i < most_repairs && !chain.is_free() && budget_.next(); ++i) {
+    chain.repair();
   }
-  const double last = gears_at_ends(task, connector.rule()).after.curvature;
-  if (std::abs(last - before.curvature) * connector.radius() > straight_wheels) return std::nullopt;
-  if (!is_at(pose, task.goal)) return std::nullopt;
-  Driven driven = connector.rule().initial_gear;
-  return drive_cost(connector.rule(), old.segments, driven) +
-         connector.clearance_cost(old.start, old.segments);
+  if (!chain.is_free()) return std::nullopt;
+  return chain.route();
+}
+
+/// [4] The old path as commands, if what they drive is free.
+void Smoother::bend() {
+  const commands::Wheels wheels(task_.vehicle, task_.steering);
+  std::vector<Segment> chain = wheels.commands(old_.segments, commands::wheel_ends(task_));
+  commands::hold_curvatures(chain, task_.vehicle.min_turning_radius);
+  if (chain.empty()) return;
+  const auto free = rig::obeyed(task_, std::move(chain));
+  if (!free) return;
+  DriveShortener::Measure measure;
+  if (wishes_.are_of_whole_path()) {
+    measure = [this](std::span<const Segment> segments) {
+      return wishes_.price(segments, Looks::search);
+    };
+  }
+  drive_.emplace(task_, wishes_.rule(), *free, stream_seed(seed_, 2), std::move(measure));
+}
+
+/// [5] Shortens the route and bends the old path in turns.
+void Smoother::improve(std::optional<anytime::Shortener>& shortener, std::int64_t trials) {
+  const auto offer_route = [&] {
+    if (shortener->cost() < least_) take(path_of(shortener->route()).segments, shortener->cost());
+  };
+  const auto offer_drive = [&] {
+    if (drive_->cost() < least_) take(drive_->segments(), drive_->cost());
+  };
+  if (shortener) offer_route();
+  if (drive_) offer_drive();
+  for (std::int64_t i = 0; i < trials && (shortener || drive_) && budget_.next(); ++i) {
+    if (drive_ && (!shortener || i % 2 == 0)) {
+      if (drive_->step()) offer_drive();
+    } else if (shortener->step()) {
+      offer_route();
+    }
+  }
 }
 
 // The steps of docs/algorithms/smooth.md.
-PlannerAnswer smoothed(const Task& task, const PlanOptions& options, const Path& path,
-                       SmoothMethod method) {
-  Budget budget(options.budget);
-  Connector connector(task, cost_rule(options.cost));
-  const Path old{task.start, path.segments};
-  PlannerAnswer answer;
-  const std::optional<double> kept = cost_as_it_is(task, connector, old);  // [1]
-  double least = kept.value_or(std::numeric_limits<double>::infinity());
-  const auto take = [&](std::vector<Segment> segments, double cost) {
-    answer.segments = std::move(segments);
-    answer.anytime.push_back({budget.elapsed(), budget.iterations(), cost});
-    answer.status = PlanStatus::solved;
-  };
-  if (kept) take(path.segments, *kept);
-  anytime::Chain chain(task, connector, old, stream_seed(options.budget.seed, 0));
-  const bool is_joined = chain.join();  // [2]
-  bool is_free = is_joined && chain.is_free();
-  const std::int64_t repairs = is_joined ? most_repairs : 0;
-  for (std::int64_t i = 0; i < repairs && !is_free && budget.next(); ++i) {  // [3]
-    chain.repair();
-    is_free = chain.is_free();
+PlannerAnswer Smoother::run(SmoothMethod method) {
+  const bool is_optimised = method == SmoothMethod::optimised;
+  const std::int64_t trials = is_optimised ? std::numeric_limits<std::int64_t>::max() : settling;
+  std::optional<Connector> connector;
+  std::optional<anytime::Shortener> shortener;
+  bool is_drivable = false;
+  if (!task_.vehicle.trailer) {
+    connector.emplace(task_, wishes_.rule());
+    is_drivable = this->is_drivable(*connector);
+    if (is_drivable) take(old_.segments, wishes_.price(old_.segments, Looks::search));  // [1]
   }
-  if (is_free && !(kept && method == SmoothMethod::clothoids)) {
-    anytime::Shortener shortener(connector, chain.route(), stream_seed(options.budget.seed, 1));
-    const auto offer = [&] {
-      if (shortener.cost() >= least) return;
-      const Route route = shortener.route();
-      least = route.cost;
-      take(path_of(route).segments, route.cost);
-    };
-    offer();
-    for (std::int64_t i = 0; method == SmoothMethod::optimised || i < settling; ++i) {  // [4]
-      if (!budget.next()) break;
-      if (shortener.step()) offer();
+  if (is_drivable && !is_optimised) return std::move(answer_);
+  if (connector) {
+    std::optional<Route> route = chained(*connector);
+    std::function<double(const Route&)> measure;
+    if (wishes_.are_of_whole_path()) {
+      measure = [this](const Route& r) {
+        return wishes_.price(path_of(r).segments, Looks::search);
+      };
+    }
+    if (route) {
+      shortener.emplace(*connector, *std::move(route), stream_seed(seed_, 1), anytime::Scope::all,
+                        std::move(measure));
     }
   }
-  answer.iterations = budget.iterations();
-  if (answer.segments) return answer;
-  answer.status = budget.exhausted().value_or(PlanStatus::no_path);
-  answer.reason = "no way along the path was found that the wheels can follow";
-  return answer;
+  if (is_drivable || task_.vehicle.trailer) bend();
+  improve(shortener, trials);
+  answer_.iterations = budget_.iterations();
+  if (answer_.segments) return std::move(answer_);
+  answer_.status = budget_.exhausted().value_or(PlanStatus::no_path);
+  answer_.reason = "no way along the path was found that the wheels can follow";
+  return std::move(answer_);
+}
+
+/// Throws InputError naming "path" for one with a number that is not finite.
+void expect_finite(const Path& path) {
+  const auto& [x, y, heading] = path.start;
+  bool is_finite = std::isfinite(x) && std::isfinite(y) && std::isfinite(heading);
+  for (const auto& [curvature, length, rate] : path.segments) {
+    is_finite &= std::isfinite(curvature) && std::isfinite(length) && std::isfinite(rate);
+  }
+  if (!is_finite) throw InputError("path", "holds a number that is not finite");
+}
+
+/// Whether an option of the run that planned a path counts when the path is smoothed.
+bool counts(const Planner& planner, const Setting& setting) {
+  if (!honours(planner, setting.name)) return false;
+  PlanOptions options;
+  set_option(options, planner, setting.name, setting.value);
+  return options.budget == BudgetOptions{} && options.steering != Steering::reeds_shepp;
 }
 
 }  // namespace
@@ -107,12 +230,55 @@ Planner smoother(const Path& path, SmoothMethod method) {
           .properties = {.family = "smooth",
                          .honours_prices = true,
                          .style = Style::driver,
+                         .steering = Steering::continuous_between_stops,
+                         .honours_time = true,
                          .honours_steering = true,
+                         .honours_trailers = true,
+                         .honours_steering_of_rigs = true,
                          .anytime = method == SmoothMethod::optimised},
-          .options = {},
+          .options = {anytime::min_stroke_option()},
           .function = [path, method](const Task& task, const PlanOptions& options) {
-            return smoothed(task, options, path, method);
+            return Smoother(task, options, path).run(method);
           }};
+}
+
+PlanOptions smooth_options(std::span<const Setting> scenario, std::span<const Setting> stored) {
+  const Planner planner = smoother({}, {});
+  PlanOptions options;
+  set_honoured(options, planner, scenario);
+  std::vector<Setting> of_run;
+  std::ranges::copy_if(stored, std::back_inserter(of_run),
+                       [&](const Setting& setting) { return counts(planner, setting); });
+  set_honoured(options, planner, of_run);
+  return options;
+}
+
+Smoothed smooth(const Problem& problem, const Path& path, SmoothMethod method,
+                const PlanOptions& options) {
+  expect_finite(path);
+  const Planner planner = smoother(path, method);
+  Smoothed smoothed{.result = plan(problem, planner, options)};
+  smoothed.options = complete(planner, options, problem.vehicle());
+  const auto& [clearance, steering] =
+      std::pair(smoothed.options.clearance, *smoothed.options.steering);
+  PathCheck given = check_path(problem, path, {.clearance = clearance, .steering = steering});
+  const Task task = task_of(problem, clearance, steering);
+  const Wishes wishes(task, smoothed.options);
+  const double price = wishes.price(path.segments, Looks::answer);
+  smoothed.given_cost = price - wishes.lack(path.segments);
+  smoothed.given_fault = given.reason;
+  if (!given.valid) return smoothed;
+  PlanResult& result = smoothed.result;
+  const bool is_better = result.path && wishes.price(result.path->segments, Looks::answer) < price;
+  if (is_better) return smoothed;
+  smoothed.is_given = true;
+  result.status = PlanStatus::solved;
+  result.reason.clear();
+  result.path = path;
+  result.cost = smoothed.given_cost;
+  result.check = std::move(given);
+  result.anytime = {{result.time_total, result.iterations, result.cost}};
+  return smoothed;
 }
 
 }  // namespace vandplan

@@ -285,6 +285,18 @@ CostOptions prices_of(Style style, const Vehicle& vehicle) {
 
 std::span<const CommonOption> common_options() noexcept { return options_of_all; }
 
+std::vector<Setting> settings_of(const PlanOptions& options) {
+  std::vector<Setting> settings;
+  const auto add = [&](std::string_view name, std::string json) {
+    if (json == "null") return;  // it is not set
+    std::erase(json, '"');
+    settings.push_back({std::string(name), std::move(json)});
+  };
+  for (const CommonOption& common : common_options()) add(common.name, common.get(options));
+  for (const auto& [name, value] : options.planner.values()) add(name, json_of(value));
+  return settings;
+}
+
 std::string json_of(const OptionValue& value) {
   return std::visit([](const auto& held) { return text_of(held); }, value);
 }

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "../support/cases.h"
 #include "../support/continuity.h"
@@ -137,6 +139,227 @@ TEST(Smooth, TakesSegmentsOfNoLengthAndPlacesThatAreOne) {
       EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
       if (result.path) expect_continuous(*result.path, problem, Steering::continuous);
     }
+  }
+}
+
+// ---- as the door that everybody calls ----
+
+Vehicle semitrailer() {
+  Vehicle rig{3.6, 1.4, 0.9, 2.55, 5.9};
+  rig.hitch = 0.6;
+  rig.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
+  return rig;
+}
+
+/// Options of a run, of every kind that a path is held to.
+PlanOptions random_options(Rng& rng) {
+  constexpr Steering steerings[] = {Steering::reeds_shepp, Steering::continuous_between_stops,
+                                    Steering::continuous};
+  PlanOptions options = iterations(600, steerings[rng() % 3]);
+  options.budget.seed = rng();
+  options.cost = {};
+  switch (rng() % 4) {
+    case 0:
+      options.style = Style::shortest;
+      break;
+    case 1:
+      options.cost.measure = CostMeasure::time;
+      options.budget.max_iterations = 200;
+      break;
+    case 2:
+      options.cost.reverse_weight = uniform(1, 10, rng);
+      options.cost.gear_change_cost = uniform(0, 20, rng);
+      break;
+    default:
+      break;
+  }
+  if (rng() % 2 == 0) options.clearance.margin = uniform(0, 0.5, rng);
+  if (rng() % 4 == 0) options.planner.set("min_stroke", uniform(0.5, 2, rng));
+  return options;
+}
+
+/// Smooths a path that was planned with options, by what is stored of these. True if it got better.
+bool expect_no_worse(const Problem& problem, const PlanOptions& options, SmoothMethod method) {
+  const PlanResult planned = plan(problem, options);
+  if (!planned.path || planned.path->segments.empty()) return false;
+  const PlanOptions in_force = complete(default_planner(), options, problem.vehicle());
+  PlanOptions kept = smooth_options({}, settings_of(in_force));
+  kept.budget.max_iterations = 100;
+  const Smoothed smoothed = smooth(problem, *planned.path, method, kept);
+  const PlanResult& result = smoothed.result;
+  EXPECT_EQ(smoothed.options.clearance, in_force.clearance);
+  EXPECT_EQ(smoothed.options.cost, in_force.cost);
+  EXPECT_NEAR(smoothed.given_cost, planned.cost, 1e-9 * planned.cost);
+  EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
+  if (*in_force.steering != Steering::reeds_shepp) {
+    EXPECT_EQ(smoothed.options.steering, in_force.steering);
+    EXPECT_EQ(smoothed.given_fault, "");
+  }
+  if (!smoothed.given_fault.empty()) return false;  // the wheels cannot follow it
+  EXPECT_TRUE(result.path) << result.reason;
+  if (!result.path) return false;
+  EXPECT_LE(result.cost, planned.cost * (1 + 1e-12));
+  EXPECT_EQ(smoothed.is_given, result.path->segments == planned.path->segments);
+  const PathCheck check = check_path(problem, *result.path,
+                                     {.cost = StatedCost{result.cost, smoothed.options.cost},
+                                      .clearance = smoothed.options.clearance,
+                                      .steering = *smoothed.options.steering});
+  EXPECT_TRUE(check.valid) << check.reason;
+  return result.cost < planned.cost * (1 - 1e-9);
+}
+
+TEST(SmoothDoor, IsNeverWorseByTheOptionsOfTheRun) {
+  int better = 0;
+  for_each_case(3, 80, [&](Rng& rng) {
+    const Problem problem = random_problem(rng);
+    const PlanOptions options = random_options(rng);
+    for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
+      if (expect_no_worse(problem, options, method)) ++better;
+    }
+  });
+  EXPECT_GE(better, 10);
+}
+
+TEST(SmoothDoor, IsNeverWorseForARig) {
+  int better = 0;
+  for_each_case(4, 8, [&](Rng& rng) {
+    const Bounds square{-15, 15, -15, 15};
+    const Problem problem = problem_of(uniform_pose(square, rng), uniform_pose(square, rng), {},
+                                       {-60, 60, -60, 60}, semitrailer());
+    for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
+      if (expect_no_worse(problem, random_options(rng), method)) ++better;
+    }
+  });
+  EXPECT_GE(better, 1);
+}
+
+/// A truck that drives 40 m along a wall.
+Problem along_wall(double distance) {
+  const double half_width = Vehicle{}.width / 2;
+  return problem_of({0, 0, 0}, {40, 0, 0},
+                    {box(-20, half_width + distance, 60, half_width + distance + 1)});
+}
+
+// Planners ask for a little more room than the judge, and find nothing here.
+TEST(SmoothDoor, GivesAPathBackThatOnlyTheJudgePasses) {
+  const Problem problem = along_wall(0.2e-3);
+  const Path path{problem.start(), {{0, 40}}};
+  const PlanOptions options = iterations(50, Steering::continuous);
+  ASSERT_FALSE(plan(problem, smoother(path, SmoothMethod::optimised), options).path);
+  const Smoothed smoothed = smooth(problem, path, SmoothMethod::optimised, options);
+  EXPECT_TRUE(smoothed.is_given);
+  EXPECT_EQ(smoothed.given_fault, "");
+  EXPECT_EQ(smoothed.result.status, PlanStatus::solved);
+  ASSERT_TRUE(smoothed.result.path);
+  EXPECT_EQ(*smoothed.result.path, path);
+  EXPECT_DOUBLE_EQ(smoothed.result.cost, 40.0);
+  EXPECT_TRUE(smoothed.result.check->valid);
+}
+
+TEST(SmoothDoor, SaysWhatIsWrongWithAPathByTheOptions) {
+  const Path path{{0, 0, 0}, {{0, 40}}};
+  PlanOptions options = iterations(2000, Steering::continuous);
+  options.clearance.margin = 0.05;
+  const Smoothed smoothed = smooth(along_wall(0.1), path, SmoothMethod::optimised, options);
+  EXPECT_EQ(smoothed.given_fault, "");
+  options.clearance.margin = 0.3;
+  const Smoothed other = smooth(along_wall(0.1), path, SmoothMethod::optimised, options);
+  EXPECT_NE(other.given_fault, "");
+  EXPECT_FALSE(other.result.path);
+}
+
+// Kept as it is, the judge would reject it.
+TEST(SmoothDoor, MendsAPathThatTurnsTooSharply) {
+  const Path path{{0, 0, 0}, {{1 / 6.5, 10}, {0, 20}}};
+  const Problem problem = problem_of(path.start, end_pose(path), {});
+  for (const Steering steering : {Steering::reeds_shepp, Steering::continuous}) {
+    const Smoothed smoothed =
+        smooth(problem, path, SmoothMethod::optimised, iterations(300, steering));
+    EXPECT_EQ(smoothed.result.status, PlanStatus::solved) << smoothed.result.reason;
+    EXPECT_NE(smoothed.given_fault, "");
+    EXPECT_FALSE(smoothed.is_given);
+  }
+}
+
+TEST(SmoothDoor, MakesStrokesAsLongAsIsAskedFor) {
+  const Path path{{0, 0, 0}, {{0, 10}, {0, -0.2}, {0, 0.2}, {0, 20}}};
+  const Problem problem = problem_of(path.start, end_pose(path), {});
+  PlanOptions options = iterations(500, Steering::continuous_between_stops);
+  options.planner.set("min_stroke", 1.0);
+  const Smoothed smoothed = smooth(problem, path, SmoothMethod::optimised, options);
+  ASSERT_TRUE(smoothed.result.path);
+  double stroke = 1e9;
+  const std::vector<Segment>& segments = smoothed.result.path->segments;
+  double length = 0.0;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    length += std::abs(segments[i].length);
+    if (i + 1 < segments.size() && segments[i].length * segments[i + 1].length > 0) continue;
+    stroke = std::min(stroke, std::exchange(length, 0.0));
+  }
+  EXPECT_GE(stroke, 1.0 - 1e-9);
+}
+
+TEST(SmoothDoor, RefusesWhatCannotBe) {
+  const Problem problem = problem_of({0, 0, 0}, {40, 0, 0}, {});
+  const auto place = [](const Problem& given, const Path& path) {
+    try {
+      (void)smooth(given, path);
+    } catch (const InputError& error) {
+      return error.where();
+    }
+    return std::string("nothing");
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(place(problem, {{0, 0, 0}, {{0, nan}}}), "path");
+  EXPECT_EQ(place(problem, {{nan, 0, 0}, {{0, 40}}}), "path");
+  EXPECT_EQ(place({}, {{0, 0, 0}, {{0, 40}}}), "problem");
+  const MovingObstacle car{.outline = box(-2, -1, 2, 1), .trajectory = {{0, {20, 30, 0}}}};
+  EXPECT_EQ(place(with_moving(problem, std::vector{car}), {{0, 0, 0}, {{0, 40}}}), "moving");
+}
+
+using Settings = std::vector<Setting>;
+
+TEST(SmoothOptions, OfTheRunWinOverTheScenario) {
+  const Settings scenario = {{"margin", "0.1"}, {"margin_ramp", "3"}, {"style", "shortest"}};
+  EXPECT_EQ(smooth_options(scenario, {}).style, Style::shortest);
+  EXPECT_EQ(smooth_options(scenario, {}).clearance, (ClearanceOptions{0.1, 3}));
+  const Settings stored = {{"margin", "0.3"},          {"reverse_weight", "7"},
+                           {"cost", "prices"},         {"min_stroke", "0.5"},
+                           {"steering", "continuous"}, {"region", "bounds"},
+                           {"of_somebody_else", "3"}};
+  const PlanOptions options = smooth_options(scenario, stored);
+  EXPECT_EQ(options.clearance, (ClearanceOptions{0.3, 3}));
+  EXPECT_EQ(options.cost.reverse_weight, 7.0);
+  EXPECT_EQ(options.steering, Steering::continuous);
+  EXPECT_EQ(options.planner.number("min_stroke"), 0.5);
+  const PlanOptions driver =
+      smooth_options(Settings{{"reverse_weight", "5"}}, Settings{{"style", "shortest"}});
+  EXPECT_EQ(driver.cost.reverse_weight, std::nullopt);
+}
+
+TEST(SmoothOptions, TakeNoBudgetOfTheRun) {
+  const Settings stored = {{"seed", "5"}, {"max_iterations", "3"}, {"time_limit", "9"}};
+  EXPECT_EQ(smooth_options({}, stored).budget, BudgetOptions{});
+}
+
+TEST(SmoothOptions, TakeJumpsOfTheCurvatureOut) {
+  const Settings arcs = {{"steering", "reeds-shepp"}};
+  const auto steering_of = [](const PlanOptions& options) {
+    return complete(smoother({}, SmoothMethod::optimised), options).steering;
+  };
+  EXPECT_EQ(steering_of(smooth_options({}, arcs)), Steering::continuous_between_stops);
+  EXPECT_EQ(steering_of(smooth_options(arcs, {})), Steering::reeds_shepp);
+  EXPECT_EQ(steering_of(smooth_options(Settings{{"steering", "continuous"}}, arcs)),
+            Steering::continuous);
+  EXPECT_EQ(steering_of({.style = Style::shortest}), Steering::continuous_between_stops);
+}
+
+TEST(SmoothOptions, ThatAreNoGoodAreNamed) {
+  try {
+    (void)smooth_options({}, Settings{{"min_stroke", "far"}});
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "min_stroke");
   }
 }
 

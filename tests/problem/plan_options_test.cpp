@@ -364,6 +364,33 @@ TEST(UnsetOptions, AreToldFromTheirDefaults) {
   EXPECT_NE(message_of([&] { (void)complete(planner_named("rrt-star"), driver); }), "");
 }
 
+// Somebody who asks for the time does not ask for the prices that held before.
+TEST(SetOption, TheMeasureTakesPricesBack) {
+  PlanOptions options;
+  const Planner planner = planner_named("anytime");
+  set_honoured(options, planner, std::vector<Setting>{{"reverse_weight", "3"}, {"margin", "0.2"}});
+  set_option(options, planner, "cost", "prices");
+  EXPECT_EQ(options.cost.reverse_weight, 3.0);
+  set_option(options, planner, "cost", "time");
+  EXPECT_EQ(options.cost, CostOptions{.measure = CostMeasure::time});
+  EXPECT_EQ(options.clearance.margin, 0.2);
+  PlanOptions both;  // a price beside it is a mistake, whichever comes first
+  set_honoured(both, planner, std::vector<Setting>{{"reverse_weight", "3"}, {"cost", "time"}});
+  EXPECT_NE(message_of([&] { (void)complete(planner, both); }), "");
+}
+
+TEST(SettingsOf, SayWhatIsSet) {
+  PlanOptions options;
+  options.budget.time_limit = 2.0;
+  options.cost.reverse_weight = 3.0;
+  options.steering = Steering::continuous;
+  options.planner.set("min_stroke", 0.5);
+  PlanOptions again;
+  const Planner planner = planner_named("anytime");
+  set_honoured(again, planner, settings_of(options));
+  EXPECT_EQ(again, options);
+}
+
 TEST(UnsetOptions, AreCompletedOnce) {
   for (const Planner& planner : planners()) {
     PlanOptions options;

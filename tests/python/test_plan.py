@@ -3,6 +3,7 @@
 """Planning, the judge, smoothing and speeds."""
 
 import json
+import pickle
 import os
 import signal
 import subprocess
@@ -158,6 +159,24 @@ def test_a_path_is_smoothed(yard):
     assert vp.check(yard, smooth)
     with pytest.raises(vp.InputError, match="method"):
         vp.smooth(yard, arcs, method="iron")
+
+
+def test_smoothing_goes_by_the_options_of_the_result(yard, tmp_path):
+    driven = vp.plan(yard, max_iterations=1500, margin=0.2, reverse_weight=3, min_stroke=0.5)
+    driven.save(tmp_path / "r.json")
+    read = vp.read_result(tmp_path / "r.json", yard)
+    for given in (driven, read, pickle.loads(pickle.dumps(read)), pickle.loads(pickle.dumps(driven))):
+        smooth = vp.smooth(yard, given, max_iterations=100)
+        assert smooth.cost <= driven.cost * (1 + 1e-9)
+        assert smooth.options["margin"] == 0.2 and smooth.options["reverse_weight"] == 3
+        assert smooth.options["min_stroke"] == 0.5 and smooth.options["seed"] == 1
+    assert vp.smooth(yard, driven, max_iterations=100, margin=0.1).options["margin"] == 0.1
+    short = vp.smooth(yard, driven, max_iterations=100, style="shortest")
+    assert short.options["reverse_weight"] == 1
+    bare = vp.smooth(yard, driven.path, max_iterations=100)
+    assert bare.options["margin"] == 0 and bare.options["reverse_weight"] == 2
+    kept = vp.smooth(yard, smooth, max_iterations=0)
+    assert kept.path == smooth.path and kept.cost == smooth.cost
 
 
 def test_speeds_along_a_path(yard):

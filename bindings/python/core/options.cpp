@@ -40,17 +40,21 @@ std::vector<Setting> settings_from(const py::dict& given) {
   return settings;
 }
 
-PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,
-                        const RunKeywords& keywords, const Vehicle& vehicle) {
-  PlanOptions options;
-  set_honoured(options, planner, wanted);
+void set_keywords(PlanOptions& options, const Planner& planner, const RunKeywords& keywords) {
   std::vector<Setting> typed = settings_from(keywords.options);
-  std::ranges::stable_partition(  // what is given beside a style wins
-      typed, [](const Setting& setting) { return setting.name == "style"; });
+  std::ranges::stable_partition(typed,
+                                [](const Setting& setting) { return is_set_first(setting.name); });
   for (const auto& [name, value] : typed) set_option(options, planner, name, value);
   if (keywords.time) options.budget.time_limit = keywords.time;
   if (keywords.max_iterations) options.budget.max_iterations = keywords.max_iterations;
   options.budget.seed = keywords.seed;
+}
+
+PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,
+                        const RunKeywords& keywords, const Vehicle& vehicle) {
+  PlanOptions options;
+  set_honoured(options, planner, wanted);
+  set_keywords(options, planner, keywords);
   return complete(planner, options, vehicle);
 }
 

@@ -31,6 +31,9 @@ struct RunKeywords {
 [[nodiscard]] PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,
                                       const RunKeywords& keywords, const Vehicle& vehicle);
 
+/// Sets keywords above the options that there are.
+void set_keywords(PlanOptions& options, const Planner& planner, const RunKeywords& keywords);
+
 /// A value of Python as the text that `--set` takes.
 [[nodiscard]] std::string typed(const pybind11::handle& value);
 

@@ -116,19 +116,30 @@ std::vector<RunResult> plan_pairs(const CheckedScenario& scenario, const py::obj
   return runs;
 }
 
-RunResult smooth(const CheckedScenario& scenario, const py::object& given,
-                 const std::string& method, std::optional<double> time,
-                 std::optional<std::int64_t> max_iterations, std::uint64_t seed,
-                 const py::kwargs& keywords) {
-  const auto planner =
-      std::make_shared<const Planner>(smoother(path_from(given), smooth_method_named(method)));
-  std::vector<Setting> wanted{
-      {"steering", std::string(name_of(Steering::continuous_between_stops))}};
-  wanted.insert(wanted.end(), scenario.options().begin(), scenario.options().end());
-  return planned(scenario, planner,
-                 options_for(*planner, wanted, {time, max_iterations, seed, keywords},
-                             scenario.scenario().vehicle),
-                 false);
+/// Options of the run that planned a path, if they are known.
+std::vector<Setting> stored_with(const py::object& given) {
+  if (!py::isinstance<RunResult>(given)) return {};
+  return stored_options(given.cast<const RunResult&>().record);
+}
+
+RunResult smooth_path(const CheckedScenario& scenario, const py::object& given,
+                      const std::string& method, std::optional<double> time,
+                      std::optional<std::int64_t> max_iterations, std::uint64_t seed,
+                      const py::kwargs& keywords) {
+  const SmoothMethod chosen = smooth_method_named(method);
+  const Path& path = path_from(given);
+  RunResult run{scenario, std::make_shared<const Planner>(smoother(path, chosen)), {}};
+  PlanOptions options = smooth_options(scenario.options(), stored_with(given));
+  set_keywords(options, *run.planner, {time, max_iterations, seed, keywords});
+  Smoothed smoothed;
+  const Problem& problem = scenario.problem();  // which needs the interpreter
+  run_interruptibly(options, false, [&] { smoothed = smooth(problem, path, chosen, options); });
+  smoothed.options.budget.stop = nullptr;
+  run.record = {.scenario = scenario.scenario().name,
+                .planner = run.planner->name,
+                .options = std::move(smoothed.options),
+                .result = std::move(smoothed.result)};
+  return run;
 }
 
 }  // namespace
@@ -159,13 +170,17 @@ Plans from each start to its goal in the world of the scenario, `threads` of the
 and goals are poses of the shape (N, 3), or one for all. Each plan has the whole budget and the same
 answer as alone.)");
   module.def(
-      "smooth", &smooth, "scenario"_a, "path"_a, py::kw_only(), "method"_a = "optimised",
+      "smooth", &smooth_path, "scenario"_a, "path"_a, py::kw_only(), "method"_a = "optimised",
       "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
       R"(smooth(scenario, path, *, method="optimised", time=None, max_iterations=None, seed=1,
     **options) -> Result
 
-A path along the way of a `Path` or `Result` that the wheels can follow, checked like any other.
-`method` is "optimised" or "clothoids"; steering="continuous" lets the curvature jump nowhere.)");
+A path along the way of a `Path` or `Result` that is cheaper, and that the wheels can follow, checked
+like any other. `method` is "optimised" or "clothoids". Keywords come before the options of a
+`Result` (prices, cost, margin, min_stroke, steering), and these before the options of the scenario.
+The budget of a `Result` does not count, nor does its steering if that is "reeds-shepp": without a
+trailer it becomes "continuous-between-stops". By these options the path is never worse than one that
+the judge passes: if nothing better is found it is the path that was given.)");
 }
 
 }  // namespace vandplan::python

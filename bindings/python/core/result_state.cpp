@@ -19,17 +19,17 @@ namespace {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// All options of all planners, by the names and values of `--set`; those that are unset are left
-/// out.
-Settings settings_of(const PlanOptions& options) {
-  Settings settings;
-  for (const CommonOption& common : common_options()) {
-    std::string text = common.get(options);
-    if (text == "null") continue;
-    if (text.starts_with('"')) text = text.substr(1, text.size() - 2);
-    settings.emplace_back(common.name, std::move(text));
-  }
-  return settings;
+Settings texts_of(const std::vector<Setting>& settings) {
+  Settings texts;
+  for (const auto& [name, value] : settings) texts.emplace_back(name, value);
+  return texts;
+}
+
+/// Options of all planners, by the names and values of `--set`.
+Settings common_texts(const PlanOptions& options) {
+  PlanOptions common = options;
+  common.planner = {};
+  return texts_of(settings_of(common));
 }
 
 PlanOptions options_from(const py::handle& settings, const py::handle& own) {
@@ -45,7 +45,7 @@ PlanOptions options_from(const py::handle& settings, const py::handle& own) {
 }
 
 py::tuple state_of(const StatedCost& cost) {
-  return py::make_tuple(cost.cost, settings_of({.cost = cost.rule}), cost.bound, cost.gap);
+  return py::make_tuple(cost.cost, common_texts({.cost = cost.rule}), cost.bound, cost.gap);
 }
 
 StatedCost cost_from(const py::handle& given) {
@@ -149,9 +149,11 @@ PlanResult plan_from(const py::handle& given) {
 
 py::tuple state_of(const RunResult& run) {
   const ResultRecord& record = run.record;
-  return py::make_tuple(run.scenario, record.scenario, record.planner, settings_of(record.options),
+  std::optional<Settings> stated;
+  if (record.stated) stated = texts_of(*record.stated);
+  return py::make_tuple(run.scenario, record.scenario, record.planner, common_texts(record.options),
                         record.options.planner.values(), result_options(run), record.distance,
-                        state_of(claims_of(run)), state_of(record.result));
+                        state_of(claims_of(run)), state_of(record.result), stated);
 }
 
 RunResult run_from(const py::tuple& state) {
@@ -161,6 +163,10 @@ RunResult run_from(const py::tuple& state) {
                       .distance = state[6].cast<std::optional<double>>(),
                       .result = plan_from(state[8]),
                       .claims = claims_from(state[7])};
+  if (const auto stated = state[9].cast<std::optional<Settings>>()) {
+    record.stated.emplace();
+    for (const auto& [name, value] : *stated) record.stated->push_back({name, value});
+  }
   return {state[0].cast<const CheckedScenario&>(), nullptr, std::move(record), state[5]};
 }
 

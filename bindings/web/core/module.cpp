@@ -50,10 +50,11 @@ PlanOptions options_from(const Planner& planner, const val& given, const Vehicle
     if (!has(given, key.c_str())) return;
     set_option(options, planner, key, val::global("String")(given[key]).as<std::string>());
   };
-  set("style");  // what is given beside it wins
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto key = keys[i].as<std::string>();
-    if (key != "style") set(key);
+  for (const bool is_first : {true, false}) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto key = keys[i].as<std::string>();
+      if (is_set_first(key) == is_first) set(key);
+    }
   }
   return complete(planner, options, vehicle);
 }

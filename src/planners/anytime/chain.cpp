@@ -23,6 +23,15 @@ bool may_follow(const Connector& connector, const Driven& before, const Segment&
          connector.may_jump(before, {gear_of(segment), segment.curvature});
 }
 
+bool can_drive(const Connector& connector, const Segment& segment) {
+  const double sharpest = (1 + curvature_rounding) / connector.radius();
+  const double end = curvature_at(segment, std::abs(segment.length));
+  if (std::max(std::abs(segment.curvature), std::abs(end)) > sharpest) return false;
+  const ContinuousSteering* const continuous = connector.continuous();
+  const double fastest = continuous == nullptr ? 0.0 : continuous->curvature_rate();
+  return std::abs(segment.curvature_rate) <= fastest * (1 + curvature_rounding);
+}
+
 Chain::Chain(const Task& task, Connector& connector, const Path& old, std::uint64_t seed)
     : task_(task), connector_(connector), old_(old), rng_(seed), vias_(vias_of(old)) {
   vias_.front().pose = task.start;
@@ -100,16 +109,6 @@ bool Chain::join() {
   return true;
 }
 
-// Whether the wheels turn as far and as fast as a segment of the old path asks for.
-bool Chain::can_drive(const Segment& segment) const {
-  const double sharpest = (1 + curvature_rounding) / connector_.radius();
-  const double end = curvature_at(segment, std::abs(segment.length));
-  if (std::max(std::abs(segment.curvature), std::abs(end)) > sharpest) return false;
-  const ContinuousSteering* const continuous = connector_.continuous();
-  const double fastest = continuous == nullptr ? 0.0 : continuous->curvature_rate();
-  return std::abs(segment.curvature_rate) <= fastest * (1 + curvature_rounding);
-}
-
 // What the old path drives between two places, if the vehicle can.
 std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven before) const {
   Piece piece;
@@ -122,7 +121,7 @@ std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven bef
     if (begin >= end) continue;
     const Segment part = part_of(segment, begin, end);
     if (piece.count == SegmentRoom::size()) return std::nullopt;
-    if (!can_drive(part) || !may_follow(connector_, before, part)) return std::nullopt;
+    if (!can_drive(connector_, part) || !may_follow(connector_, before, part)) return std::nullopt;
     piece.segments[piece.count++] = part;
     piece.length += end - begin;
     before = last_driven(part);

@@ -20,6 +20,9 @@ using namespace search;
 [[nodiscard]] bool may_follow(const Connector& connector, const Driven& before,
                               const Segment& segment);
 
+/// Whether the wheels turn as far and as fast as a segment asks for.
+[[nodiscard]] bool can_drive(const Connector& connector, const Segment& segment);
+
 /// Pieces from place to place along an old path, from the task's start to its goal. Some may be in
 /// the way of something.
 class Chain {
@@ -54,7 +57,6 @@ class Chain {
   [[nodiscard]] std::optional<std::vector<Link>> links(std::span<const Via> vias,
                                                        const Gears& around);
   [[nodiscard]] Via beside(double s, GearSign next);
-  [[nodiscard]] bool can_drive(const Segment& segment) const;
   [[nodiscard]] std::optional<Piece> old_piece(const Via& from, const Via& to, Driven before) const;
   void exchange(std::size_t first, std::size_t last, const std::vector<Link>& fresh);
   [[nodiscard]] double clearance_cost(std::size_t first, std::size_t last) const;

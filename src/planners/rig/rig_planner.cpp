@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "planners/commands/short_strokes.h"
 #include "planners/commands/shorten_drive.h"
 #include "planners/rig/behind_tractor.h"
 #include "planners/rig/rig_search.h"
@@ -29,7 +30,6 @@ using namespace search;
 
 constexpr double rounding = 1e-9;      // of the bound, relative
 constexpr double worth_a_trial = 1.3;  // price of a route beside that of the best drive
-constexpr double price_of_lack = 1e3;  // of a metre that strokes are too short [m or s]
 
 /// A way to look, for what is open, narrow or full of turns.
 struct Kind {
@@ -66,22 +66,6 @@ CostRule forward_rule(const CostOptions& cost) {
   options.reverse_weight = 1000.0;
   options.gear_change_cost = 100.0;
   return cost_rule(options);
-}
-
-/// By how much the strokes before and after gear changes are shorter than `least`, in all [m].
-double missing(std::span<const Segment> segments, double least) {
-  double sum = 0.0;
-  double stroke = 0.0;
-  bool changes_gear = false;
-  for (const Segment& segment : segments) {
-    if (segment.length * stroke < 0.0) {
-      sum += std::max(0.0, least - std::abs(stroke));
-      stroke = 0.0;
-      changes_gear = true;
-    }
-    stroke += segment.length;
-  }
-  return changes_gear ? sum + std::max(0.0, least - std::abs(stroke)) : 0.0;
 }
 
 /// What came of a run so far.
@@ -266,7 +250,7 @@ bool Run::search() {
 commands::DriveShortener::Measure Run::measure() const {
   if (!pricing_.counts_time() && min_stroke_ == 0.0) return {};
   return [this](std::span<const Segment> segments) {
-    return pricing_.cost(segments, Looks::search) + price_of_lack * missing(segments, min_stroke_);
+    return pricing_.cost(segments, Looks::search) + commands::price_of_lack(segments, min_stroke_);
   };
 }
 
@@ -283,7 +267,7 @@ void Run::keep(const DriveShortener& drive, std::size_t task) {
   best_commands_ = drive.commands();
   best_with_ = task;
   best_wanted_ = drive.cost();
-  best_cost_ = best_wanted_ - price_of_lack * missing(*best_, min_stroke_);
+  best_cost_ = best_wanted_ - commands::price_of_lack(*best_, min_stroke_);
   // A drive with longer strokes may cost more than the one before.
   std::erase_if(trace_, [&](const CostSample& sample) { return sample.cost <= best_cost_; });
   trace_.push_back({budget_.elapsed(), budget_.iterations(), best_cost_});
