@@ -15,6 +15,7 @@
 #include "endings.h"
 #include "evaluation/statistics.h"
 #include "live.h"
+#include "option_flags.h"
 #include "pictures.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
@@ -379,9 +380,7 @@ void add_options(CLI::App& command, DriveArguments& arguments) {
   command.add_option("--runs", arguments.runs, "Drives, with the seeds from --seed on")
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "Of the noise of the first drive")
-      ->type_name("N")
-      ->capture_default_str();
+  add_seed(command, options.seed, "Of the noise of the first drive");
   command
       .add_option(
           "-o,--output", arguments.output,

@@ -334,10 +334,7 @@ void add_options_of_campaign(CLI::App& command, EvaluateArguments& arguments) {
       ->type_name("R")
       ->take_last()
       ->capture_default_str();
-  command.add_option("--seed", arguments.seed, "Every run's seed is derived from it")
-      ->type_name("N")
-      ->take_last()
-      ->capture_default_str();
+  add_seed(command, arguments.seed, "Every run's seed is derived from it")->take_last();
   command.add_option("--jobs", arguments.jobs, "Runs at a time, each on one core")
       ->type_name("N")
       ->take_last()

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <sstream>
 
 #include "vandplan/input_error.h"
@@ -142,6 +143,21 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
                                                      "Set any option by its key, see below")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string& about) {
+  const auto problem_of = [](const std::string& text) -> std::string {
+    std::uint64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc() && last == end) return "";
+    return fmt::format("\"{}\" is not a whole number from 0 to {}", text,
+                       std::numeric_limits<std::uint64_t>::max());
+  };
+  return command.add_option("--seed", seed, about)
+      ->type_name("N")
+      ->check(CLI::Validator(problem_of, ""))
+      ->capture_default_str();
 }
 
 PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_by_file,

@@ -7,6 +7,7 @@
 // is honoured, and what it may be, depends on it.
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ struct TypedOption {
 /// Adds --time, --max-iterations, --max-nodes, --seed, --threads, --region and --set to a command.
 /// What is typed is added to `typed`, in that order, which has to live as long as the command.
 void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed);
+
+/// Adds --seed to a command. A minus is refused, which CLI11 would turn into a large number.
+CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string& about);
 
 /// "KEY=VALUE" as it stands behind --set. Throws InputError for anything else.
 [[nodiscard]] TypedOption typed_setting(const std::string& setting);

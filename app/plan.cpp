@@ -144,13 +144,15 @@ int run(const PlanArguments& arguments) {
 
 // ---- the command line ----
 
+constexpr const char* examples =
+    "Examples:\n"
+    "  vandplan plan yard.yaml --draw yard.png\n"
+    "  vandplan plan yard.yaml --max-iterations 20000 --seed 1 --output r.json\n"
+    "  vandplan plan yard.yaml --set margin=0.3 --set style=shortest\n";
+
 std::string help_on_keys() {
-  return "Examples:\n"
-         "  vandplan plan yard.yaml --draw yard.png\n"
-         "  vandplan plan yard.yaml --max-iterations 20000 --seed 1 --output r.json\n"
-         "  vandplan plan yard.yaml --set margin=0.3 --set style=shortest\n\n"
-         "Keys of --set, with their defaults:\n" +
-         help_on_common_options() + help_on_options_of(default_planner()) +
+  return "Keys of --set, with their defaults:\n" + help_on_common_options() +
+         help_on_options_of(default_planner()) +
          fmt::format(
              "A driver's prices are those of a truck that turns on 7 m. For a vehicle with a "
              "smaller\n"
@@ -169,7 +171,11 @@ std::string help_on_keys() {
 }  // namespace
 
 void add_plan(CLI::App& vandplan, int& status) {
-  CLI::App* const command = vandplan.add_subcommand("plan", "Plan a path for a scenario.");
+  const std::string about = "Plan a path for a scenario.";
+  CLI::App* const command = vandplan.add_subcommand("plan", about);
+  // The list of all commands has no room for examples.
+  command->preparse_callback(
+      [command, about](std::size_t) { command->description(about + "\n\n" + examples); });
   const auto arguments = std::make_shared<PlanArguments>();
   add_scenario(*command, arguments->scenario);
   command

@@ -10,6 +10,7 @@
 #include "base/escape.h"
 #include "commands.h"
 #include "gnuplot.h"
+#include "option_flags.h"
 #include "standard_streams.h"
 #include "study_summary.h"
 #include "table_source.h"
@@ -97,10 +98,7 @@ class Options {
   }
 
   void seed(std::uint64_t& value) {
-    command_.add_option("--seed", value, "Of the random numbers")
-        ->type_name("N")
-        ->capture_default_str()
-        ->take_last();
+    add_seed(command_, value, "Of the random numbers")->take_last();
   }
 
   void output(StudyArguments& arguments) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "option_flags.h"
 #include "studies/table_check.h"
 #include "table_source.h"
 #include "tables/table_export.h"
@@ -286,10 +287,7 @@ void add_table_check(CLI::App& table, int& status) {
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{100'000'000}).description(""))
       ->take_last();
-  command->add_option("--seed", arguments->options.seed, "Of the sample")
-      ->type_name("N")
-      ->take_last()
-      ->capture_default_str();
+  add_seed(*command, arguments->options.seed, "Of the sample")->take_last();
   add_json(*command, arguments->json);
   command->footer("Exit status: 0 good, 1 an entry is wrong, 2 bad input or usage.");
   command->callback([arguments, &status] { status = check(*arguments); });

@@ -116,6 +116,13 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error,
     return stray_problem(stray_of(app), arguments);
   }
   std::string text = error.what();
+  constexpr std::string_view no_number = "Could not convert: ";  // "--runs = x" follows
+  const std::size_t equals = text.find(" = ");
+  if (text.starts_with(no_number) && equals != std::string::npos) {
+    return fmt::format("{}: \"{}\" is not a number in range",
+                       text.substr(no_number.size(), equals - no_number.size()),
+                       text.substr(equals + 3));
+  }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
   const std::string option = text.substr(0, text.find(':'));
   if (text.find("At Most 1 required") != std::string::npos) {

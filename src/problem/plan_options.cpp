@@ -118,7 +118,8 @@ constexpr CommonOption steering_option = {
     [](PlanOptions& o, std::string_view value) { parse(value, o.steering); }};
 
 constexpr std::array options_of_all = {
-    budget<&BudgetOptions::seed>("seed", "of the random numbers; a whole number"),
+    budget<&BudgetOptions::seed>(
+        "seed", "of the random numbers; a whole number from 0 to 18446744073709551615"),
     budget<&BudgetOptions::time_limit>("time_limit", "wall clock [s]; >= 0 or null"),
     budget<&BudgetOptions::max_iterations>("max_iterations",
                                            "reproduces bit for bit; >= 0 or null"),
