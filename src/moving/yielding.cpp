@@ -165,6 +165,10 @@ class Search {
   }
 
   [[nodiscard]] std::int64_t looked() const noexcept { return looked_ + occupied_.boxes(); }
+  /// Whether the search ended before it had looked at all that it can come to.
+  [[nodiscard]] bool is_cut_off(const Traffic& traffic) const noexcept {
+    return !queue_.empty() || occupied_.boxes() >= traffic.most_states;
+  }
   [[nodiscard]] const std::vector<Station>& stations() const noexcept { return stations_; }
 
   /// The states of a drive from its start on.
@@ -360,6 +364,7 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
   Search search(encounters, fastest, vehicle.limits, traffic);
   const std::optional<std::int32_t> last = search.run(traffic);
   yielding.states = search.looked();
+  yielding.is_cut_off = !last && search.is_cut_off(traffic);
   if (last) yielding.speeds = Writer(search.stations(), path).written(search.chain(*last));
   return yielding;
 }

@@ -39,6 +39,8 @@ struct Yielding {
   std::optional<SpeedProfile> speeds = {};  ///< none: none was found, which proves nothing
   /// States that the search looked at, and boxes that were proven free or occupied for it.
   std::int64_t states = 0;
+  /// Whether `most_states` or an interruption ended the search: with more states it may find more.
+  bool is_cut_off = false;
   /// Who is met first on the fastest drive; none: nobody, or there is no drive.
   std::optional<Meeting> met = {};
 };

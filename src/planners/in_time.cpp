@@ -11,13 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "moving/encounters.h"
 #include "moving/yielding.h"
 #include "planners/anytime/anytime.h"
+#include "planners/blocked_ends.h"
 #include "planners/drive_time.h"
 #include "planners/ghosts.h"
 #include "planners/path_search.h"
 #include "planners/pricing.h"
+#include "planners/refuges.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
 
@@ -28,13 +29,18 @@ using planning::PathSearch;
 using search::Budget;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr std::int64_t states_per_iteration = 200;  // looked at for the times of a path
-constexpr std::int64_t first_states = 40'000;       // most for one path at first
-constexpr double worth_a_way_around = 0.5;          // what waiting costs [m] or [s]
-constexpr std::size_t most_ghosts = 4;              // that one source goes around
-constexpr std::size_t most_sources = 24;
-constexpr double weight_of_best = 4.0;     // share of the work where the best way was found
-constexpr double weight_of_dearer = 0.25;  // and where even the fastest drive costs more
+constexpr std::int64_t states_per_iteration = 200;      // looked at for the times of a path
+constexpr std::int64_t first_states = 40'000;           // most for one path at first
+constexpr double worth_a_way_around = 0.5;              // what waiting costs [m] or [s]
+constexpr std::size_t most_ghosts = 4;                  // that one source goes around
+constexpr std::size_t most_sources = 24;                // with ghosts, and the first one
+constexpr std::int64_t most_states_of_all = 1'000'000;  // that the memory is meant for
+constexpr double weight_of_best = 4.0;         // share of the work where the best way was found
+constexpr double weight_of_dearer = 0.25;      // and where even the fastest drive costs more
+constexpr std::int64_t before_refuges = 1500;  // iterations
+constexpr double share_of_refuges = 0.5;       // of the work after that, while there is no drive
+constexpr double later_share_of_refuges = 0.125;
+constexpr std::int64_t most_of_detour = 600;  // iterations until it has a path
 
 /// A path with its times, and what both cost.
 struct Way {
@@ -48,12 +54,22 @@ struct Way {
 struct Source {
   std::vector<Ghost> ghosts;
   Task task;                                // nothing moves
+  std::optional<Detour> detour = {};        // that its paths lead along
   std::unique_ptr<PathSearch> search = {};  // made when it is its turn
   std::vector<Segment> path = {};           // the last one that was given times
   double fastest_cost = endless;            // of the drive along it where nothing moves
   bool is_hasty = false;                    // its times were looked for in haste
+  bool is_cut_off = false;                  // more states may find better times
+  int doublings = 0;                        // of the states that look for times
+  std::int64_t retry_at = 0;                // so much work later they may look again [iterations]
   std::int64_t spent = 0;                   // iterations
-  bool is_finished = false;
+  bool is_searched = false;                 // there is no better path
+
+  [[nodiscard]] bool is_finished() const { return is_searched && !is_hasty && !is_cut_off; }
+  /// Whether it is time to look for better times along the path, and not for a better path.
+  [[nodiscard]] bool wants_times() const {
+    return is_hasty || (is_cut_off && (is_searched || spent >= retry_at));
+  }
 };
 
 /// One run: the best way so far, the sources, and the budget.
@@ -64,7 +80,8 @@ class Run {
 
   [[nodiscard]] PlannerAnswer answer() {
     // 0. What needs no search: somebody is where the vehicle begins or stays, or it is there.
-    if (PlannerAnswer none{.status = PlanStatus::no_path, .reason = proof_of_none()};
+    if (PlannerAnswer none{.status = PlanStatus::no_path,
+                           .reason = proof_of_none(task_, options_.clearance.margin)};
         !none.reason.empty()) {
       return none;
     }
@@ -76,7 +93,8 @@ class Run {
       return finished({});
     }
     // 1. The sources go on in turn, and each path they find gets its times.
-    while (Source* source = next_source()) go_on(*source);
+    while (!budget_.exhausted() && !is_settled() && step()) {
+    }
     PlannerAnswer alone_answer = first.search ? first.search->answer() : PlannerAnswer{};
     if (!best_ && !alone_answer.segments && alone_answer.status == PlanStatus::no_path) {
       alone_answer.iterations = budget_.iterations();
@@ -86,28 +104,6 @@ class Run {
   }
 
  private:
-  /// Who is where the vehicle has to begin, or stays where it has to stay; empty if nobody is.
-  [[nodiscard]] std::string proof_of_none() const {
-    const auto [first_angle, last_angle] = task_.hitch_angles;
-    const RigState start{task_.start, first_angle}, goal{task_.goal, last_angle};
-    const Path none{task_.start, {}};
-    const moving::Encounters encounters({none, task_.vehicle}, task_.moving,
-                                        options_.clearance.margin);
-    for (std::size_t i = 0; i < encounters.size(); ++i) {
-      const std::optional<double> leaves = encounters.leaves(i);
-      const std::string name = "moving[" + std::to_string(i) + "]";
-      const bool is_there = leaves.value_or(0.0) >= 0.0;
-      if (is_there && encounters.gap(i, start, 0.0, 0.0) <= 0.0) {
-        return name + " is where the start is, or nearer to it than the margin";
-      }
-      const double rest = std::max(encounters.rests(i), 0.0);
-      if (!leaves && encounters.gap(i, goal, rest, 0.0) <= 0.0) {
-        return name + " stays where the goal is, or nearer to it than the margin";
-      }
-    }
-    return "";
-  }
-
   [[nodiscard]] bool is_goal_the_start() const {
     const auto [first, last] = task_.curvatures;
     if (task_.steering == Steering::continuous && first != last) return false;
@@ -115,23 +111,99 @@ class Run {
     return reeds_shepp_length(task_.start, task_.goal, task_.vehicle.min_turning_radius) == 0.0;
   }
 
-  [[nodiscard]] std::unique_ptr<PathSearch> search_of(const Task& task) const {
+  [[nodiscard]] std::unique_ptr<PathSearch> search_of(const Task& task, const Path& known) const {
     PlanOptions options = options_;
     options.budget.max_iterations.reset();
     if (options.budget.time_limit) {
       *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
     }
-    return anytime::drive_search(task, options, time_price);
+    return anytime::drive_search(task, options, time_price,
+                                 known.segments.empty() ? nullptr : &known);
   }
 
-  /// Whose turn it is: the source that has done least work for its weight; none at the end.
+  /// One piece of work. False: nothing is left to do.
+  bool step() {
+    Source* source = next_source();
+    const bool may_use_refuges = met_ && !sources_.front().path.empty();
+    if (may_use_refuges && (!source || is_turn_of_refuges())) {
+      const std::int64_t before = budget_.iterations();
+      go_on_with_refuges();
+      refuge_work_ += budget_.iterations() - before;
+      return true;
+    }
+    if (source) go_on(*source);
+    return source != nullptr;
+  }
+
+  [[nodiscard]] bool is_turn_of_refuges() const {
+    const double share = best_ ? later_share_of_refuges : share_of_refuges;
+    const std::int64_t work = budget_.iterations() - before_refuges;
+    return static_cast<double>(refuge_work_) < share * static_cast<double>(work);
+  }
+
+  /// Goes on with a detour, or with the next one when it has had its share.
+  void go_on_with_refuges() {
+    if (detour_ && detour_ != best_source_) {
+      if (!is_spent(*detour_)) {
+        go_on(*detour_);
+        return;
+      }
+      drop_detour();
+    }
+    detour_ = nullptr;
+    add_detour();
+  }
+
+  void drop_detour() {
+    if (detour_ == &sources_.back()) {
+      sources_.pop_back();
+      return;
+    }
+    detour_->search.reset();
+    detour_->is_searched = true;
+    detour_->is_hasty = detour_->is_cut_off = false;
+  }
+
+  void add_detour() {
+    if (!refuges_) {
+      refuges_.emplace(task_, planning::Pricing(task_, options_.cost, time_price).rule(), options_);
+    }
+    const Source& alone = sources_.front();
+    const std::int64_t done = refuges_->iterations();
+    std::optional<Detour> detour = refuges_->draw({task_.start, alone.path}, met_->obstacle);
+    budget_.spend(budget_.left(refuges_->iterations() - done, 0));
+    if (!detour) return;
+    std::vector<Segment> path = detour->there;
+    path.insert(path.end(), detour->onward.begin(), detour->onward.end());
+    detour_ = &sources_.emplace_back(
+        Source{.ghosts = {}, .task = alone.task, .detour = *std::move(detour)});
+    if (path.empty()) return;
+    detour_->path = std::move(path);
+    consider(*detour_, detour_->path, true);
+  }
+
+  /// Whether the path along a detour has been given its times, or none is found.
+  [[nodiscard]] static bool is_spent(const Source& detour) {
+    if (detour.is_finished() || detour.spent >= most_of_detour) return true;
+    return !detour.path.empty() && !detour.wants_times();
+  }
+
+  [[nodiscard]] std::unique_ptr<PathSearch> make_search(const Source& source) const {
+    if (!source.detour) return search_of(source.task, {});
+    const auto of_leg = [this](const Task& leg, const Path& known) {
+      return search_of(leg, known);
+    };
+    return search_through(source.task, *source.detour, of_leg);
+  }
+
+  /// Whose turn it is: the source that has done least work for its weight; none if all are through.
   [[nodiscard]] Source* next_source() {
-    if (budget_.exhausted() || is_settled()) return nullptr;
     Source* next = nullptr;
     double least = endless;
     for (Source& source : sources_) {
       const double work = static_cast<double>(source.spent) / weight_of(source);
-      if (source.is_finished || work >= least) continue;
+      const bool is_other = source.detour && &source != best_source_;
+      if (is_other || source.is_finished() || work >= least) continue;
       least = work;
       next = &source;
     }
@@ -148,29 +220,30 @@ class Run {
   /// it is driven as if nothing moved.
   [[nodiscard]] bool is_settled() const {
     const Source& alone = sources_.front();
-    if (!alone.is_finished) return false;
+    if (!alone.is_searched) return false;
     return alone.path.empty() || (best_ && best_->cost <= alone.fastest_cost);
   }
 
   void go_on(Source& source) {
     const std::int64_t before = budget_.iterations();
-    if (source.is_hasty) {
-      source.is_hasty = false;
+    if (source.wants_times()) {
+      if (!source.is_hasty) ++source.doublings;
+      source.is_hasty = source.is_cut_off = false;
       consider(source, source.path, false);
       source.spent += std::max<std::int64_t>(budget_.iterations() - before, 1);
       return;
     }
     if (!source.search) {
-      source.search = search_of(source.task);
+      source.search = make_search(source);
       offer(source);  // what is there before the first round
       if (!source.path.empty()) {
-        source.spent = 1;
+        ++source.spent;
         return;
       }
     }
     const std::int64_t done = source.search->iterations();
     const std::int64_t most = budget_.left(std::numeric_limits<std::int64_t>::max() / 4, 0);
-    source.is_finished = !source.search->advance(most);
+    source.is_searched = !source.search->advance(most);
     budget_.spend(source.search->iterations() - done);
     offer(source);
     source.spent += std::max<std::int64_t>(budget_.iterations() - before, 1);
@@ -181,6 +254,7 @@ class Run {
     std::optional<std::vector<Segment>> path = source.search->path();
     if (!path || *path == source.path) return;
     source.path = *std::move(path);
+    source.is_cut_off = false;
     consider(source, source.path, true);
   }
 
@@ -190,7 +264,8 @@ class Run {
     source.fastest_cost = with_time(path_cost, planning::drive_time(task_, segments));
     if (best_ && best_->cost <= source.fastest_cost) return;
     const Path path{task_.start, segments};
-    const std::int64_t most = budget_.left(states_for_one() / states_per_iteration, 0);
+    const std::int64_t before = budget_.iterations();
+    const std::int64_t most = budget_.left(states_for(source) / states_per_iteration, 0);
     const moving::Traffic traffic{.moving = task_.moving,
                                   .margin = options_.clearance.margin,
                                   .start_curvature = task_.curvatures.start,
@@ -212,6 +287,8 @@ class Run {
       }
     }
     source.is_hasty = is_hasty && yielding.met.has_value();
+    source.is_cut_off = !is_hasty && yielding.is_cut_off && states_for(source) < most_states_of_all;
+    source.retry_at = source.spent + 2 * (budget_.iterations() - before);
     if (yielding.met && cost > source.fastest_cost + worth_a_way_around) {
       go_around(source, *yielding.met);
     }
@@ -219,9 +296,10 @@ class Run {
 
   /// Adds sources that go around who is met on the fastest drive along the path of a source.
   void go_around(const Source& source, const Meeting& meeting) {
-    if (source.ghosts.size() >= most_ghosts) return;
+    if (!met_) met_ = meeting;
+    if (source.detour || source.ghosts.size() >= most_ghosts) return;
     for (const Ghost& ghost : ghosts_at(meeting)) {
-      if (sources_.size() >= most_sources) return;
+      if (sources_around_ + 1 >= most_sources) return;
       std::vector<Ghost> ghosts = source.ghosts;
       if (std::ranges::find(ghosts, ghost) != ghosts.end()) continue;
       ghosts.push_back(ghost);
@@ -231,13 +309,16 @@ class Run {
       if (std::ranges::any_of(tried_, is_same)) continue;
       tried_.push_back(ghosts);
       std::optional<Task> around = task_around(task_, ghosts, options_.clearance);
-      if (around) sources_.push_back({.ghosts = std::move(ghosts), .task = *std::move(around)});
+      if (!around) continue;
+      sources_.push_back({.ghosts = std::move(ghosts), .task = *std::move(around)});
+      ++sources_around_;
     }
   }
 
-  /// States that the search for the times of one path may look at.
-  [[nodiscard]] std::int64_t states_for_one() const {
-    return first_states + states_per_iteration / 10 * budget_.iterations();
+  /// States that the search for the times of the path of a source may look at.
+  [[nodiscard]] std::int64_t states_for(const Source& source) const {
+    const std::int64_t states = first_states + states_per_iteration / 10 * budget_.iterations();
+    return std::min(states << source.doublings, most_states_of_all);
   }
 
   /// A longer drive along a path of that cost would not be better than the best so far [s].
@@ -281,6 +362,11 @@ class Run {
   Budget budget_;
   std::deque<Source> sources_;             // the first one without ghosts
   std::vector<std::vector<Ghost>> tried_;  // of all sources, also those that cannot be planned
+  std::size_t sources_around_ = 0;         // with ghosts
+  std::optional<Refuges> refuges_;
+  std::optional<Meeting> met_;  // the first one that is worth a way around
+  Source* detour_ = nullptr;    // the one that is looked at
+  std::int64_t refuge_work_ = 0;
   std::optional<Way> best_;
   const Source* best_source_ = nullptr;
   std::vector<CostSample> trace_;  // costs of drives

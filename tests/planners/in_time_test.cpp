@@ -307,6 +307,57 @@ TEST(PlanInTime, ClaimsNoProofWhereItFindsNothing) {
             "there are paths, but none on which a drive was found that meets nothing");
 }
 
+/// A road for one, with a lay-by on the left from x = 10 to x = 40.
+Problem road_with_lay_by(const std::vector<MovingObstacle>& moving) {
+  const Problem alone = problem_of(
+      {0, 0, 0}, {70, 0, 0},
+      {box(-60, -3, 130, -2.1), box(-60, 2.1, 10, 3), box(40, 2.1, 130, 3), box(10, 5.6, 40, 6.5)},
+      {-60, 130, -6.5, 6.5});
+  return with_moving(alone, moving);
+}
+
+/// Comes along the road and over the start.
+const MovingObstacle oncoming{.outline = car,
+                              .trajectory = {{0, {80, 0, pi}}, {110, {-58, 0, pi}}},
+                              .after = Afterwards::leaves};
+
+TEST(PlanInTime, WaitsInALayByUntilWhoComesTowardsItIsPast) {
+  PlanOptions options;
+  options.budget.max_iterations = 8'000;
+  for (const std::uint64_t seed : {1, 2}) {
+    options.budget.seed = seed;
+    const PlanResult result = plan(road_with_lay_by({oncoming}), options);
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    EXPECT_TRUE(result.drive_check->valid);
+    EXPECT_LT(result.speeds->duration, 110);
+  }
+}
+
+TEST(PlanInTime, GoesOnWithoutADriveUntilTheBudgetIsSpent) {
+  // A wall comes along the road and over the lay-by.
+  MovingObstacle wall = oncoming;
+  wall.outline = box(-1, -9, 1, 9);
+  PlanOptions options;
+  options.budget.max_iterations = 12'000;
+  const PlanResult result = plan(road_with_lay_by({wall}), options);
+  EXPECT_EQ(result.status, PlanStatus::iteration_limit);
+  EXPECT_EQ(result.iterations, 12'000);
+}
+
+TEST(PlanInTime, LooksForBetterTimesAlongAPathThatIsTheShortest) {
+  const MovingObstacle shuttle{
+      .outline = box(-3, -1.1, 3, 1.1),
+      .trajectory = {{25, {25, 20, -pi / 2}}, {35, {25, -12, -pi / 2}}, {45, {25, 20, -pi / 2}}},
+      .after = Afterwards::leaves};
+  const Problem problem = street_among({shuttle});
+  PlanOptions options;
+  options.budget.max_iterations = 6'000;
+  const PlanResult result = plan(problem, options);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  const moving::Yielding best = yielding({{0, 0, 0}, {{0, 40}}}, {shuttle});
+  EXPECT_LE(result.cost + 2 * result.speeds->duration, 40 + 2 * best.speeds->duration + 1e-6);
+}
+
 TEST(PlanInTime, StaysWhereItIsIfThatIsTheGoal) {
   const Problem problem = problem_in({.bounds = wide_bounds}, {0, 0, 0}, {0, 0, 0});
   const PlanResult stays = plan(with_moving(problem, std::vector{crossing()}), few_iterations());

@@ -3,6 +3,7 @@
 // Rigs among what moves: where the trailer stands is never forgotten.
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <vector>
 
 #include "support/cases.h"
@@ -83,6 +84,26 @@ TEST(RigInTimeLaw, DrivesOfRigsAreGoodInTheEyesOfTheJudge) {
     EXPECT_GT(solved, cases(60) / 2);
     EXPECT_GT(waits, cases(60) / 20);
   }
+}
+
+TEST(RigInTime, WaitsInALayByUntilWhoComesTowardsItIsPast) {
+  Vehicle rig{3.6, 1.4, 0.9, 2.55, 5.9};
+  rig.hitch = -0.2;
+  rig.trailer = Trailer{5.0, 1.0, 2.0, 2.55};
+  const Problem alone = problem_of(
+      {0, 0, 0}, {90, 0, 0},
+      {box(-60, -3, 150, -2.5), box(-60, 2.5, 10, 3), box(65, 2.5, 150, 3), box(10, 7.5, 65, 8)},
+      {-60, 150, -9, 9}, rig);
+  const MovingObstacle oncoming{
+      .outline = box(-2, -1, 2, 1),
+      .trajectory = {{0, {110, 0, std::numbers::pi}}, {130, {-58, 0, std::numbers::pi}}},
+      .after = Afterwards::leaves};
+  PlanOptions options;
+  options.budget.max_iterations = 12'000;
+  const PlanResult result = plan(with_moving(alone, std::vector{oncoming}), options);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_TRUE(result.drive_check->valid);
+  EXPECT_LT(result.speeds->duration, 110);
 }
 
 }  // namespace

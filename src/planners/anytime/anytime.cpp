@@ -609,8 +609,8 @@ PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const P
 }
 
 std::unique_ptr<planning::PathSearch> drive_search(const Task& task, const PlanOptions& options,
-                                                   double time_price) {
-  if (!task.vehicle.trailer) return std::make_unique<Search>(task, options, time_price, nullptr);
+                                                   double time_price, const Path* known) {
+  if (!task.vehicle.trailer) return std::make_unique<Search>(task, options, time_price, known);
   const auto rig = [&task, time_price](const PlanOptions& round) {
     return rig::plan_rig(task, round, {task, round.cost, time_price});
   };

@@ -22,9 +22,11 @@ namespace vandplan::anytime {
 
 /// A search for the path whose prices and fastest drive cost least together: each second costs
 /// `time_price` [m]. Where the cost is the time, the seconds are all that counts. Expects start and
-/// goal to be free. The task outlives the search.
+/// goal to be free. The task outlives the search. `known`, in the frame of the task, is bettered
+/// before other routes are looked for if it is free; ignored with a trailer.
 [[nodiscard]] std::unique_ptr<planning::PathSearch> drive_search(const Task& task,
                                                                  const PlanOptions& options,
-                                                                 double time_price);
+                                                                 double time_price,
+                                                                 const Path* known = nullptr);
 
 }  // namespace vandplan::anytime

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/refuges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "base/trigonometry.h"
+#include "moving/encounters.h"
+#include "vandplan/reeds_shepp.h"
+#include "vandplan/rig.h"
+
+namespace vandplan::in_time {
+namespace {
+
+using planning::PathSearch;
+
+constexpr int poses_of_draw = 100;
+constexpr int free_poses_of_draw = 6;   // that are looked at among what moves
+constexpr double furthest_aside = 4.0;  // of the path, in lengths of the vehicle
+constexpr double share_along = 0.6;     // of poses that stand along the path
+constexpr double share_across = 0.2;    // of poses that stand across it
+constexpr int places_to_leave = 4;      // and to come back to
+constexpr double furthest_along = 6.0;  // from there to the refuge, in turning radii
+constexpr double time_step = 0.5;       // [s]
+constexpr double most_steps = 400;
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+double top_speed(const Vehicle& vehicle) {
+  return std::max(vehicle.limits.max_speed.forward, vehicle.limits.max_speed.reverse);
+}
+
+double length_of(const Vehicle& vehicle) {
+  return vehicle.rear_overhang + vehicle.wheelbase + vehicle.front_overhang;
+}
+
+/// The place of the path nearest to `s` on its segment where the wheels are straight; an end of the
+/// segment if there is none.
+double straight_place(const Path& path, double s) {
+  double begin = 0.0;
+  for (const Segment& segment : path.segments) {
+    const double end = begin + std::abs(segment.length);
+    if (s <= end) {
+      if (segment.curvature == 0.0 && segment.curvature_rate == 0.0) return s;
+      return std::abs(segment.curvature) <= std::abs(curvature_at(segment, end - begin)) ? begin
+                                                                                         : end;
+    }
+    begin = end;
+  }
+  return begin;
+}
+
+/// What of the path lies between two places.
+std::vector<Segment> stretch_of(const Path& path, double from, double to) {
+  std::vector<Segment> stretch;
+  double begin = 0.0;
+  for (const Segment& segment : path.segments) {
+    const double length = std::abs(segment.length);
+    const double first = std::clamp(from - begin, 0.0, length);
+    const double last = std::clamp(to - begin, 0.0, length);
+    if (last > first) stretch.push_back(part_of(segment, first, last));
+    begin += length;
+  }
+  return stretch;
+}
+
+void append(std::vector<Segment>& way, const Piece& piece) {
+  way.insert(way.end(), piece.segments.data(), piece.segments.data() + piece.count);
+}
+
+/// A path from the start through a refuge: two searches, each going on in turn once both have a
+/// path.
+class Through final : public PathSearch {
+ public:
+  Through(const Task& task, const Detour& detour, SearchMaker make_search)
+      : tasks_{task, task},
+        make_search_(std::move(make_search)),
+        paths_{detour.there, detour.onward} {
+    auto& [there, onward] = tasks_;
+    there.goal = onward.start = detour.refuge;
+    there.curvatures.goal = onward.curvatures.start = 0.0;
+    there.hitch_angles.goal = 0.0;
+    if (task.steering != Steering::continuous_between_stops || paths_[0].empty()) return;
+    // The vehicle may roll on through the refuge, and may turn its wheels at the ends.
+    there.steering = onward.steering = Steering::continuous;
+    there.curvatures.start = paths_[0].front().curvature;
+    onward.curvatures.goal = search::last_driven(paths_[1].back()).curvature;
+  }
+
+  bool advance(std::int64_t most) override {
+    const std::size_t leg = next_leg();
+    if (leg >= searches_.size()) return false;
+    if (!searches_[leg]) {
+      searches_[leg] = make_search_(tasks_[leg], {tasks_[leg].start, paths_[leg]});
+    }
+    const bool goes_on = searches_[leg]->advance(most);
+    turn_ = 1 - leg;
+    if (std::optional<std::vector<Segment>> path = searches_[leg]->path()) {
+      paths_[leg] = *std::move(path);
+      if (leg == 0) begin_second();
+    } else if (!goes_on) {
+      has_failed_ = true;
+    }
+    is_finished_[leg] = !goes_on || (leg == 0 && tasks_[0].vehicle.trailer && !paths_[0].empty());
+    return true;
+  }
+
+  [[nodiscard]] std::optional<std::vector<Segment>> path() override {
+    if (paths_[0].empty() || paths_[1].empty()) return std::nullopt;
+    std::vector<Segment> joined = paths_[0];
+    joined.insert(joined.end(), paths_[1].begin(), paths_[1].end());
+    return joined;
+  }
+
+  [[nodiscard]] std::int64_t iterations() const override {
+    std::int64_t sum = 0;
+    for (const auto& search : searches_) sum += search ? search->iterations() : 0;
+    return sum;
+  }
+
+  [[nodiscard]] PlannerAnswer answer() override {
+    PlannerAnswer answer{.iterations = iterations()};
+    answer.segments = path();
+    answer.status = answer.segments ? PlanStatus::solved : PlanStatus::iteration_limit;
+    return answer;
+  }
+
+ private:
+  /// The leg whose turn it is: one without a path, or the other one than before; 2: none.
+  [[nodiscard]] std::size_t next_leg() const {
+    if (has_failed_) return 2;
+    for (std::size_t leg : {0, 1}) {
+      if (paths_[leg].empty()) return is_finished_[leg] ? 2 : leg;
+    }
+    if (!is_finished_[turn_]) return turn_;
+    return is_finished_[1 - turn_] ? 2 : 1 - turn_;
+  }
+
+  /// A trailer comes to the refuge a little askew: the path to there stays as it is then.
+  void begin_second() {
+    RigState state{tasks_[0].start, tasks_[0].hitch_angles.start};
+    if (!tasks_[0].vehicle.trailer) return;
+    for (const Segment& segment : paths_[0]) state = advance_rig(state, segment);
+    tasks_[1].hitch_angles.start = state.hitch_angle;
+  }
+
+  [[nodiscard]] RigState advance_rig(const RigState& state, const Segment& segment) const {
+    return vandplan::advance(tasks_[0].vehicle, state, segment);
+  }
+
+  std::array<Task, 2> tasks_;
+  SearchMaker make_search_;
+  std::array<std::unique_ptr<PathSearch>, 2> searches_;
+  std::array<std::vector<Segment>, 2> paths_;
+  std::array<bool, 2> is_finished_{};
+  bool has_failed_ = false;
+  std::size_t turn_ = 0;
+};
+
+}  // namespace
+
+Refuges::Refuges(const Task& task, const search::CostRule& rule, const PlanOptions& options)
+    : task_(task),
+      connector_(task, rule),
+      margin_(options.clearance.margin),
+      rng_(options.budget.seed) {}
+
+std::optional<Detour> Refuges::draw(const Path& path, std::size_t passing) {
+  std::optional<Detour> best;
+  double shortest = endless;
+  int looks = 0;
+  ++draws_;
+  for (int i = 0; i < poses_of_draw && looks < free_poses_of_draw; ++i) {
+    const double s = uniform01(rng_) * length(path);
+    const Pose refuge = pose_beside(pose_at(path, s));
+    if (!task_.checker->rig_is_free({refuge, 0.0})) continue;
+    ++looks;
+    std::optional<Detour> detour = this->detour(path, s, refuge);
+    if (!detour) continue;
+    const double way = length(detour->there) + length(detour->onward);
+    if (way >= shortest || !lets_pass(refuge, passing)) continue;
+    shortest = way;
+    best = std::move(detour);
+  }
+  return best;
+}
+
+/// A pose on either side of the path, more often near it than far from it.
+Pose Refuges::pose_beside(const Pose& on_path) {
+  const double nearest = task_.vehicle.width / 2;
+  const double furthest = furthest_aside * length_of(task_.vehicle);
+  const double far = uniform01(rng_);
+  const double side = uniform01(rng_) < 0.5 ? -1.0 : 1.0;
+  const double aside = side * (nearest + far * far * (furthest - nearest));
+  const auto [sin, cos] = base::sin_cos(on_path.heading);
+  Pose pose{on_path.x - sin * aside, on_path.y + cos * aside, on_path.heading};
+  const double kind = uniform01(rng_);
+  if (kind >= share_along + share_across) {
+    pose.heading += uniform(-std::numbers::pi, std::numbers::pi, rng_);
+  } else if (kind >= share_along) {
+    pose.heading += (kind < share_along + share_across / 2 ? -1 : 1) * std::numbers::pi / 2;
+  }
+  return pose;
+}
+
+/// A detour from the path to the refuge beside its place `s`.
+std::optional<Detour> Refuges::detour(const Path& path, double s, const Pose& refuge) {
+  if (task_.vehicle.trailer) return Detour{refuge};
+  std::optional<std::vector<Segment>> there = way_there(path, s, refuge);
+  if (!there) return std::nullopt;
+  std::optional<std::vector<Segment>> onward = way_onward(path, s, refuge);
+  if (!onward) return std::nullopt;
+  return Detour{refuge, *std::move(there), *std::move(onward)};
+}
+
+std::optional<std::vector<Segment>> Refuges::way_there(const Path& path, double s,
+                                                       const Pose& refuge) {
+  for (int i = 0; i < places_to_leave; ++i) {
+    const double back = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
+    const double leaves = straight_place(path, std::max(s - back, 0.0));
+    std::vector<Segment> way = stretch_of(path, 0.0, leaves);
+    const auto piece = connector_.connect(pose_at(path, leaves), refuge);
+    if (!piece) continue;
+    append(way, piece->piece);
+    return way;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double s,
+                                                        const Pose& refuge) {
+  const double end = length(path);
+  for (int i = 0; i < places_to_leave; ++i) {
+    const double ahead = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
+    const double returns = straight_place(path, std::min(s + ahead, end));
+    const auto piece = connector_.connect(refuge, pose_at(path, returns));
+    if (!piece) continue;
+    std::vector<Segment> way;
+    append(way, piece->piece);
+    const std::vector<Segment> rest = stretch_of(path, returns, end);
+    way.insert(way.end(), rest.begin(), rest.end());
+    return way;
+  }
+  return std::nullopt;
+}
+
+/// Whether nobody comes to the pose from when the vehicle may be there until the passing obstacle
+/// is nearest to it. Looks now and then, as the drive is checked later.
+bool Refuges::lets_pass(const Pose& pose, std::size_t passing) const {
+  const Path none{pose, {}};
+  const moving::Encounters encounters({none, task_.vehicle}, task_.moving, margin_);
+  const double way = reeds_shepp_length(task_.start, pose, task_.vehicle.min_turning_radius);
+  const double begin = way / top_speed(task_.vehicle);
+  const double end = std::max(encounters.rests(passing), begin);
+  const double step = std::max(time_step, (end - begin) / most_steps);
+  const RigState state{pose, 0.0};
+  const auto gap = [&](std::size_t i, double t) {
+    const std::optional<double> leaves = encounters.leaves(i);
+    return leaves && *leaves < t ? endless : encounters.gap(i, state, t, endless);
+  };
+  double nearest = endless, passes = begin;
+  for (double t = begin; t <= end; t += step) {
+    const double distance = gap(passing, t);
+    if (distance <= 0.0) return false;
+    if (distance < nearest) {
+      nearest = distance;
+      passes = t;
+    }
+  }
+  for (std::size_t i = 0; i < encounters.size(); ++i) {
+    for (double t = begin; i != passing && t <= passes; t += step) {
+      if (gap(i, t) <= 0.0) return false;
+    }
+  }
+  return true;
+}
+
+std::unique_ptr<PathSearch> search_through(const Task& task, const Detour& detour,
+                                           SearchMaker make_search) {
+  return std::make_unique<Through>(task, detour, std::move(make_search));
+}
+
+}  // namespace vandplan::in_time

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Where beside its path can the vehicle let an obstacle pass?
+//
+// A refuge is a pose that the vehicle can wait at while an obstacle goes by:
+// docs/algorithms/moving.md.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "planners/path_search.h"
+#include "vandplan/path.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
+#include "vandplan/random.h"
+#include "vandplan/search.h"
+
+namespace vandplan::in_time {
+
+/// A refuge, and paths to it and on to the goal.
+struct Detour {
+  Pose refuge;
+  std::vector<Segment> there = {};   ///< from the start; empty with a trailer: not known
+  std::vector<Segment> onward = {};  ///< from the refuge to the goal; empty with a trailer
+};
+
+/// Draws refuges beside paths.
+class Refuges {
+ public:
+  /// Detours are made of words that are cheapest by `rule`. The task outlives it.
+  Refuges(const Task& task, const search::CostRule& rule, const PlanOptions& options);
+
+  /// The shortest detour among a few poses beside the path that obstacle `passing` goes by. It
+  /// leaves the path before the pose and comes back behind it. None: no pose will do.
+  [[nodiscard]] std::optional<Detour> draw(const Path& path, std::size_t passing);
+  /// Iterations so far: tries to leave the path or to come back to it.
+  [[nodiscard]] std::int64_t iterations() const { return draws_ + connector_.solves(); }
+
+ private:
+  [[nodiscard]] Pose pose_beside(const Pose& on_path);
+  [[nodiscard]] bool lets_pass(const Pose& pose, std::size_t passing) const;
+  [[nodiscard]] std::optional<Detour> detour(const Path& path, double s, const Pose& refuge);
+  [[nodiscard]] std::optional<std::vector<Segment>> way_there(const Path& path, double s,
+                                                              const Pose& refuge);
+  [[nodiscard]] std::optional<std::vector<Segment>> way_onward(const Path& path, double s,
+                                                               const Pose& refuge);
+
+  const Task& task_;
+  search::Connector connector_;
+  double margin_;
+  Rng rng_;
+  std::int64_t draws_ = 0;
+};
+
+/// Makes a search for a path; it begins with a known path if that is not empty.
+using SearchMaker =
+    std::function<std::unique_ptr<planning::PathSearch>(const Task&, const Path& known)>;
+
+/// A search for paths along a detour. Nothing moves in `task`.
+[[nodiscard]] std::unique_ptr<planning::PathSearch> search_through(const Task& task,
+                                                                   const Detour& detour,
+                                                                   SearchMaker make_search);
+
+}  // namespace vandplan::in_time
