@@ -14,6 +14,7 @@
 #include "moving/yielding.h"
 #include "planners/anytime/anytime.h"
 #include "planners/blocked_ends.h"
+#include "planners/drive_source.h"
 #include "planners/drive_time.h"
 #include "planners/ghosts.h"
 #include "planners/path_search.h"
@@ -35,8 +36,9 @@ constexpr double worth_a_way_around = 0.5;              // what waiting costs [m
 constexpr std::size_t most_ghosts = 4;                  // that one source goes around
 constexpr std::size_t most_sources = 24;                // with ghosts, and the first one
 constexpr std::int64_t most_states_of_all = 1'000'000;  // that the memory is meant for
-constexpr double weight_of_best = 4.0;         // share of the work where the best way was found
-constexpr double weight_of_dearer = 0.25;      // and where even the fastest drive costs more
+constexpr double weight_of_best = 4.0;     // share of the work where the best way was found
+constexpr double long_wait = 1.3;          // unless it costs so much more than the fastest drive
+constexpr double weight_of_dearer = 0.25;  // and where even the fastest drive costs more
 constexpr std::int64_t before_refuges = 1500;  // iterations
 constexpr double share_of_refuges = 0.5;       // of the work after that, while there is no drive
 constexpr double later_share_of_refuges = 0.125;
@@ -48,28 +50,6 @@ struct Way {
   SpeedProfile speeds;
   double path_cost = 0.0;  // if nothing moves [m], or [s] where the cost is the time
   double cost = 0.0;       // with the time that the drive takes
-};
-
-/// Where paths come from: a search among what stands and some ghosts of what moves.
-struct Source {
-  std::vector<Ghost> ghosts;
-  Task task;                                // nothing moves
-  std::optional<Detour> detour = {};        // that its paths lead along
-  std::unique_ptr<PathSearch> search = {};  // made when it is its turn
-  std::vector<Segment> path = {};           // the last one that was given times
-  double fastest_cost = endless;            // of the drive along it where nothing moves
-  bool is_hasty = false;                    // its times were looked for in haste
-  bool is_cut_off = false;                  // more states may find better times
-  int doublings = 0;                        // of the states that look for times
-  std::int64_t retry_at = 0;                // so much work later they may look again [iterations]
-  std::int64_t spent = 0;                   // iterations
-  bool is_searched = false;                 // there is no better path
-
-  [[nodiscard]] bool is_finished() const { return is_searched && !is_hasty && !is_cut_off; }
-  /// Whether it is time to look for better times along the path, and not for a better path.
-  [[nodiscard]] bool wants_times() const {
-    return is_hasty || (is_cut_off && (is_searched || spent >= retry_at));
-  }
 };
 
 /// One run: the best way so far, the sources, and the budget.
@@ -212,7 +192,8 @@ class Run {
 
   [[nodiscard]] double weight_of(const Source& source) const {
     if (!best_) return 1.0;
-    if (&source == best_source_) return weight_of_best;
+    const bool waits_long = best_->cost > long_wait * source.fastest_cost;
+    if (&source == best_source_) return waits_long ? 1.0 : weight_of_best;
     return source.fastest_cost >= best_->cost ? weight_of_dearer : 1.0;
   }
 
@@ -255,6 +236,7 @@ class Run {
     if (!path || *path == source.path) return;
     source.path = *std::move(path);
     source.is_cut_off = false;
+    source.doublings = 0;
     consider(source, source.path, true);
   }
 
@@ -266,15 +248,17 @@ class Run {
     const Path path{task_.start, segments};
     const std::int64_t before = budget_.iterations();
     const std::int64_t most = budget_.left(states_for(source) / states_per_iteration, 0);
-    const moving::Traffic traffic{.moving = task_.moving,
-                                  .margin = options_.clearance.margin,
-                                  .start_curvature = task_.curvatures.start,
-                                  .start_hitch_angle = task_.hitch_angles.start,
-                                  .longest = longest_of(path_cost),
-                                  .most_states = most * states_per_iteration,
-                                  .is_hasty = is_hasty,
-                                  .is_interrupted = [this] { return budget_.is_interrupted(); }};
-    moving::Yielding yielding = moving::yielding_speeds(path, task_.vehicle, traffic);
+    moving::Traffic traffic{.moving = task_.moving,
+                            .margin = options_.clearance.margin,
+                            .start_curvature = task_.curvatures.start,
+                            .start_hitch_angle = task_.hitch_angles.start,
+                            .longest = longest_of(path_cost),
+                            .most_states = most * states_per_iteration,
+                            .is_hasty = is_hasty,
+                            .is_interrupted = [this] { return budget_.is_interrupted(); }};
+    const bool is_short_enough =
+        source.detour ? best_ || !is_hasty : best_ && source.doublings == 0;
+    moving::Yielding yielding = times_along(path, traffic, is_short_enough);
     states_ += yielding.states;
     budget_.spend(budget_.left(yielding.states / states_per_iteration, 0));
     double cost = endless;
@@ -287,11 +271,28 @@ class Run {
       }
     }
     source.is_hasty = is_hasty && yielding.met.has_value();
-    source.is_cut_off = !is_hasty && yielding.is_cut_off && states_for(source) < most_states_of_all;
-    source.retry_at = source.spent + 2 * (budget_.iterations() - before);
+    const bool may_be_better =
+        yielding.is_cut_off || (!yielding.speeds && traffic.longest < longest_of(path_cost));
+    source.is_cut_off = !is_hasty && may_be_better && states_for(source) < most_states_of_all;
+    source.retry_at = source.spent + 4 * (budget_.iterations() - before);
     if (yielding.met && cost > source.fastest_cost + worth_a_way_around) {
       go_around(source, *yielding.met);
     }
+  }
+
+  /// The best times along a path. Most drives that are worth finding take less than twice as long
+  /// as the fastest one: they are looked for first, which is a fraction of the work.
+  [[nodiscard]] moving::Yielding times_along(const Path& path, moving::Traffic& traffic,
+                                             bool is_short_enough) const {
+    const double longest = traffic.longest;
+    traffic.longest = std::min(longest, 2 * planning::drive_time(task_, path.segments));
+    moving::Yielding short_drive = moving::yielding_speeds(path, task_.vehicle, traffic);
+    const bool is_all = is_short_enough || traffic.longest == longest || !short_drive.met;
+    if (short_drive.speeds || is_all) return short_drive;
+    traffic.longest = longest;
+    moving::Yielding yielding = moving::yielding_speeds(path, task_.vehicle, traffic);
+    yielding.states += short_drive.states;
+    return yielding;
   }
 
   /// Adds sources that go around who is met on the fastest drive along the path of a source.
@@ -318,6 +319,7 @@ class Run {
   /// States that the search for the times of the path of a source may look at.
   [[nodiscard]] std::int64_t states_for(const Source& source) const {
     const std::int64_t states = first_states + states_per_iteration / 10 * budget_.iterations();
+    if (source.detour && &source != best_source_) return first_states;  // there are many
     return std::min(states << source.doublings, most_states_of_all);
   }
 

@@ -344,6 +344,23 @@ TEST(PlanInTime, GoesOnWithoutADriveUntilTheBudgetIsSpent) {
   EXPECT_EQ(result.iterations, 12'000);
 }
 
+TEST(PlanInTime, LooksForDrivesThatWaitLittleFirst) {
+  // Every 8 s a car crosses, for five minutes.
+  std::vector<MovingObstacle> stream;
+  for (int i = 0; i < 40; ++i) {
+    MovingObstacle& car_of_stream = stream.emplace_back(crossing());
+    for (TimedPose& row : car_of_stream.trajectory) row.t += 8 * i;
+    car_of_stream.after = Afterwards::leaves;
+    car_of_stream.trajectory.insert(car_of_stream.trajectory.begin(),
+                                    {8.0 * i - 1.0, {15, -60, pi / 2}});
+  }
+  PlanOptions options;
+  options.budget.max_iterations = 50;
+  const PlanResult result = plan(street_among(stream), options);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LT(result.speeds->duration, 40);
+}
+
 TEST(PlanInTime, LooksForBetterTimesAlongAPathThatIsTheShortest) {
   const MovingObstacle shuttle{
       .outline = box(-3, -1.1, 3, 1.1),
