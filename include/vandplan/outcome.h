@@ -36,11 +36,13 @@ enum class PlanStatus {
 /// All of them, in order.
 [[nodiscard]] const std::vector<PlanStatus>& plan_statuses();
 
-/// When the cost of the best path fell.
+/// When the best path got better.
 struct CostSample {
   double time = 0.0;  ///< since the run began [s]
   std::int64_t iteration = 0;
-  double cost = 0.0;  ///< [m]
+  /// Cost of that path [m], or [s] where the cost is the time. It falls from sample to sample, but
+  /// among moving obstacles: a path that costs more may have a shorter drive.
+  double cost = 0.0;
   bool operator==(const CostSample&) const = default;
 };
 

@@ -265,7 +265,7 @@ class Run {
     if (yielding.speeds) {
       cost = with_time(path_cost, yielding.speeds->duration);
       if (!best_ || cost < best_->cost) {
-        trace_.push_back({budget_.elapsed(), budget_.iterations(), cost});
+        trace_.push_back({budget_.elapsed(), budget_.iterations(), path_cost});
         best_ = Way{segments, *std::move(yielding.speeds), path_cost, cost};
         best_source_ = &source;
       }
@@ -342,9 +342,6 @@ class Run {
                          .tree = std::move(first.tree)};
     answer.counters.push_back({"states_in_time", states_});
     if (best_) {
-      // The trace falls with the cost of the drive, and ends at the cost of the path.
-      for (CostSample& sample : trace_) sample.cost += best_->path_cost - best_->cost;
-      trace_.back().cost = best_->path_cost;
       answer.anytime = std::move(trace_);
       answer.segments = std::move(best_->segments);
       answer.speeds = std::move(best_->speeds);
@@ -371,7 +368,7 @@ class Run {
   std::int64_t refuge_work_ = 0;
   std::optional<Way> best_;
   const Source* best_source_ = nullptr;
-  std::vector<CostSample> trace_;  // costs of drives
+  std::vector<CostSample> trace_;  // whenever a better drive was found: the cost of its path
   std::int64_t states_ = 0;
 };
 

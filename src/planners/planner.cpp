@@ -257,7 +257,9 @@ void settle_cost(const Task& task, const CostOptions& options, PlanResult& resul
   result.cost = pricing.cost(result.path->segments, search::Looks::answer);
   if (!pricing.is_time() && options.clearance_weight == 0.0) return;
   std::vector<CostSample>& trace = result.anytime;
-  while (trace.size() > 1 && trace[trace.size() - 2].cost <= result.cost) trace.pop_back();
+  const bool must_fall = !result.speeds;  // among moving obstacles a better drive may have any path
+  while (must_fall && trace.size() > 1 && trace[trace.size() - 2].cost <= result.cost)
+    trace.pop_back();
   if (!trace.empty()) trace.back().cost = result.cost;
 }
 

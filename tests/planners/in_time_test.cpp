@@ -240,6 +240,21 @@ TEST(PlanInTime, DoesTheSameAtFirstWhateverTheBudget) {
   EXPECT_LE(many.cost + 2 * many.speeds->duration, few.cost + 2 * few.speeds->duration + 1e-9);
 }
 
+TEST(PlanInTime, TheTraceHasTheCostOfEachBestPath) {
+  // The car stands in the way for 30 s: the straight path is waited on, then another is found.
+  const MovingObstacle stands{.outline = car,
+                              .trajectory = {{0, {20, 0, pi / 2}}, {30, {20, 0, pi / 2}}},
+                              .after = Afterwards::leaves};
+  PlanOptions options;
+  options.budget.max_iterations = 3'000;
+  const PlanResult result = plan(street_among({stands}), options);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  ASSERT_GT(result.anytime.size(), 1U);
+  EXPECT_NEAR(result.anytime.front().cost, 40, 1e-6);
+  EXPECT_GT(result.cost, 40.001);
+  EXPECT_EQ(result.anytime.back().cost, result.cost);
+}
+
 TEST(PlanInTime, GoesRoundWhoStays) {
   const MovingObstacle parks{.outline = car,
                              .trajectory = {{0, {20, -12, pi / 2}}, {4, {20, -1, pi / 2}}}};
