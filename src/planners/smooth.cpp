@@ -247,8 +247,8 @@ PlanOptions smooth_options(std::span<const Setting> scenario, std::span<const Se
   PlanOptions options;
   set_honoured(options, planner, scenario);
   std::vector<Setting> of_run;
-  std::ranges::copy_if(stored, std::back_inserter(of_run),
-                       [&](const Setting& setting) { return counts(planner, setting); });
+  std::copy_if(stored.begin(), stored.end(), std::back_inserter(of_run),
+               [&](const Setting& setting) { return counts(planner, setting); });
   set_honoured(options, planner, of_run);
   return options;
 }
