@@ -266,6 +266,7 @@ Smoothed smooth(const Problem& problem, const Path& path, SmoothMethod method,
   const Wishes wishes(task, smoothed.options);
   const double price = wishes.price(path.segments, Looks::answer);
   smoothed.given_cost = price - wishes.lack(path.segments);
+  // [6] Never worse than the path that was given.
   smoothed.given_fault = given.reason;
   if (!given.valid) return smoothed;
   PlanResult& result = smoothed.result;

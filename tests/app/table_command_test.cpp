@@ -279,7 +279,7 @@ TEST_F(TableCommand, RefusesOptionsOutOfRange) {
   EXPECT_EQ(build("--step", "3"), "--extent: is 10, expected a multiple of the step");
   EXPECT_EQ(build("--headings", "0"), "--headings: is 0, expected at least 1");
   EXPECT_EQ(build("--radius", "0"), "--radius: is 0, expected more than 0 m");
-  EXPECT_EQ(build("--radius", "R"), "Could not convert: --radius = R");
+  EXPECT_EQ(build("--radius", "R"), "--radius: \"R\" is not a number in range");
   EXPECT_EQ(complaint({"build", "hlut-5", "-o", file_}),
             "table: \"hlut-5\" is unknown, expected hlut-1 to hlut-4 or bounds");
   EXPECT_EQ(complaint({"build", "bounds", "--step", "1", "-o", file_}),
