@@ -134,7 +134,7 @@ class Through final : public PathSearch {
   /// The leg whose turn it is: one without a path, or the other one than before; 2: none.
   [[nodiscard]] std::size_t next_leg() const {
     if (has_failed_) return 2;
-    for (std::size_t leg : {0, 1}) {
+    for (const std::size_t leg : {std::size_t{0}, std::size_t{1}}) {
       if (paths_[leg].empty()) return is_finished_[leg] ? 2 : leg;
     }
     if (!is_finished_[turn_]) return turn_;
