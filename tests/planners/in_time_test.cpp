@@ -339,7 +339,7 @@ const MovingObstacle oncoming{.outline = car,
 TEST(PlanInTime, WaitsInALayByUntilWhoComesTowardsItIsPast) {
   PlanOptions options;
   options.budget.max_iterations = 8'000;
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const std::uint64_t seed : {1U, 2U}) {
     options.budget.seed = seed;
     const PlanResult result = plan(road_with_lay_by({oncoming}), options);
     ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
