@@ -70,7 +70,7 @@ std::vector<Segment> stretch_of(const Path& path, double from, double to) {
 }
 
 void append(std::vector<Segment>& way, const Piece& piece) {
-  way.insert(way.end(), piece.segments.data(), piece.segments.data() + piece.count);
+  way.insert(way.end(), piece.view().begin(), piece.view().end());
 }
 
 /// A path from the start through a refuge: two searches, each going on in turn once both have a

@@ -272,14 +272,6 @@ TEST(DriveCheck, WorksFarFromTheOrigin) {
 
 // ---- a trailer ----
 
-/// A tractor whose trailer reaches 11.4 m behind its rear axle when it stands straight.
-Vehicle semitrailer() {
-  Vehicle vehicle{3.6, 1.4, 0.9, 2.55, 5.9};
-  vehicle.hitch = 0.6;
-  vehicle.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
-  return vehicle;
-}
-
 /// A drive of a rig.
 struct RigDrive {
   Vehicle rig;

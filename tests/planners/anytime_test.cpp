@@ -283,32 +283,30 @@ TEST(Anytime, ASmallRobotInASmallYardDrivesLikeATruckInALargeOne) {
   EXPECT_EQ(small.check->gear_changes, large.check->gear_changes);
 }
 
+Vehicle robot(double min_turning_radius) {
+  return {.wheelbase = 0.6,
+          .front_overhang = 0.15,
+          .rear_overhang = 0.15,
+          .width = 0.62,
+          .min_turning_radius = min_turning_radius};
+}
+
 TEST(Anytime, ASmallRobotDrivesNoLoopToGetAside) {
-  const Vehicle robot{.wheelbase = 0.6,
-                      .front_overhang = 0.15,
-                      .rear_overhang = 0.15,
-                      .width = 0.62,
-                      .min_turning_radius = 1.0};
   PlanOptions options;
   options.budget.max_iterations = 2000;
   const PlanResult result =
-      run(problem_of({0, 0, 0}, {0, 0.1, 0}, {}, {-10, 10, -10, 10}, robot), options);
+      run(problem_of({0, 0, 0}, {0, 0.1, 0}, {}, {-10, 10, -10, 10}, robot(1.0)), options);
   ASSERT_TRUE(result.path);
   EXPECT_LT(length(result.path->segments), 2.0);  // it was 6.4
 }
 
 // Walls are nearer than a truck's metre everywhere in this aisle.
 TEST(Anytime, ASmallRobotKeepsAwayFromCornersInANarrowAisle) {
-  const Vehicle robot{.wheelbase = 0.6,
-                      .front_overhang = 0.15,
-                      .rear_overhang = 0.15,
-                      .width = 0.62,
-                      .min_turning_radius = 0.6};
   PlanOptions options;
   options.budget.max_iterations = 10'000;
-  const Problem aisle =
-      problem_of({4.55, 1, 1.5707963267948966}, {8, 5.55, 0},
-                 {box(0, 0, 4, 5), box(5.1, 0, 10, 5), box(0, 6.1, 10, 10)}, {0, 10, 0, 10}, robot);
+  const Problem aisle = problem_of({4.55, 1, 1.5707963267948966}, {8, 5.55, 0},
+                                   {box(0, 0, 4, 5), box(5.1, 0, 10, 5), box(0, 6.1, 10, 10)},
+                                   {0, 10, 0, 10}, robot(0.6));
   const PlanResult result = run(aisle, options);
   ASSERT_TRUE(result.path);
   EXPECT_GT(*result.check->clearance, 0.05);  // it was 4 mm

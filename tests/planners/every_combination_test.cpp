@@ -54,13 +54,6 @@ std::string name_of_wish(const testing::TestParamInfo<Combination>& info) {
   return name;
 }
 
-Vehicle semitrailer() {
-  Vehicle vehicle{3.6, 1.4, 0.9, 2.55, 5.9};
-  vehicle.hitch = 0.6;
-  vehicle.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
-  return vehicle;
-}
-
 /// A dock to back up to; before it a car crosses the yard, through where a rig comes in its way.
 Problem problem_for(const Wish& wish) {
   Scenario scenario = dock_for(wish.who == Who::rig ? semitrailer() : Vehicle{});

@@ -21,13 +21,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Vehicle semitrailer() {
-  Vehicle vehicle{3.6, 1.4, 0.9, 2.55, 5.9};
-  vehicle.hitch = 0.6;
-  vehicle.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
-  return vehicle;
-}
-
 /// Where the commands lead from the start of the task.
 RigState end_of(const Task& task, std::span<const Segment> commands) {
   RigState state{task.start, task.hitch_angles.start};

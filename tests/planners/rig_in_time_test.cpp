@@ -24,13 +24,6 @@ PlanOptions few_iterations() {
   return options;
 }
 
-Vehicle semitrailer() {
-  Vehicle rig{3.6, 1.4, 0.9, 2.55, 5.9};
-  rig.hitch = 0.6;
-  rig.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
-  return rig;
-}
-
 /// A rig on open ground, its trailer at these angles at the start and at the goal.
 Problem rig_among(const Pose& goal, const EndHitchAngles& angles,
                   const std::vector<MovingObstacle>& moving) {

@@ -29,13 +29,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Vehicle semitrailer() {
-  Vehicle vehicle{3.6, 1.4, 0.9, 2.55, 5.9};
-  vehicle.hitch = 0.6;
-  vehicle.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
-  return vehicle;
-}
-
 Scenario dock() { return dock_for(semitrailer()); }
 
 PlanOptions with_iterations(int iterations, std::uint64_t seed = 1) {

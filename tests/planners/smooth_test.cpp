@@ -144,13 +144,6 @@ TEST(Smooth, TakesSegmentsOfNoLengthAndPlacesThatAreOne) {
 
 // ---- as the door that everybody calls ----
 
-Vehicle semitrailer() {
-  Vehicle rig{3.6, 1.4, 0.9, 2.55, 5.9};
-  rig.hitch = 0.6;
-  rig.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
-  return rig;
-}
-
 /// Options of a run, of every kind that a path is held to.
 PlanOptions random_options(Rng& rng) {
   constexpr Steering steerings[] = {Steering::reeds_shepp, Steering::continuous_between_stops,

@@ -47,6 +47,14 @@ inline Polygon box(double x_min, double y_min, double x_max, double y_max) {
   return {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}};
 }
 
+/// A tractor with a semitrailer of 13.6 m.
+inline Vehicle semitrailer() {
+  Vehicle vehicle{3.6, 1.4, 0.9, 2.55, 5.9};
+  vehicle.hitch = 0.6;
+  vehicle.trailer = Trailer{7.7, 1.6, 4.3, 2.55};
+  return vehicle;
+}
+
 /// A dock between two parked trailers, from a yard of 40 m: a rig has to reverse.
 inline Scenario dock_for(const Vehicle& rig) {
   return {.name = "dock",
