@@ -144,7 +144,7 @@ int run(const PlanArguments& arguments) {
 
 // ---- the command line ----
 
-constexpr const char* examples =
+constexpr const char* examples_of_use =
     "Examples:\n"
     "  vandplan plan yard.yaml --draw yard.png\n"
     "  vandplan plan yard.yaml --max-iterations 20000 --seed 1 --output r.json\n"
@@ -175,7 +175,7 @@ void add_plan(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand("plan", about);
   // The list of all commands has no room for examples.
   command->preparse_callback(
-      [command, about](std::size_t) { command->description(about + "\n\n" + examples); });
+      [command, about](std::size_t) { command->description(about + "\n\n" + examples_of_use); });
   const auto arguments = std::make_shared<PlanArguments>();
   add_scenario(*command, arguments->scenario);
   command
