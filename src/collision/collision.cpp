@@ -68,7 +68,7 @@ double wanted_at(const Margin& margin, const Point& axle, double around) noexcep
   return wanted;
 }
 
-/// Distance of a body from the sides of polygons, no more than `most` [m].
+/// Distance of a body from the sides of polygons, no more than `most` [m], which may be infinite.
 double distance_from(const Obstacles& obstacles, const Shape& body, const Placement& placement,
                      double most) noexcept {
   if (obstacles.is_empty()) return most;
@@ -78,7 +78,8 @@ double distance_from(const Obstacles& obstacles, const Shape& body, const Placem
     return least == 0;
   };
   const PlacedSegment standing(placement, Segment{});
-  (void)obstacles.any_near(Sweep(body.box, standing, most).box(), lower);
+  constexpr double beyond_all = 1e12;  // [m]; a box of infinite size has no middle
+  (void)obstacles.any_near(Sweep(body.box, standing, std::min(most, beyond_all)).box(), lower);
   return std::sqrt(least);
 }
 

@@ -24,6 +24,7 @@
 namespace vandplan {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 constexpr Bounds around{-20, 20, -20, 20};  // edges begin here
 
@@ -236,7 +237,7 @@ TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
 
 /// The least clearance beyond what is wanted, at poses that are two centimetres apart [m].
 double least_excess(const Margin& margin, const OracleBody& body, const Case& c) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   const double whole = length(c.path.segments);
   for (int i = 0; i <= 1000; ++i) {
     const Pose pose = pose_at(c.path, whole * i / 1000);
@@ -305,8 +306,12 @@ TEST(CollisionLaw, TheClearanceIsTheDistanceOfTheOracle) {
     const OracleBody body(c.vehicle);
     const CollisionChecker checker(c.vehicle, yard_of(c));
     const double most = any_size(0.01, 100, rng);
-    const double expected = std::min(gap_at(body, c.obstacles, c.path.start).distance, most);
+    const double gap = gap_at(body, c.obstacles, c.path.start).distance;
+    const double expected = std::min(gap, most);
     EXPECT_NEAR(checker.clearance(c.path.start, most), expected, 1e-9) << most << described(c);
+    if (gap < infinity) {
+      EXPECT_NEAR(checker.clearance(c.path.start, infinity), gap, 1e-9) << described(c);
+    }
     apart += expected > 0 && expected < most;
   });
   EXPECT_GT(apart, cases(count) / 5);

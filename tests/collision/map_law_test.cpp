@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -24,6 +25,7 @@
 namespace vandplan {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Bounds wide{-1e4, 1e4, -1e4, 1e4};
 
 struct Counts {
@@ -101,6 +103,9 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracle) {
     const double gap = gap_at(vehicle, squares_of(grid), pose).distance;
     EXPECT_NEAR(checker.clearance(pose, most), std::min(gap, most), 1e-9)
         << most << " at " << as_code(pose) << " on cells of " << as_code(grid.resolution);
+    if (gap < infinity) {
+      EXPECT_NEAR(checker.clearance(pose, infinity), gap, 1e-9) << as_code(pose);
+    }
     const double enough = uniform(0, 1.5, rng) * most;
     const double roughly = checker.clearance(pose, most, enough);
     EXPECT_LE(roughly, std::min(gap, most) + 1e-9);
