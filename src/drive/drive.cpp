@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 
+#include "base/require.h"
 #include "base/text.h"
 #include "drive/controllers.h"
 #include "drive/noise.h"
@@ -23,18 +24,14 @@ constexpr double turned_enough = 1e-4;   // of the wheels, to start a stroke [ra
 constexpr double arrived_enough = 5e-3;  // standing so near to the end of a stroke is arriving [m]
 constexpr double correction = 0.1;       // share of a measurement that goes into the estimate
 
-void require(bool holds, const char* where, double value, const std::string& expected) {
-  if (holds) return;
-  throw InputError(where, "is " + base::shortest_text(value) + ", expected " + expected);
-}
-
 const Controller& checked_controller(const DriveOptions& options, const Path& path,
                                      const Vehicle& vehicle) {
-  require(options.noise >= 0.0 && options.noise <= 10.0, "noise", options.noise, "0 to 10");
-  require(options.delay >= 0.0 && options.delay <= 1.0, "delay", options.delay, "0 to 1 s");
-  require(options.reserve >= 0.0 && options.reserve <= 0.5, "reserve", options.reserve, "0 to 0.5");
-  require(options.spare_steering >= 0.0 && options.spare_steering <= 0.5, "spare_steering",
-          options.spare_steering, "0 to 0.5");
+  base::require(options.noise >= 0.0 && options.noise <= 10.0, "noise", options.noise, "0 to 10");
+  base::require(options.delay >= 0.0 && options.delay <= 1.0, "delay", options.delay, "0 to 1 s");
+  base::require(options.reserve >= 0.0 && options.reserve <= 0.5, "reserve", options.reserve,
+                "0 to 0.5");
+  base::require(options.spare_steering >= 0.0 && options.spare_steering <= 0.5, "spare_steering",
+                options.spare_steering, "0 to 0.5");
   const Controller& controller =
       controller_named(options.controller.empty() ? usual_controller(vehicle) : options.controller);
   const bool drives_reverse =
@@ -56,9 +53,9 @@ void expect_drivable(const Path& path, const Vehicle& vehicle) {
     const Segment& segment = path.segments[i];
     for (const double driven : {0.0, std::abs(segment.length)}) {
       const double curvature = curvature_at(segment, driven);
-      require(std::abs(curvature) <= most,
-              ("segments[" + std::to_string(i) + "].curvature").c_str(), curvature,
-              "at most 1 / min_turning_radius, " + base::shortest_text(most));
+      base::require(std::abs(curvature) <= most,
+                    ("segments[" + std::to_string(i) + "].curvature").c_str(), curvature,
+                    "at most 1 / min_turning_radius, " + base::shortest_text(most));
     }
   }
 }

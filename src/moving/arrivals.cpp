@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vandplan::moving {
 namespace {
@@ -12,7 +11,6 @@ namespace {
 constexpr double finest_step = 0.25;  // [s]
 constexpr double most_steps = 800;
 constexpr double rounding = 1e-9;  // [s]
-constexpr double forever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

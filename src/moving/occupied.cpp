@@ -6,12 +6,6 @@
 #include <utility>
 
 namespace vandplan::moving {
-namespace {
-
-constexpr double forever = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 /// Places and times of the vehicle beside one obstacle: places from `begin` to `end` within rows
 /// `first` to `last` - 1.
 struct Occupied::Box {

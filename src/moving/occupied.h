@@ -14,6 +14,8 @@
 
 namespace vandplan::moving {
 
+inline constexpr double forever = std::numeric_limits<double>::infinity();  ///< [s]
+
 /// From a time to another one, both included [s].
 struct TimeSpan {
   double begin = 0.0;
@@ -42,9 +44,9 @@ class Occupied {
   [[nodiscard]] bool is_free(std::size_t i, double begin, double end) const noexcept;
   /// Whether row `i` is free for ever from then on.
   [[nodiscard]] bool is_free_from(std::size_t i, double begin) const noexcept {
-    return is_free(i, begin, std::numeric_limits<double>::infinity());
+    return is_free(i, begin, forever);
   }
-  /// The first time from `begin` on from which row `i` is free for `length` seconds; infinity:
+  /// The first time from `begin` on from which row `i` is free for `length` seconds; `forever`:
   /// none.
   [[nodiscard]] double next_free(std::size_t i, double begin, double length) const noexcept;
   /// How many boxes of places and times were looked at.

@@ -115,14 +115,14 @@ std::vector<Passage> passages_of(const std::vector<Station>& stations) {
 /// When the vehicle can be between two stations, in drives that are no longer than the longest.
 std::vector<TimeSpan> times_of(const std::vector<Station>& stations, double duration,
                                double longest) {
-  constexpr double rounding = 1e-6;  // [s]
+  constexpr double tolerance = 1e-6;  // [s]
   std::vector<TimeSpan> times;
   times.reserve(stations.size());
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-    times.push_back({duration - stations[i].left - stations[i].pause - rounding,
-                     longest - stations[i + 1].left + rounding});
+    times.push_back({duration - stations[i].left - stations[i].pause - tolerance,
+                     longest - stations[i + 1].left + tolerance});
   }
-  times.back().end = std::numeric_limits<double>::infinity();  // it stays there
+  times.back().end = forever;  // it stays there
   return times;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "planners/lattice_search.h"
-#include "vandplan/reeds_shepp.h"
 
 namespace vandplan::lattice {
 namespace {
@@ -21,15 +20,12 @@ struct Proof {
   double factor = 0.0;  ///< best way / shortest way over the lattice, at most; 0: nothing is known
 };
 
-constexpr double rounding = 1e-9;  // of a length, relative
-
 void conclude(const Task& task, const Search& search, const Proof& proof, PlannerAnswer& answer) {
   search.report(answer);
   if (!std::isfinite(search.best())) return;
   answer.status = PlanStatus::solved;
   answer.segments = segments_of(search.best_way());
-  answer.lower_bound =
-      (1 - rounding) * reeds_shepp_length(task.start, task.goal, task.vehicle.min_turning_radius);
+  answer.lower_bound = length_on_open_ground(task);
   if (proof.factor > 0.0) {
     answer.counters.push_back(
         {"lattice_factor_per_mille", static_cast<std::int64_t>(std::ceil(1000 * proof.factor))});

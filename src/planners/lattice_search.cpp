@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "planners/shared_options.h"
+#include "vandplan/reeds_shepp.h"
 
 namespace vandplan::lattice {
 namespace {
@@ -26,6 +27,11 @@ std::size_t hash_of(const Vertex& v) {
 }
 
 }  // namespace
+
+double length_on_open_ground(const Task& task) {
+  constexpr double slack = 1e-9;  // relative
+  return (1 - slack) * reeds_shepp_length(task.start, task.goal, task.vehicle.min_turning_radius);
+}
 
 Search::Search(const Task& task, const Ground& ground, Connector& connector,
                const Settings& settings)

@@ -37,6 +37,9 @@ struct Ground {
 /// Lays the lattice for a task and takes the estimate that complete options name.
 [[nodiscard]] Ground ground_of(const Task& task, const PlanOptions& options, const Budget& budget);
 
+/// What no path of the task is shorter than [m]: the shortest path on open ground, less rounding.
+[[nodiscard]] double length_on_open_ground(const Task& task);
+
 /// A part of a way that a vehicle drives, and where it ends.
 struct Leg {
   Piece piece;

@@ -9,7 +9,6 @@
 
 #include "planners/committed_drive.h"
 #include "planners/lattice_search.h"
-#include "vandplan/reeds_shepp.h"
 
 namespace vandplan::lattice {
 namespace {
@@ -167,11 +166,7 @@ PlannerAnswer plan_ltba_star(const Task& task, const PlanOptions& options) {
   }
   answer.iterations = budget.iterations();
   run.report(answer);
-  if (answer.segments) {
-    constexpr double rounding = 1e-9;
-    answer.lower_bound =
-        (1 - rounding) * reeds_shepp_length(task.start, task.goal, task.vehicle.min_turning_radius);
-  }
+  if (answer.segments) answer.lower_bound = length_on_open_ground(task);
   return answer;
 }
 

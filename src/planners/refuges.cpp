@@ -27,9 +27,9 @@ constexpr double share_along = 0.6;     // of poses that stand along the path
 constexpr double share_across = 0.2;    // of poses that stand across it
 constexpr int places_to_leave = 4;      // and to come back to
 constexpr double furthest_along = 6.0;  // from there to the refuge, in turning radii
-constexpr double time_step = 0.5;       // [s]
+constexpr double look_step = 0.5;       // between looks at what passes [s]
 constexpr double most_steps = 400;
-constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double top_speed(const Vehicle& vehicle) {
   return std::max(vehicle.limits.max_speed.forward, vehicle.limits.max_speed.reverse);
@@ -172,7 +172,7 @@ Refuges::Refuges(const Task& task, const search::CostRule& rule, const PlanOptio
 
 std::optional<Detour> Refuges::draw(const Path& path, std::size_t passing) {
   std::optional<Detour> best;
-  double shortest = endless;
+  double shortest = infinity;
   int looks = 0;
   ++draws_;
   for (int i = 0; i < poses_of_draw && looks < free_poses_of_draw; ++i) {
@@ -257,13 +257,13 @@ bool Refuges::lets_pass(const Pose& pose, std::size_t passing) const {
   const double way = reeds_shepp_length(task_.start, pose, task_.vehicle.min_turning_radius);
   const double begin = way / top_speed(task_.vehicle);
   const double end = std::max(encounters.rests(passing), begin);
-  const double step = std::max(time_step, (end - begin) / most_steps);
+  const double step = std::max(look_step, (end - begin) / most_steps);
   const RigState state{pose, 0.0};
   const auto gap = [&](std::size_t i, double t) {
     const std::optional<double> leaves = encounters.leaves(i);
-    return leaves && *leaves < t ? endless : encounters.gap(i, state, t, endless);
+    return leaves && *leaves < t ? infinity : encounters.gap(i, state, t, infinity);
   };
-  double nearest = endless, passes = begin;
+  double nearest = infinity, passes = begin;
   for (double t = begin; t <= end; t += step) {
     const double distance = gap(passing, t);
     if (distance <= 0.0) return false;

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/text.h"
+#include "base/require.h"
 #include "base/trigonometry.h"
 #include "drive/controllers.h"
 #include "drive/noise.h"
@@ -28,31 +28,26 @@ constexpr double correction = 0.1;       // share of a measurement that goes int
 constexpr double catch_up = 2.0;         // speed for being behind [m/s per m]
 constexpr double turns_standing = 1e-3;  // who is no faster turns his wheels as if he stood [m/s]
 
-void require(bool holds, const char* where, double value, const char* expected) {
-  if (holds) return;
-  throw InputError(where, "is " + base::shortest_text(value) + ", expected " + expected);
-}
-
 const LiveDriveOptions& checked(const LiveDriveOptions& options) {
   const double periods = options.period / control_period;
-  require(options.period >= control_period && options.period <= 10.0 &&
-              std::abs(periods - std::round(periods)) < 1e-6,
-          "period", options.period, "a multiple of 0.02 s, 0.02 to 10 s");
+  base::require(options.period >= control_period && options.period <= 10.0 &&
+                    std::abs(periods - std::round(periods)) < 1e-6,
+                "period", options.period, "a multiple of 0.02 s, 0.02 to 10 s");
   if (options.sensor_range) {
-    require(*options.sensor_range > 0.0 && *options.sensor_range <= 1e4, "sensor_range",
-            *options.sensor_range, "more than 0 m, at most 10000 m");
+    base::require(*options.sensor_range > 0.0 && *options.sensor_range <= 1e4, "sensor_range",
+                  *options.sensor_range, "more than 0 m, at most 10000 m");
   }
-  require(options.horizon >= 0.1 && options.horizon <= 100.0, "horizon", options.horizon,
-          "0.1 to 100 s");
-  require(options.longest > 0.0 && options.longest <= 1e5, "longest", options.longest,
-          "more than 0 s, at most 100000 s");
-  require(options.action_rate >= 0.0 && options.action_rate <= 1000.0, "action_rate",
-          options.action_rate, "0 to 1000 per second");
+  base::require(options.horizon >= 0.1 && options.horizon <= 100.0, "horizon", options.horizon,
+                "0.1 to 100 s");
+  base::require(options.longest > 0.0 && options.longest <= 1e5, "longest", options.longest,
+                "more than 0 s, at most 100000 s");
+  base::require(options.action_rate >= 0.0 && options.action_rate <= 1000.0, "action_rate",
+                options.action_rate, "0 to 1000 per second");
   const DriveOptions& drive = options.drive;
-  require(drive.noise >= 0.0 && drive.noise <= 10.0, "noise", drive.noise, "0 to 10");
-  require(drive.delay >= 0.0 && drive.delay <= 1.0, "delay", drive.delay, "0 to 1 s");
-  require(drive.spare_steering >= 0.0 && drive.spare_steering <= 0.5, "spare_steering",
-          drive.spare_steering, "0 to 0.5");
+  base::require(drive.noise >= 0.0 && drive.noise <= 10.0, "noise", drive.noise, "0 to 10");
+  base::require(drive.delay >= 0.0 && drive.delay <= 1.0, "delay", drive.delay, "0 to 1 s");
+  base::require(drive.spare_steering >= 0.0 && drive.spare_steering <= 0.5, "spare_steering",
+                drive.spare_steering, "0 to 0.5");
   return options;
 }
 

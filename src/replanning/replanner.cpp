@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/require.h"
 #include "base/text.h"
 #include "drive/plant.h"
 #include "problem/moving.h"
@@ -37,21 +38,16 @@ constexpr double off_place = 0.5;                      // of the drive: so far i
 constexpr double off_speed = 0.5;                      // [m/s]
 constexpr double off_heading = std::numbers::pi / 18;  // [rad]
 
-void require(bool holds, const char* where, double value, const char* expected) {
-  if (holds) return;
-  throw InputError(where, "is " + base::shortest_text(value) + ", expected " + expected);
-}
-
 void check_options(const ReplanOptions& options) {
-  require(options.tick_iterations >= 0, "tick_iterations",
-          static_cast<double>(options.tick_iterations), "0 or more");
-  require(options.tick_states >= 1, "tick_states", static_cast<double>(options.tick_states),
-          "1 or more");
-  require(options.committed >= 0.0 && options.committed <= 60.0, "committed", options.committed,
-          "0 to 60 s");
-  require(options.better >= 0.0 && options.better <= 1.0, "better", options.better, "0 to 1");
-  require(options.reserve >= 0.01 && options.reserve <= 0.5, "reserve", options.reserve,
-          "0.01 to 0.5");
+  base::require(options.tick_iterations >= 0, "tick_iterations",
+                static_cast<double>(options.tick_iterations), "0 or more");
+  base::require(options.tick_states >= 1, "tick_states", static_cast<double>(options.tick_states),
+                "1 or more");
+  base::require(options.committed >= 0.0 && options.committed <= 60.0, "committed",
+                options.committed, "0 to 60 s");
+  base::require(options.better >= 0.0 && options.better <= 1.0, "better", options.better, "0 to 1");
+  base::require(options.reserve >= 0.01 && options.reserve <= 0.5, "reserve", options.reserve,
+                "0.01 to 0.5");
 }
 
 void check_vehicle_of(const Scenario& scenario) {
@@ -69,8 +65,9 @@ void check_state(const VehicleState& state, const Pose& goal) {
   } catch (const InputError& error) {
     throw InputError("state.pose", error.what());
   }
-  require(std::abs(state.v) <= most_speed, "state.v", state.v, "-1000 to 1000 m/s");
-  require(std::isfinite(state.curvature), "state.curvature", state.curvature, "a number [1/m]");
+  base::require(std::abs(state.v) <= most_speed, "state.v", state.v, "-1000 to 1000 m/s");
+  base::require(std::isfinite(state.curvature), "state.curvature", state.curvature,
+                "a number [1/m]");
 }
 
 /// What the judge has seen of a drive and found good; it holds for the rest of it.
@@ -155,7 +152,7 @@ class Replanner::Impl {
   }
 
   const ReplanAnswer& tick(double t, const VehicleState* state) {
-    require(std::isfinite(t), "t", t, "a time [s]");
+    base::require(std::isfinite(t), "t", t, "a time [s]");
     if (t < last_t_) {
       throw InputError("t", "is " + base::shortest_text(t) + " s, expected no less than " +
                                 base::shortest_text(last_t_) + " s, the time of the last tick");

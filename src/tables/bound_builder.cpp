@@ -6,7 +6,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -15,7 +14,6 @@
 namespace vandplan::tables {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit = simd::bound_unit;
 // A box is cut in eight while the excess may stray further from the cell's plane within it.
 constexpr double good_spread = 0.003;

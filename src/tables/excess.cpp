@@ -3,7 +3,6 @@
 #include "tables/excess.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -18,7 +17,6 @@ namespace {
 using namespace words_in_box;
 
 constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Interval along_heading(End end, Interval arc, Interval middle, Interval size) {
   switch (end) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/require.h"
 #include "base/text.h"
 #include "simd/table_kernels.h"
 #include "tables/table_options.h"
@@ -21,16 +22,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double most_entries = 0x1p28;  // 1 GiB of floats; an index fits in 32 bits
 
-// `given` was asked for; `expected` tells the range.
-void require(bool holds, const char* where, double given, const char* expected) {
-  if (!holds)
-    throw InputError(where, "is " + base::shortest_text(given) + ", expected " + expected);
-}
-
 // Lengths of vehicles are from a micrometre to 1000 km, and quotients of two such fit a float.
 void require_length(const char* where, double given) {
-  require(given > 0.0, where, given, "more than 0 m");
-  require(given >= 1e-6 && given <= 1e6, where, given, "0.000001 to 1000000 m");
+  base::require(given > 0.0, where, given, "more than 0 m");
+  base::require(given >= 1e-6 && given <= 1e6, where, given, "0.000001 to 1000000 m");
 }
 
 // Grid points along x and along y. Throws InputError if an option is out of range.
@@ -38,11 +33,11 @@ int checked_positions(const HeuristicTableOptions& options) {
   const auto& [extent, step, heading_cells, radius] = options;
   require_length("extent", extent);
   require_length("step", step);
-  require(heading_cells >= 1, "heading_cells", heading_cells, "at least 1");
+  base::require(heading_cells >= 1, "heading_cells", heading_cells, "at least 1");
   require_length("turning_radius", radius);
   const double cells = std::round(extent / step);
-  require(cells >= 1.0 && std::abs(cells * step - extent) <= 1e-9 * extent, "extent", extent,
-          "a multiple of the step");
+  base::require(cells >= 1.0 && std::abs(cells * step - extent) <= 1e-9 * extent, "extent", extent,
+                "a multiple of the step");
   const double plane = (cells + 1.0) * (heading_cells + 1.0);
   if (plane * plane > most_entries) {
     throw InputError("step", "the table would hold " + base::shortest_text(plane * plane) +

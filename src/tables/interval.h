@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/trigonometry.h"
 
 namespace vandplan::tables {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using base::atan_2, base::sin_cos;
 

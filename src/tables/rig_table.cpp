@@ -11,35 +11,26 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "base/text.h"
+#include "base/require.h"
 #include "base/trigonometry.h"
-#include "vandplan/input_error.h"
 #include "vandplan/rig_steering.h"
 
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // The largest stored hitch angle, as a share of the limit: half of it is stored below a quarter of
 // that, where most states of a drive are.
 constexpr double widest = 0.8;
 
-void require(bool holds, const char* where, double value, const char* expected) {
-  if (holds) return;
-  throw InputError(where,
-                   "is " + base::shortest_text(value) + ", expected " + std::string(expected));
-}
-
 void check(const RigTableOptions& options) {
-  require(options.reach >= 1e-3 && options.reach <= 1e6, "reach", options.reach,
-          "0.001 to 1000000 m");
-  require(options.cells >= 1 && options.cells <= 100, "cells", options.cells, "1 to 100");
-  require(options.headings >= 1 && options.headings <= 360, "headings", options.headings,
-          "1 to 360");
+  base::require(options.reach >= 1e-3 && options.reach <= 1e6, "reach", options.reach,
+                "0.001 to 1000000 m");
+  base::require(options.cells >= 1 && options.cells <= 100, "cells", options.cells, "1 to 100");
+  base::require(options.headings >= 1 && options.headings <= 360, "headings", options.headings,
+                "1 to 360");
   const int angles = options.hitch_angles;
-  require(angles >= 1 && angles <= 25 && angles % 2 == 1, "hitch_angles", angles,
-          "an odd number, 1 to 25");
+  base::require(angles >= 1 && angles <= 25 && angles % 2 == 1, "hitch_angles", angles,
+                "an odd number, 1 to 25");
 }
 
 std::uint16_t counted(const std::optional<Piece>& piece, double unit) {
@@ -63,7 +54,8 @@ RigTable::RigTable(const Vehicle& vehicle, const RigTableOptions& options, int t
       static_cast<std::size_t>(2 * cells) * static_cast<std::size_t>(cells) *
       static_cast<std::size_t>(headings) * static_cast<std::size_t>(angles * angles));
   const auto fill = [&](int x, int y, int heading) {
-    const Pose pose{side * (x + 0.5) - reach, side * (y + 0.5), heading * (2 * pi / headings)};
+    const Pose pose{side * (x + 0.5) - reach, side * (y + 0.5),
+                    heading * (2 * std::numbers::pi / headings)};
     for (int first = 0; first < angles; ++first) {
       for (int last = 0; last < angles; ++last) {
         const auto piece = steering.steer({{}, hitch_angle(first)}, {pose, hitch_angle(last)});
@@ -137,7 +129,7 @@ double RigTable::look_up(const Place& from, const Place& to) const noexcept {
   const double beyond = far > reach ? (1.0 - share) * std::sqrt(x * x + y * y) : 0.0;
   const double per_metre = cells / reach;
   // In whole steps of the heading, from 0 to a turn; both ends are the same.
-  const double steps = (is_mirrored ? -turn : turn) * (headings / (2 * pi));
+  const double steps = (is_mirrored ? -turn : turn) * (headings / (2 * std::numbers::pi));
   const int heading = static_cast<int>(steps < 0.0 ? steps + headings + 0.5 : steps + 0.5);
   const int last_angle = options_.hitch_angles - 1;
   const auto mirrored = [&](int angle) { return is_mirrored ? last_angle - angle : angle; };

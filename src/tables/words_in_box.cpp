@@ -13,7 +13,6 @@ namespace words_in_box {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The centres differ by the poses' difference and (x, y).
 CirclePair circles_of(const Polar& box, Interval x, Interval y) {
@@ -246,8 +245,7 @@ std::optional<Pieces> pieces_of(const Polar& box, LeftWord left_word, const View
 }  // namespace words_in_box
 
 double distance_at(double radial) {
-  return radial < 1.0 ? simd::radial_reach * radial / (1.0 - radial)
-                      : std::numeric_limits<double>::infinity();
+  return radial < 1.0 ? simd::radial_reach * radial / (1.0 - radial) : infinity;
 }
 
 double bearing_at(double side) { return atan_2(side, 1.0 - side); }

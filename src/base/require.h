@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Is a number that a caller gave within its range?
+
+#include <string>
+#include <string_view>
+
+#include "base/text.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::base {
+
+/// Throws an InputError of the value called `where` unless the condition holds; `expected` says
+/// what range it has.
+inline void require(bool holds, std::string_view where, double value, std::string_view expected) {
+  if (holds) return;
+  throw InputError(std::string(where),
+                   "is " + shortest_text(value) + ", expected " + std::string(expected));
+}
+
+}  // namespace vandplan::base
