@@ -1,5 +1,23 @@
 # Which tables are computed while we build, and become constant data of the library?
 
+# The loops that run in vectors: part of the core. They alone know of Highway, so that no other file
+# is compiled differently without vectors.
+if(VANDPLAN_SIMD)
+  add_library(vandplan_kernels OBJECT simd/kernels_highway_lengths.cpp simd/kernels_highway_tables.cpp)
+  target_link_libraries(vandplan_kernels PRIVATE hwy::hwy vandplan_vector_targets)
+else()
+  add_library(vandplan_kernels OBJECT simd/kernels_plain.cpp)
+endif()
+# Highway 1.0 has no vectors of double for WebAssembly.
+if(VANDPLAN_SIMD AND NOT EMSCRIPTEN)
+  target_sources(vandplan_kernels PRIVATE simd/kernels_highway_circles.cpp
+                                          simd/kernels_highway_pairs.cpp)
+else()
+  target_sources(vandplan_kernels PRIVATE simd/circle_kernels_plain.cpp simd/pair_kernels_plain.cpp)
+endif()
+vandplan_core_target(vandplan_kernels)
+target_include_directories(vandplan_kernels PRIVATE ${PROJECT_SOURCE_DIR}/include)
+
 # Steering and tables: part of the core, and what its embedded tables are computed with.
 add_library(
   vandplan_tables OBJECT
@@ -18,18 +36,6 @@ add_library(
   tables/table_export.cpp
   tables/table_file.cpp
   base/trigonometry.cpp)
-if(VANDPLAN_SIMD)
-  target_sources(vandplan_tables PRIVATE simd/kernels_highway_lengths.cpp
-                                         simd/kernels_highway_tables.cpp)
-else()
-  target_sources(vandplan_tables PRIVATE simd/kernels_plain.cpp)
-endif()
-# Highway 1.0 has no vectors of double for WebAssembly.
-if(VANDPLAN_SIMD AND NOT EMSCRIPTEN)
-  target_sources(vandplan_tables PRIVATE simd/kernels_highway_pairs.cpp)
-else()
-  target_sources(vandplan_tables PRIVATE simd/pair_kernels_plain.cpp)
-endif()
 vandplan_core_target(vandplan_tables)
 target_include_directories(vandplan_tables PRIVATE ${PROJECT_SOURCE_DIR}/include)
 
@@ -55,7 +61,11 @@ else()
     add_executable(${tool} ${PROJECT_SOURCE_DIR}/tools/${tool}.cpp)
     vandplan_core_target(${tool})
     target_include_directories(${tool} PRIVATE ${PROJECT_SOURCE_DIR}/include)
-    target_sources(${tool} PRIVATE $<TARGET_OBJECTS:vandplan_tables>)
+    target_sources(${tool} PRIVATE $<TARGET_OBJECTS:vandplan_kernels>
+                                   $<TARGET_OBJECTS:vandplan_tables>)
+    if(VANDPLAN_SIMD)
+      target_link_libraries(${tool} PRIVATE $<LINK_ONLY:hwy::hwy>)
+    endif()
   endforeach()
   target_sources(make_bound_table PRIVATE $<TARGET_OBJECTS:vandplan_bound_builder>)
   target_sources(make_rig_table PRIVATE $<TARGET_OBJECTS:vandplan_rig_table_builder>)
