@@ -129,13 +129,13 @@ bool is_flat(const Polygon& polygon) {
     const double dy = corner.y - polygon[0].y;
     return dx * dx + dy * dy;
   };
-  const Point far = *std::max_element(
+  const Point furthest = *std::max_element(
       polygon.begin(), polygon.end(),
       [&](const Point& a, const Point& b) { return squared_distance(a) < squared_distance(b); });
-  const double limit = 1e-15 * squared_distance(far);
+  const double limit = 1e-15 * squared_distance(furthest);
   return std::all_of(polygon.begin(), polygon.end(), [&](const Point& corner) {
-    const double area = (far.x - polygon[0].x) * (corner.y - polygon[0].y) -
-                        (far.y - polygon[0].y) * (corner.x - polygon[0].x);
+    const double area = (furthest.x - polygon[0].x) * (corner.y - polygon[0].y) -
+                        (furthest.y - polygon[0].y) * (corner.x - polygon[0].x);
     return std::abs(area) <= limit;
   });
 }
