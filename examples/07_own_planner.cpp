@@ -32,10 +32,10 @@ PlannerAnswer grow(const Task& task, const PlanOptions& options) {
   PlannerAnswer answer;
   while (budget.next()) {
     const bool is_goal = between(0, 1) < options.planner.number("goal_share");
-    Pose sample = task.goal;
+    LocalPose sample = task.goal;
     if (!is_goal) {
-      sample = {between(area.x_min, area.x_max), between(area.y_min, area.y_max),
-                between(-3.14, 3.14)};
+      sample = LocalPose(
+          {between(area.x_min, area.x_max), between(area.y_min, area.y_max), between(-3.14, 3.14)});
     }
     const search::NodeId nearest = nodes.nearest(sample)->node;
     const auto edge = connector.connect(tree.pose(nearest), sample);  // steered, priced, checked
@@ -45,7 +45,7 @@ PlannerAnswer grow(const Task& task, const PlanOptions& options) {
     if (!is_goal) continue;
     answer.anytime = {{budget.elapsed(), budget.iterations(), tree.cost_to_come(node)}};
     answer.segments.emplace();
-    const std::vector<Pose> poses = tree.branch(node);
+    const std::vector<LocalPose> poses = tree.branch(node);
     for (std::size_t i = 1; i < poses.size(); ++i) {
       const Piece piece = *connector.steer(poses[i - 1], poses[i]);
       answer.segments->insert(answer.segments->end(), piece.view().begin(), piece.view().end());

@@ -33,7 +33,7 @@ struct Edges {
   std::vector<Edge> edges;
 
   [[nodiscard]] bool is_free(const Edge& edge) const {
-    return problem.task().checker->is_free(edge.from, edge.piece.view());
+    return problem.task().checker->is_free(Local(edge.from), edge.piece.view());
   }
 };
 
@@ -45,7 +45,7 @@ Edges random_edges(const std::string& file, Region region, double longest) {
   Rng rng(1);
   const auto free_pose = [&](const Bounds& within) {
     Pose pose = uniform_pose(within, rng);
-    while (!task.checker->is_free(pose)) pose = uniform_pose(within, rng);
+    while (!task.checker->is_free(Local(pose))) pose = uniform_pose(within, rng);
     return pose;
   };
   while (result.edges.size() < count) {
@@ -81,12 +81,12 @@ double margin_ratio(const Edges& edges) {
   const Task& without = edges.problem.task();
   std::vector<Edge> kept;
   std::ranges::copy_if(edges.edges, std::back_inserter(kept), [&](const Edge& edge) {
-    return with.checker->is_free(edge.from, edge.piece.view());
+    return with.checker->is_free(Local(edge.from), edge.piece.view());
   });
   const auto seconds = [&](const Task& task) {
     const auto begin = std::chrono::steady_clock::now();
     for (const Edge& edge : kept) {
-      benchmark::DoNotOptimize(task.checker->is_free(edge.from, edge.piece.view()));
+      benchmark::DoNotOptimize(task.checker->is_free(Local(edge.from), edge.piece.view()));
     }
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
@@ -120,7 +120,7 @@ void edge_check(benchmark::State& state, const Edges& edges) {
 void pose_check(benchmark::State& state, const Edges& edges) {
   std::size_t next = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(edges.problem.task().checker->is_free(edges.edges[next].from));
+    benchmark::DoNotOptimize(edges.problem.task().checker->is_free(Local(edges.edges[next].from)));
     next = (next + 1) % edges.edges.size();
   }
 }

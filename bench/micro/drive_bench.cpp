@@ -43,7 +43,7 @@ Surroundings posts_beside(const Path& path) {
   // What the vehicle would sweep away is not there.
   for (const Polygon& post : posts) {
     const CollisionChecker checker(Vehicle{}, {.bounds = wide_bounds, .obstacles = {post}});
-    if (checker.is_free(path.start, path.segments)) things.obstacles.push_back(post);
+    if (checker.is_free(Local(path.start), path.segments)) things.obstacles.push_back(post);
   }
   return things;
 }

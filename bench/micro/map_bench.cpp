@@ -19,7 +19,7 @@ namespace vandplan {
 namespace {
 
 struct Edge {
-  Pose from;
+  LocalPose from;
   Piece piece;
 };
 
@@ -27,15 +27,16 @@ struct Edge {
 std::vector<Edge> random_edges(const CollisionChecker& checker, double longest) {
   Rng rng(1);
   const auto free_pose = [&](const Bounds& within) {
-    Pose pose = uniform_pose(within, rng);
-    while (!checker.is_free(pose)) pose = uniform_pose(within, rng);
+    LocalPose pose(uniform_pose(within, rng));
+    while (!checker.is_free(pose)) pose = LocalPose(uniform_pose(within, rng));
     return pose;
   };
   std::vector<Edge> edges;
   while (edges.size() < 4096) {
-    const Pose from = free_pose(yard);
-    const Pose to = free_pose({std::max(0.0, from.x - longest), std::min(side, from.x + longest),
-                               std::max(0.0, from.y - longest), std::min(side, from.y + longest)});
+    const LocalPose from = free_pose(yard);
+    const LocalPose to =
+        free_pose({std::max(0.0, from.x - longest), std::min(side, from.x + longest),
+                   std::max(0.0, from.y - longest), std::min(side, from.y + longest)});
     edges.push_back({from, reeds_shepp(from, to, Vehicle{}.min_turning_radius)});
   }
   return edges;

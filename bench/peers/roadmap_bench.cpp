@@ -50,7 +50,7 @@ class OurEdges : public ob::MotionValidator {
       : MotionValidator(si), task_(task) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
     const Piece piece = reeds_shepp(pose_of(a), pose_of(b), task_.vehicle.min_turning_radius);
-    return task_.checker->is_free(pose_of(a), piece.view());
+    return task_.checker->is_free(Local(pose_of(a)), piece.view());
   }
   bool checkMotion(const ob::State* a, const ob::State* b,
                    std::pair<ob::State*, double>&) const override {
@@ -70,7 +70,7 @@ double seconds(auto work) {
 /// Grows OMPL's roadmap until it has so many milestones [s].
 double build_ompl(const Task& task, const Settings& settings) {
   const auto space = std::make_shared<Space>(task.vehicle.min_turning_radius);
-  const Bounds region = sampling_region(task, settings.region);
+  const Local<Bounds> region = sampling_region(task, settings.region);
   ob::RealVectorBounds bounds(2);
   bounds.setLow(0, region.x_min);
   bounds.setHigh(0, region.x_max);
@@ -79,7 +79,7 @@ double build_ompl(const Task& task, const Settings& settings) {
   space->setBounds(bounds);
   const auto si = std::make_shared<ob::SpaceInformation>(space);
   si->setStateValidityChecker(
-      [&](const ob::State* state) { return task.checker->is_free(pose_of(state)); });
+      [&](const ob::State* state) { return task.checker->is_free(Local(pose_of(state))); });
   si->setMotionValidator(std::make_shared<OurEdges>(si, task));
   si->setup();
   ob::ScopedState<Space> start(space), goal(space);
@@ -106,8 +106,8 @@ double median(std::vector<double> values) {
 }
 
 /// Times of the same queries, which are to be answered the same [s].
-std::vector<double> ask(const Roadmap& roadmap, const std::vector<std::pair<Pose, Pose>>& queries,
-                        int& solved) {
+std::vector<double> ask(const Roadmap& roadmap,
+                        const std::vector<std::pair<LocalPose, LocalPose>>& queries, int& solved) {
   std::vector<double> times;
   solved = 0;
   for (const auto& [from, to] : queries) {
@@ -118,17 +118,17 @@ std::vector<double> ask(const Roadmap& roadmap, const std::vector<std::pair<Pose
 
 void compare(const std::string& name, const Problem& problem, const Settings& settings) {
   const Task& task = problem.task();
-  const Bounds region = sampling_region(task, settings.region);
-  std::vector<std::pair<Pose, Pose>> queries;
+  const Local<Bounds> region = sampling_region(task, settings.region);
+  std::vector<std::pair<LocalPose, LocalPose>> queries;
   Rng rng(1);
   const auto free_pose = [&] {
     for (;;) {
-      const Pose pose = uniform_pose(region, rng);
+      const LocalPose pose = uniform_pose(region, rng);
       if (task.checker->is_free(pose)) return pose;
     }
   };
   for (int i = 0; i < settings.queries; ++i) {
-    const Pose from = free_pose();
+    const LocalPose from = free_pose();
     queries.emplace_back(from, free_pose());
   }
   std::vector<double> lazy, whole, ompl, cold, warm;

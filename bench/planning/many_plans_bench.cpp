@@ -46,7 +46,7 @@ std::vector<Problem> random_problems(int count) {
   Rng rng(1);
   const auto free_pose = [&] {
     Pose pose = uniform_pose(yard, rng);
-    while (!checker->is_free(pose)) pose = uniform_pose(yard, rng);
+    while (!checker->is_free(Local(pose))) pose = uniform_pose(yard, rng);
     return pose;
   };
   std::vector<Problem> problems;

@@ -97,8 +97,9 @@ Case any_case(bool is_open, std::uint64_t seed) {
     const CostOptions cost = any_prices(rng);
     Problem problem = make_problem(scenario);
     const Task& task = problem.task();
-    const bool is_free = task.checker->rig_is_free({task.start, task.hitch_angles.start}) &&
-                         task.checker->rig_is_free({task.goal, task.hitch_angles.goal});
+    const bool is_free =
+        task.checker->rig_is_free(Local(RigState{task.start, task.hitch_angles.start})) &&
+        task.checker->rig_is_free(Local(RigState{task.goal, task.hitch_angles.goal}));
     if (is_free) return {name, std::move(problem), cost};
   }
 }

@@ -35,9 +35,9 @@ struct Surroundings {
 /// Around a place the margin is less than elsewhere: `least` there, and it grows evenly with the
 /// distance of the rear axle until that is `reach`.
 struct MarginRamp {
-  Point centre = {};   ///< [m]
-  double least = 0.0;  ///< [m]; >= 0
-  double reach = 1.0;  ///< [m]; > 0
+  Local<Point> centre = {};  ///< [m]
+  double least = 0.0;        ///< [m]; >= 0
+  double reach = 1.0;        ///< [m]; > 0
   bool operator==(const MarginRamp&) const = default;
 };
 
@@ -52,7 +52,9 @@ struct Margin {
 };
 
 /// Answers collision queries for one footprint in one set of obstacles. Immutable after
-/// construction and safe to share between threads. A trailer is looked at by `rig_...` alone.
+/// construction and safe to share between threads. A trailer is looked at by `rig_...` alone. Local
+/// poses and points are in the frame of the world that the checker is from (`to_local`), or of the
+/// surroundings that it was made of.
 ///
 /// Promise: whatever is accepted keeps the closed footprint clear of every closed obstacle, by more
 /// than the margin, and the rear axle inside the bounds; whatever has a clearance above the margin
@@ -75,39 +77,41 @@ class CollisionChecker {
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;
 
-  [[nodiscard]] bool is_free(const Pose& pose) const noexcept;
+  [[nodiscard]] bool is_free(const LocalPose& pose) const noexcept;
 
   /// Everything swept from `from` along `segment`, both ends included.
-  [[nodiscard]] bool is_free(const Pose& from, const Segment& segment) const noexcept;
+  [[nodiscard]] bool is_free(const LocalPose& from, const Segment& segment) const noexcept;
 
   /// Everything swept from `from` along the segments, one after the other.
-  [[nodiscard]] bool is_free(const Pose& from, std::span<const Segment> segments) const noexcept;
+  [[nodiscard]] bool is_free(const LocalPose& from,
+                             std::span<const Segment> segments) const noexcept;
 
   /// Both bodies of a vehicle with a trailer, the vehicle alone if it has none. The hitch angle
   /// is not limited here, and the trailer is not held to the bounds.
-  [[nodiscard]] bool rig_is_free(const RigState& state) const noexcept;
+  [[nodiscard]] bool rig_is_free(const Local<RigState>& state) const noexcept;
 
   /// Everything that both bodies sweep from `from` along `segment`, both ends included.
-  [[nodiscard]] bool rig_is_free(const RigState& from, const Segment& segment) const noexcept;
+  [[nodiscard]] bool rig_is_free(const Local<RigState>& from,
+                                 const Segment& segment) const noexcept;
 
   /// Everything that both bodies sweep from `from` along the segments, one after the other.
-  [[nodiscard]] bool rig_is_free(const RigState& from,
+  [[nodiscard]] bool rig_is_free(const Local<RigState>& from,
                                  std::span<const Segment> segments) const noexcept;
 
   /// Distance of the body from the nearest obstacle or blocked cell, or of the wheels from the
   /// nearest kerb, whichever is less, and no more than `most` [m]; 0 if they touch. Where it is at
   /// least `enough` any number from `enough` to it will do, which is found sooner.
   [[nodiscard]] double clearance(
-      const Pose& pose, double most,
+      const LocalPose& pose, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
   /// What is nearer to something of both bodies, as `clearance` of one.
   [[nodiscard]] double rig_clearance(
-      const RigState& state, double most,
+      const Local<RigState>& state, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
   /// Whether an obstacle of the map is at most this far from the point [m]. False without a map.
-  [[nodiscard]] bool map_is_within(const Point& point, double distance) const noexcept;
+  [[nodiscard]] bool map_is_within(const Local<Point>& point, double distance) const noexcept;
 
   /// Two numbers between which a distance lies [m].
   struct Range {
@@ -115,7 +119,7 @@ class CollisionChecker {
   };
 
   /// How far the nearest obstacle of the map is from the point, quickly. Infinite without a map.
-  [[nodiscard]] Range map_distance(const Point& point) const noexcept;
+  [[nodiscard]] Range map_distance(const Local<Point>& point) const noexcept;
 
  private:
   struct Data;

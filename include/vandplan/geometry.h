@@ -7,6 +7,7 @@
 // plain; frames are named by whoever holds them (docs/conventions.md).
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vandplan {
@@ -25,6 +26,18 @@ struct Pose {
   double heading = 0.0;
   bool operator==(const Pose&) const = default;
 };
+
+/// A value in the frame of a world, which checkers and planners work in. It is a `T` for whatever
+/// asks for one; a `T` becomes local by name alone: `Local(pose)`. A pose of the scenario's frame
+/// becomes local by `to_local` (problem.h).
+template <class T>
+struct Local : T {
+  Local() = default;
+  constexpr explicit Local(T value) noexcept : T(std::move(value)) {}
+};
+
+/// A pose in the frame of a world.
+using LocalPose = Local<Pose>;
 
 /// Many poses as structure of arrays in float [m, rad], which batch queries read. The three columns
 /// have equal sizes; headings are in [-pi, pi].
@@ -53,6 +66,9 @@ struct Bounds {
 /// Where `local`, a pose in the frame that the pose `frame` spans, lies in the frame that `frame`
 /// itself is given in.
 [[nodiscard]] Pose compose(const Pose& frame, const Pose& local) noexcept;
+[[nodiscard]] inline LocalPose compose(const LocalPose& frame, const Pose& local) noexcept {
+  return Local(compose(static_cast<const Pose&>(frame), local));
+}
 
 /// The pose `pose` in the frame that the pose `frame` spans: the inverse of `compose`. The heading
 /// is in [-pi, pi).

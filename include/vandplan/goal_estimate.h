@@ -24,7 +24,7 @@ struct GoalEstimate {
   /// rounding (1e-9, relative): a search that proves what it finds needs that.
   bool is_admissible = false;
   /// Length from a pose to the goal [m]; infinite where the goal cannot be reached.
-  std::function<double(const Pose&)> length = {};
+  std::function<double(const LocalPose&)> length = {};
 };
 
 /// Names of the estimates, the simplest one first: "euclid", "hlut-1", ..., "choi".

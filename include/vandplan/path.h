@@ -91,6 +91,9 @@ struct PathPoint {
 /// Where the vehicle is after driving the segment: exact but for rounding, a clothoid too
 /// (docs/algorithms/clothoid.md).
 [[nodiscard]] Pose advance(const Pose& pose, const Segment& segment) noexcept;
+[[nodiscard]] inline LocalPose advance(const LocalPose& pose, const Segment& segment) noexcept {
+  return Local(advance(static_cast<const Pose&>(pose), segment));
+}
 
 /// Sum of the absolute segment lengths [m].
 [[nodiscard]] double length(std::span<const Segment> segments) noexcept;

@@ -117,8 +117,8 @@ struct Task {
   std::shared_ptr<const CollisionChecker> checker;  ///< of the vehicle with its margin
   Vehicle vehicle;
   double least_margin = 0.0;  ///< that the vehicle keeps from things wherever it is [m]
-  Pose start;
-  Pose goal;
+  LocalPose start;
+  LocalPose goal;
   Steering steering = Steering::reeds_shepp;
   EndCurvatures curvatures = {};
   EndHitchAngles hitch_angles = {};
@@ -196,8 +196,9 @@ void check_map(const OccupancyGrid& map);
 /// A pose of the scenario's frame in the world's frame, heading in [-pi, pi); and back. A scenario
 /// moved by whole metres has the same poses in its world, bit for bit, as long as its coordinates
 /// have at most 15 digits.
-[[nodiscard]] Pose to_local(const World& world, const Pose& pose) noexcept;
-[[nodiscard]] Pose to_scenario(const World& world, const Pose& pose) noexcept;
+[[nodiscard]] LocalPose to_local(const World& world, const Pose& pose) noexcept;
+[[nodiscard]] Pose to_scenario(const World& world, const LocalPose& pose) noexcept;
+LocalPose to_local(const World& world, const LocalPose& pose) = delete;  ///< it is local already
 
 /// Where samples are drawn; driving is allowed in the bounds either way.
 enum class Region {
@@ -206,6 +207,6 @@ enum class Region {
 };
 
 /// The region of a task, in the world's frame.
-[[nodiscard]] Bounds sampling_region(const Task& task, Region region) noexcept;
+[[nodiscard]] Local<Bounds> sampling_region(const Task& task, Region region) noexcept;
 
 }  // namespace vandplan

@@ -28,6 +28,9 @@ using Rng = std::mt19937_64;
 
 /// A pose whose position is uniform in the box and whose heading is uniform in [-pi, pi).
 [[nodiscard]] Pose uniform_pose(const Bounds& box, Rng& rng);
+[[nodiscard]] inline LocalPose uniform_pose(const Local<Bounds>& box, Rng& rng) {
+  return Local(uniform_pose(static_cast<const Bounds&>(box), rng));
+}
 
 /// A seed for an independent stream: the `stream`-th one of `seed` (splitmix64, Steele 2014).
 [[nodiscard]] std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream);

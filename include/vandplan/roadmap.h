@@ -32,13 +32,13 @@ struct RoadmapOptions {
   std::uint64_t seed = 1;       ///< of the random poses
   double margin = 0.0;          ///< that the vehicle keeps from things [m]; >= 0
   /// Where poses are drawn, in the frame of the world [m]; none: the bounds of the world.
-  std::optional<Bounds> region = {};
+  std::optional<Local<Bounds>> region = {};
 };
 
 /// The way that a roadmap knows between two poses.
 struct RoadmapRoute {
   double length = 0.0;                 ///< [m]
-  std::vector<Pose> poses = {};        ///< from the first to the last, on the way the nodes
+  std::vector<LocalPose> poses = {};   ///< from the first to the last, on the way the nodes
   std::vector<Segment> segments = {};  ///< neighbouring ones are joined
 };
 
@@ -46,7 +46,7 @@ struct RoadmapRoute {
 struct RouteOptions {
   /// Guides the search to the goal. With an admissible one the route is the shortest one in the
   /// roadmap; none: the exact length on open ground.
-  std::function<double(const Pose&)> estimate = {};
+  std::function<double(const LocalPose&)> estimate = {};
   /// The search ends without a route soon after this returns true; none: it goes on.
   std::function<bool()> is_interrupted = {};
   bool keep_tree = false;  ///< return the poses as they were searched
@@ -59,8 +59,8 @@ struct RoadmapAnswer {
   std::optional<TreeSnapshot> tree = {};   ///< these poses in their order, when asked for
 };
 
-/// Free poses, and which of them are near to which. All poses are in the frame of the world (see
-/// `to_local`). Whether an edge is free is found out when a route wants it, and remembered. An
+/// Free poses, and which of them are near to which. All poses are in the frame of the world: see
+/// `to_local`. Whether an edge is free is found out when a route wants it, and remembered. An
 /// answer depends on nothing else than on the roadmap and the query: not on what was asked before.
 /// May be asked from several threads at once.
 class Roadmap {
@@ -73,7 +73,7 @@ class Roadmap {
   Roadmap& operator=(Roadmap&& other) noexcept;
 
   /// The way from pose to pose, both of them free.
-  [[nodiscard]] RoadmapAnswer route(const Pose& from, const Pose& to,
+  [[nodiscard]] RoadmapAnswer route(const LocalPose& from, const LocalPose& to,
                                     const RouteOptions& options = {}) const;
 
   /// Finds out about every edge now instead of when a route wants it.

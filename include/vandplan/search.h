@@ -153,15 +153,15 @@ enum class Looks {
 /// What being near things adds to the cost of driving the segments from a pose [m], with the hitch
 /// angle of the task's start if there is a trailer. Above `cutoff` it is any number above it: the
 /// sum ends there. docs/algorithms/anytime.md says how it is found.
-[[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
+[[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
                                     std::span<const Segment> segments, Looks looks,
                                     double cutoff = std::numeric_limits<double>::infinity());
 
 /// What being near things adds, with the trailer, to the cost of driving the segments from a state
 /// of the rig [m]; the vehicle alone if it has no trailer.
 [[nodiscard]] double rig_clearance_cost(const Task& task, const CostRule& rule,
-                                        const RigState& from, std::span<const Segment> segments,
-                                        Looks looks,
+                                        const Local<RigState>& from,
+                                        std::span<const Segment> segments, Looks looks,
                                         double cutoff = std::numeric_limits<double>::infinity());
 
 // ---- Which piece joins two poses, what does it cost, and may it be driven? ----
@@ -197,7 +197,7 @@ class Connector {
   explicit Connector(const Task& task, const CostRule& rule = {}, bool profile = false);
 
   /// The cheapest word from pose to pose, if it costs less than the cutoff and is free.
-  [[nodiscard]] std::optional<Connection> connect(const Pose& from, const Pose& to,
+  [[nodiscard]] std::optional<Connection> connect(const LocalPose& from, const LocalPose& to,
                                                   const Terms& terms = {});
 
   /// The word of least cost; the shortest one under a neutral rule. Under another rule arcs that
@@ -208,14 +208,15 @@ class Connector {
   /// Where the task's curvature is continuous, the piece goes on from what is driven before it and
   /// goes over into what is driven after it; where that is not known, and at poses on the way, its
   /// wheels are straight. There may be no such piece among the words.
-  [[nodiscard]] std::optional<Piece> steer(const Pose& from, const Pose& to,
+  [[nodiscard]] std::optional<Piece> steer(const LocalPose& from, const LocalPose& to,
                                            const Gears& gears = {},
                                            double cutoff = std::numeric_limits<double>::infinity());
 
   /// What no path between the poses costs less than, with the joints to both gears [m]: on open
   /// ground it is driven forward, or in reverse, or changes gear. The length of the shortest path
   /// under a neutral rule.
-  [[nodiscard]] double least_cost(const Pose& from, const Pose& to, const Gears& gears = {});
+  [[nodiscard]] double least_cost(const LocalPose& from, const LocalPose& to,
+                                  const Gears& gears = {});
 
   /// Cost of a piece between two others [m], apart from what being near things adds to it; the
   /// joint to the next one is its part, if there is one.
@@ -224,20 +225,20 @@ class Connector {
   /// What being near things adds to the cost of the segments [m]; above `cutoff` any number above
   /// it.
   [[nodiscard]] double clearance_cost(
-      const Pose& from, std::span<const Segment> segments,
+      const LocalPose& from, std::span<const Segment> segments,
       double cutoff = std::numeric_limits<double>::infinity()) const {
     return rule_.clearance_weight == 0.0
                ? 0.0
                : search::clearance_cost(task_, rule_, from, segments, Looks::search, cutoff);
   }
 
-  [[nodiscard]] bool is_free(const Pose& from, const Piece& piece);
-  [[nodiscard]] bool is_free(const Pose& from, const Segment& segment);
-  [[nodiscard]] bool is_free(const Pose& pose) const { return checker_.is_free(pose); }
+  [[nodiscard]] bool is_free(const LocalPose& from, const Piece& piece);
+  [[nodiscard]] bool is_free(const LocalPose& from, const Segment& segment);
+  [[nodiscard]] bool is_free(const LocalPose& pose) const { return checker_.is_free(pose); }
 
   /// As much of the piece as is free, found by halving; where the curvature is continuous it ends
   /// with straight wheels.
-  [[nodiscard]] Piece free_prefix(const Pose& from, const Piece& piece);
+  [[nodiscard]] Piece free_prefix(const LocalPose& from, const Piece& piece);
 
   /// The vehicle's turning radius [m].
   [[nodiscard]] double radius() const { return radius_; }
@@ -264,11 +265,11 @@ class Connector {
     GearSign gear;     ///< in which the piece has to be driven there; 0: in either
   };
 
-  [[nodiscard]] Piece cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
+  [[nodiscard]] Piece cheapest_word(const LocalPose& from, const LocalPose& to, const Gears& gears,
                                     const Piece& shortest, double cutoff);
-  [[nodiscard]] std::optional<Piece> continuous_piece(const Pose& from, const Pose& to,
+  [[nodiscard]] std::optional<Piece> continuous_piece(const LocalPose& from, const LocalPose& to,
                                                       const Gears& gears, double cutoff);
-  void find_ends(const Pose& pose, const Driven& beside, std::vector<End>& ends) const;
+  void find_ends(const LocalPose& pose, const Driven& beside, std::vector<End>& ends) const;
 
   const Task& task_;
   const CollisionChecker& checker_;
@@ -296,6 +297,9 @@ inline constexpr double straight_wheels = 1e-9;
 
 /// The pose at the end of a piece.
 [[nodiscard]] Pose end_of(const Pose& from, const Piece& piece);
+[[nodiscard]] inline LocalPose end_of(const LocalPose& from, const Piece& piece) {
+  return Local(end_of(static_cast<const Pose&>(from), piece));
+}
 
 // ---- Which nodes does a search tree have? ----
 
@@ -308,12 +312,12 @@ using NodeId = std::int32_t;
 class Tree {
  public:
   /// Reserves room for `capacity` nodes, so that `add` does not allocate.
-  Tree(const Pose& root, std::size_t capacity);
+  Tree(const LocalPose& root, std::size_t capacity);
 
-  NodeId add(const Pose& pose, NodeId parent, double cost_to_come);
+  NodeId add(const LocalPose& pose, NodeId parent, double cost_to_come);
 
   [[nodiscard]] std::size_t size() const noexcept { return poses_.size(); }
-  [[nodiscard]] const Pose& pose(NodeId id) const noexcept { return poses_[index(id)]; }
+  [[nodiscard]] const LocalPose& pose(NodeId id) const noexcept { return poses_[index(id)]; }
   [[nodiscard]] NodeId parent(NodeId id) const noexcept { return parents_[index(id)]; }
   /// Cost of the path from the root [m].
   [[nodiscard]] double cost_to_come(NodeId id) const noexcept { return costs_[index(id)]; }
@@ -325,14 +329,14 @@ class Tree {
   [[nodiscard]] std::span<const float> cost_to_come() const noexcept { return ranking_cost_; }
 
   /// The poses from the root to the node, both included.
-  [[nodiscard]] std::vector<Pose> branch(NodeId id) const;
+  [[nodiscard]] std::vector<LocalPose> branch(NodeId id) const;
 
-  [[nodiscard]] TreeSnapshot snapshot() const { return {poses_, parents_}; }
+  [[nodiscard]] TreeSnapshot snapshot() const { return {{poses_.begin(), poses_.end()}, parents_}; }
 
  private:
   static std::size_t index(NodeId id) noexcept { return static_cast<std::size_t>(id); }
 
-  std::vector<Pose> poses_;
+  std::vector<LocalPose> poses_;
   std::vector<NodeId> parents_;
   std::vector<double> costs_;
   std::vector<float> x_, y_, heading_, ranking_cost_;

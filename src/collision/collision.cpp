@@ -321,13 +321,16 @@ CollisionChecker::CollisionChecker(const Vehicle& vehicle,
 
 CollisionChecker::~CollisionChecker() = default;
 
-bool CollisionChecker::is_free(const Pose& pose) const noexcept { return is_free(pose, Segment{}); }
+bool CollisionChecker::is_free(const LocalPose& pose) const noexcept {
+  return is_free(pose, Segment{});
+}
 
-bool CollisionChecker::is_free(const Pose& from, const Segment& segment) const noexcept {
+bool CollisionChecker::is_free(const LocalPose& from, const Segment& segment) const noexcept {
   return is_free(from, std::span<const Segment>(&segment, 1));
 }
 
-bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segments) const noexcept {
+bool CollisionChecker::is_free(const LocalPose& from,
+                               std::span<const Segment> segments) const noexcept {
   if (segments.empty()) return is_free(from);
   if (!data_->is_outside({from.x, from.y})) return false;
   Placement placement = placement_of(from);
@@ -343,17 +346,18 @@ bool CollisionChecker::is_free(const Pose& from, std::span<const Segment> segmen
   return true;
 }
 
-bool CollisionChecker::rig_is_free(const RigState& state) const noexcept {
+bool CollisionChecker::rig_is_free(const Local<RigState>& state) const noexcept {
   return rig_is_free(state, Segment{});
 }
 
-bool CollisionChecker::rig_is_free(const RigState& from, const Segment& segment) const noexcept {
+bool CollisionChecker::rig_is_free(const Local<RigState>& from,
+                                   const Segment& segment) const noexcept {
   return rig_is_free(from, std::span<const Segment>(&segment, 1));
 }
 
-bool CollisionChecker::rig_is_free(const RigState& from,
+bool CollisionChecker::rig_is_free(const Local<RigState>& from,
                                    std::span<const Segment> segments) const noexcept {
-  if (!is_free(from.pose, segments)) return false;
+  if (!is_free(Local(from.pose), segments)) return false;
   if (!data_->towed) return true;
   if (segments.empty()) return rig_is_free(from);
   const Vehicle& vehicle = data_->towed->vehicle;
@@ -367,23 +371,24 @@ bool CollisionChecker::rig_is_free(const RigState& from,
   return true;
 }
 
-double CollisionChecker::clearance(const Pose& pose, double most, double enough) const noexcept {
+double CollisionChecker::clearance(const LocalPose& pose, double most,
+                                   double enough) const noexcept {
   return data_->clearance(data_->body, placement_of(pose), most, enough);
 }
 
-double CollisionChecker::rig_clearance(const RigState& state, double most,
+double CollisionChecker::rig_clearance(const Local<RigState>& state, double most,
                                        double enough) const noexcept {
-  const double of_tractor = clearance(state.pose, most, enough);
+  const double of_tractor = clearance(Local(state.pose), most, enough);
   if (!data_->towed || of_tractor == 0.0) return of_tractor;
   const Placement trailer = placement_of(trailer_pose(data_->towed->vehicle, state));
   return data_->clearance(data_->towed->body, trailer, of_tractor, enough);
 }
 
-bool CollisionChecker::map_is_within(const Point& point, double distance) const noexcept {
+bool CollisionChecker::map_is_within(const Local<Point>& point, double distance) const noexcept {
   return data_->ground->map && data_->ground->map->is_within(point, distance);
 }
 
-CollisionChecker::Range CollisionChecker::map_distance(const Point& point) const noexcept {
+CollisionChecker::Range CollisionChecker::map_distance(const Local<Point>& point) const noexcept {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!data_->ground->map) return {infinity, infinity};
   const auto [least, most] = data_->ground->map->distance(point);

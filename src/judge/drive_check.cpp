@@ -330,7 +330,7 @@ DriveCheck verdict(DriveCheck check, const std::optional<DriveFault>& fault, con
   if (fault->t) check.t = static_cast<double>(*fault->t);
   if (fault->place) {
     check.at = judge::point_at(track, *fault->place);
-    check.at->pose = to_scenario(world, check.at->pose);
+    check.at->pose = to_scenario(world, Local(check.at->pose));
   }
   return check;
 }

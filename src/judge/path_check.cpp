@@ -315,7 +315,7 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
   check.reason = fault->reason;
   if (fault->place) {
     check.at = point_at(track, *fault->place);
-    check.at->pose = to_scenario(world, check.at->pose);
+    check.at->pose = to_scenario(world, Local(check.at->pose));
   }
   return check;
 }

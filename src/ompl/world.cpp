@@ -18,13 +18,13 @@ namespace ob = ::ompl::base;
 
 /// The pose of a state in the frame of the world. Moved by a difference, which is quick, and not by
 /// its decimal text: the rounding is the same size as that of the state's own numbers.
-Pose local_pose(const ob::State* state, const Point& origin) noexcept {
+LocalPose local_pose(const ob::State* state, const Point& origin) noexcept {
   const Pose pose = pose_of(state);
-  return {pose.x - origin.x, pose.y - origin.y, pose.heading};
+  return Local(Pose{pose.x - origin.x, pose.y - origin.y, pose.heading});
 }
 
 /// How much of the piece is known to be free [m].
-double free_length(const CollisionChecker& checker, Pose pose, const Piece& piece) noexcept {
+double free_length(const CollisionChecker& checker, LocalPose pose, const Piece& piece) noexcept {
   constexpr double fine = 0.5e-6;  // [m]
   double driven = 0.0;
   for (const Segment& segment : piece.view()) {
@@ -80,7 +80,7 @@ MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, const Proble
 MotionValidator::~MotionValidator() = default;
 
 bool MotionValidator::checkMotion(const ob::State* from, const ob::State* to) const {
-  const Pose start = local_pose(from, origin_);
+  const LocalPose start = local_pose(from, origin_);
   const Piece piece = curves_->piece(start, local_pose(to, origin_));
   const bool is_free = checker_->is_free(start, piece.view());
   ++(is_free ? valid_ : invalid_);
@@ -90,7 +90,7 @@ bool MotionValidator::checkMotion(const ob::State* from, const ob::State* to) co
 bool MotionValidator::checkMotion(const ob::State* from, const ob::State* to,
                                   std::pair<ob::State*, double>& last_valid) const {
   if (checkMotion(from, to)) return true;
-  const Pose start = local_pose(from, origin_);
+  const LocalPose start = local_pose(from, origin_);
   const Piece piece = curves_->piece(start, local_pose(to, origin_));
   last_valid.second =
       piece.length > 0.0 ? free_length(*checker_, start, piece) / piece.length : 0.0;

@@ -100,7 +100,7 @@ bool CommittedDrive::can_stop() const {
 
 std::vector<Leg> CommittedDrive::committed_part() const {
   std::vector<Leg> part;
-  Pose begin = task_.start;
+  LocalPose begin = task_.start;
   double left = committed_;
   for (const Leg& leg : way_) {
     if (left <= rounding) break;
@@ -127,13 +127,13 @@ std::optional<std::vector<Leg>> CommittedDrive::joined(const std::vector<Leg>& w
   }
   // Back to where they part; it is free, as it was driven.
   for (std::size_t i = bound.size(); i-- > parting;) {
-    const Pose begin = i == 0 ? task_.start : bound[i - 1].end;
+    const LocalPose begin = i == 0 ? task_.start : bound[i - 1].end;
     result.push_back({reversed(bound[i].piece), begin, -2});
   }
   result.insert(result.end(), way.begin() + static_cast<std::ptrdiff_t>(parting), way.end());
   double best = length_of(result);
   std::vector<Offer> offers;  // on to a place of the way
-  const Pose here = bound.empty() ? task_.start : bound.back().end;
+  const LocalPose here = bound.empty() ? task_.start : bound.back().end;
   double rest = 0.0;
   for (std::size_t i = way.size(); i-- > parting;) {
     const double least = connector.least_cost(here, way[i].end);

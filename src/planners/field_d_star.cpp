@@ -41,7 +41,8 @@ class DiscCost {
         weight_(near_weight) {}
 
   double operator()(const Point& point) const {
-    const double room = world_->clearance({point.x, point.y, 0.0}, disc_ + dear_) - disc_;
+    const double room =
+        world_->clearance(Local(Pose{point.x, point.y, 0.0}), disc_ + dear_) - disc_;
     if (room < 0.0) return infinity;
     return 1.0 + weight_ * std::max(0.0, 1.0 - room / dear_);
   }
@@ -83,11 +84,11 @@ class Route {
   }
 
   /// The pose there that looks along the chord from `reach` before it to `reach` after it.
-  [[nodiscard]] Pose pose_at(double s, double reach) const {
+  [[nodiscard]] LocalPose pose_at(double s, double reach) const {
     const Point here = at(s);
     const Point before = at(s - reach);
     const Point after = at(s + reach);
-    return {here.x, here.y, base::atan_2(after.y - before.y, after.x - before.x)};
+    return Local(Pose{here.x, here.y, base::atan_2(after.y - before.y, after.x - before.x)});
   }
 
  private:
@@ -98,7 +99,7 @@ class Route {
 /// A pose to be driven through, and how the cheapest way there comes.
 struct Via {
   double s = 0.0;  // along the route [m]
-  Pose pose = {};
+  LocalPose pose = {};
   double cost = infinity;  // [m]
   std::int32_t from = -1;
 };
@@ -203,7 +204,7 @@ void Run::draw_vias() {
   const double turn = std::min(0.15 * std::sqrt(round_), pi / 2);
   const int count = round_ == 0 ? 2 : most_of_a_place;
   for (double s = first; s < last; s += step) {
-    const Pose along = route_->pose_at(s, step / 2);
+    const LocalPose along = route_->pose_at(s, step / 2);
     for (int i = 0; i < count; ++i) {
       Pose off{0.0, 0.0, i % 2 == 0 ? 0.0 : pi};
       if (round_ > 0) {
@@ -211,7 +212,7 @@ void Run::draw_vias() {
         off.y = uniform(-aside, aside, rng_);
         off.heading += uniform(-turn, turn, rng_);
       }
-      const Pose pose = compose(along, off);
+      const LocalPose pose = compose(along, off);
       if (connector_.is_free(pose)) vias_.push_back({std::clamp(s, 0.0, length), pose});
     }
   }
@@ -229,7 +230,7 @@ void Run::connect_vias() {
     if (!budget_.next()) return;
     ++expanded_;
     const auto try_edge = [&](std::size_t to) {
-      const Pose& pose = vias_[to].pose;
+      const LocalPose& pose = vias_[to].pose;
       const double left = std::hypot(task_.goal.x - pose.x, task_.goal.y - pose.y);
       const double cutoff = std::min(vias_[to].cost, best_.cost - left);
       const auto edge = connector_.connect(vias_[i].pose, pose, {vias_[i].cost, cutoff, {}});
@@ -259,8 +260,8 @@ void Run::keep() {
 
 std::vector<Segment> Run::segments() {
   std::vector<Segment> all;
-  Pose from = task_.start;
-  const auto go_to = [&](const Pose& to) {
+  LocalPose from = task_.start;
+  const auto go_to = [&](const LocalPose& to) {
     const std::optional<Piece> piece = connector_.steer(from, to);
     all.insert(all.end(), piece->view().begin(), piece->view().end());
     from = to;

@@ -64,7 +64,7 @@ void GrownTree::rank_by_table(const RigState& sample) {
 std::optional<Adoption> GrownTree::try_edge(NodeId node, const RigState& to, double cutoff) {
   if (rig_) return try_rig_edge(node, to, cutoff);
   const auto edge =
-      edge_between(connector_, tree_.pose(node), to.pose, tree_.cost_to_come(node), cutoff);
+      edge_between(connector_, tree_.pose(node), Local(to.pose), tree_.cost_to_come(node), cutoff);
   if (!edge) return std::nullopt;
   return Adoption{node, edge->cost};
 }
@@ -80,14 +80,14 @@ std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const RigState& to,
   if (cost >= cutoff) return std::nullopt;
   rig_checking_time_.start();
   ++rig_checks_;
-  const bool is_free = task_.checker->rig_is_free(state(node), piece->view());
+  const bool is_free = task_.checker->rig_is_free(Local(state(node)), piece->view());
   rig_checking_time_.stop();
   if (!is_free) return std::nullopt;
   return Adoption{node, cost};
 }
 
 NodeId GrownTree::add(const RigState& state, const Adoption& adoption) {
-  const NodeId added = tree_.add(state.pose, adoption.parent, adoption.cost_to_come);
+  const NodeId added = tree_.add(Local(state.pose), adoption.parent, adoption.cost_to_come);
   if (rig_) hitch_angles_.push_back(state.hitch_angle);
   if (rig_table_) places_.push_back(rig_table_->place_of(state));
   ranking_.add_last();
@@ -108,7 +108,7 @@ bool GrownTree::keep_way(const Adoption& to_goal) {
   commands::Closer closer(task_.vehicle);
   if (!closer.close(state(0), way, goal())) return false;
   std::erase_if(way, [](const Segment& segment) { return segment.length == 0.0; });
-  if (!task_.checker->rig_is_free(state(0), way)) return false;
+  if (!task_.checker->rig_is_free(Local(state(0)), way)) return false;
   way_ = std::move(way);
   return true;
 }
@@ -121,7 +121,7 @@ void GrownTree::report(const PlanOptions& options, const Adoption& best, PlanSta
     if (rig_) {
       answer.segments = way_;
     } else {
-      std::vector<Pose> poses = tree_.branch(best.parent);
+      std::vector<LocalPose> poses = tree_.branch(best.parent);
       poses.push_back(task_.goal);
       answer.segments = segments_along(connector_, poses);
     }

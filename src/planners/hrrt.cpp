@@ -26,7 +26,7 @@ class Quality {
     add(task.start, 0.0);
   }
 
-  void add(const Pose& pose, double cost_to_come) {
+  void add(const LocalPose& pose, double cost_to_come) {
     costs_.push_back(cost_to_come + to_goal_.length(pose));
     if (std::isfinite(costs_.back())) worst_ = std::max(worst_, costs_.back());
   }
@@ -107,7 +107,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, Selection selec
       to_goal = tree.try_edge(*parent, sample, best.cost_to_come);
     } else if (const auto edge = tree.try_edge(*parent, sample)) {
       const NodeId added = tree.add(sample, *edge);  // [5]
-      quality.add(sample.pose, edge->cost_to_come);
+      quality.add(Local(sample.pose), edge->cost_to_come);
       if (try_goal) to_goal = tree.try_edge(added, tree.goal(), best.cost_to_come);  // [6]
     }
     if (!to_goal) continue;

@@ -29,7 +29,7 @@ constexpr double reach_of_field = 4;  // of the Voronoi field [vehicle widths]
 
 /// A pose that was reached: the way to it is free and paid for.
 struct Node {
-  Pose pose;
+  LocalPose pose;
   Segment segment;  // from the parent
   double cost_to_come;
   double to_go;         // estimated
@@ -136,9 +136,9 @@ class Search {
     for (const auto& [segment, shape] : steps_[halvings_at(node.pose)]) {
       Driven driven = before;
       const double cost = drive_cost(connector_.rule(), std::span(&segment, 1), driven);
-      const Pose pose{node.pose.x + cos * shape.x - sin * shape.y,
-                      node.pose.y + sin * shape.x + cos * shape.y,
-                      wrap_angle(node.pose.heading + shape.heading)};
+      const LocalPose pose({node.pose.x + cos * shape.x - sin * shape.y,
+                            node.pose.y + sin * shape.x + cos * shape.y,
+                            wrap_angle(node.pose.heading + shape.heading)});
       open({pose, segment, node.cost_to_come + cost, 0.0, id});
     }
   }
@@ -218,7 +218,7 @@ class Search {
     for (const double curvature : {1 / connector_.radius(), 0.0, -1 / connector_.radius()}) {
       for (const double length : {step, -step}) {
         const Segment segment{curvature, length};
-        steps_[static_cast<std::size_t>(halvings)].push_back({segment, advance({}, segment)});
+        steps_[static_cast<std::size_t>(halvings)].push_back({segment, advance(Pose{}, segment)});
       }
     }
   }
@@ -276,7 +276,7 @@ class Search {
     if (node.cost_to_come >= found_.cost) return;
     double& least = cells_.cost(key_of(node));
     if (node.cost_to_come >= least) return;
-    const Pose& from = at(node.parent).pose;
+    const LocalPose& from = at(node.parent).pose;
     if (!connector_.is_free(from, node.segment)) return;
     node.cost_to_come += connector_.clearance_cost(from, std::span(&node.segment, 1)) +
                          aside(from, std::span(&node.segment, 1));

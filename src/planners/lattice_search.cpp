@@ -132,13 +132,13 @@ bool Search::has_next() {
 }
 
 bool Search::is_free(Node& end, const Edge& edge) {
-  const Pose pose = graph_.pose_of(end.vertex);
+  const LocalPose pose = graph_.pose_of(end.vertex);
   if (!end.is_free) {
     end.is_free = connector_.is_free(pose);
     if (!end.is_free) end.cost = -infinity;  // no edge to it is looked at again
   }
   if (!end.is_free) return false;
-  const Pose from = edge.parent < 0 ? task_.start : graph_.pose_of(node(edge.parent).vertex);
+  const LocalPose from = edge.parent < 0 ? task_.start : graph_.pose_of(node(edge.parent).vertex);
   return connector_.is_free(from, piece_of(edge.parent, edge.via));
 }
 

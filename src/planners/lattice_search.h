@@ -43,7 +43,7 @@ struct Ground {
 /// A part of a way that a vehicle drives, and where it ends.
 struct Leg {
   Piece piece;
-  Pose end;
+  LocalPose end;
   std::int32_t node = -1;  ///< of the search, at the end; -1: none, it leads to the goal directly
 };
 

@@ -184,11 +184,11 @@ std::string likely_reason(const Task& task) {
 std::optional<PlannerAnswer> settled(const Task& task) {
   PlannerAnswer answer;
   const auto [first_angle, last_angle] = task.hitch_angles;
-  if (!task.checker->rig_is_free({task.start, first_angle})) {
+  if (!task.checker->rig_is_free(Local(RigState{task.start, first_angle}))) {
     answer.status = PlanStatus::start_in_collision;
     return answer;
   }
-  if (!task.checker->rig_is_free({task.goal, last_angle})) {
+  if (!task.checker->rig_is_free(Local(RigState{task.goal, last_angle}))) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
   }
@@ -274,7 +274,7 @@ PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time
                     .phases = std::move(answer.phases),
                     .tree = std::move(answer.tree)};
   if (result.tree) {
-    for (Pose& pose : result.tree->poses) pose = to_scenario(*problem.world(), pose);
+    for (Pose& pose : result.tree->poses) pose = to_scenario(*problem.world(), Local(pose));
   }
   const bool is_solved = answer.status == PlanStatus::solved;
   if (is_solved != answer.segments.has_value()) {

@@ -177,8 +177,8 @@ std::optional<Detour> Refuges::draw(const Path& path, std::size_t passing) {
   ++draws_;
   for (int i = 0; i < poses_of_draw && looks < free_poses_of_draw; ++i) {
     const double s = uniform01(rng_) * length(path);
-    const Pose refuge = pose_beside(pose_at(path, s));
-    if (!task_.checker->rig_is_free({refuge, 0.0})) continue;
+    const LocalPose refuge = pose_beside(Local(pose_at(path, s)));
+    if (!task_.checker->rig_is_free(Local(RigState{refuge, 0.0}))) continue;
     ++looks;
     std::optional<Detour> detour = this->detour(path, s, refuge);
     if (!detour) continue;
@@ -191,14 +191,14 @@ std::optional<Detour> Refuges::draw(const Path& path, std::size_t passing) {
 }
 
 /// A pose on either side of the path, more often near it than far from it.
-Pose Refuges::pose_beside(const Pose& on_path) {
+LocalPose Refuges::pose_beside(const LocalPose& on_path) {
   const double nearest = task_.vehicle.width / 2;
   const double furthest = furthest_aside * length_of(task_.vehicle);
   const double far = uniform01(rng_);
   const double side = uniform01(rng_) < 0.5 ? -1.0 : 1.0;
   const double aside = side * (nearest + far * far * (furthest - nearest));
   const auto [sin, cos] = base::sin_cos(on_path.heading);
-  Pose pose{on_path.x - sin * aside, on_path.y + cos * aside, on_path.heading};
+  LocalPose pose({on_path.x - sin * aside, on_path.y + cos * aside, on_path.heading});
   const double kind = uniform01(rng_);
   if (kind >= share_along + share_across) {
     pose.heading += uniform(-std::numbers::pi, std::numbers::pi, rng_);
@@ -209,7 +209,7 @@ Pose Refuges::pose_beside(const Pose& on_path) {
 }
 
 /// A detour from the path to the refuge beside its place `s`.
-std::optional<Detour> Refuges::detour(const Path& path, double s, const Pose& refuge) {
+std::optional<Detour> Refuges::detour(const Path& path, double s, const LocalPose& refuge) {
   if (task_.vehicle.trailer) return Detour{refuge};
   std::optional<std::vector<Segment>> there = way_there(path, s, refuge);
   if (!there) return std::nullopt;
@@ -219,12 +219,12 @@ std::optional<Detour> Refuges::detour(const Path& path, double s, const Pose& re
 }
 
 std::optional<std::vector<Segment>> Refuges::way_there(const Path& path, double s,
-                                                       const Pose& refuge) {
+                                                       const LocalPose& refuge) {
   for (int i = 0; i < places_to_leave; ++i) {
     const double back = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
     const double leaves = straight_place(path, std::max(s - back, 0.0));
     std::vector<Segment> way = stretch_of(path, 0.0, leaves);
-    const auto piece = connector_.connect(pose_at(path, leaves), refuge);
+    const auto piece = connector_.connect(Local(pose_at(path, leaves)), refuge);
     if (!piece) continue;
     append(way, piece->piece);
     return way;
@@ -233,12 +233,12 @@ std::optional<std::vector<Segment>> Refuges::way_there(const Path& path, double 
 }
 
 std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double s,
-                                                        const Pose& refuge) {
+                                                        const LocalPose& refuge) {
   const double end = length(path);
   for (int i = 0; i < places_to_leave; ++i) {
     const double ahead = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
     const double returns = straight_place(path, std::min(s + ahead, end));
-    const auto piece = connector_.connect(refuge, pose_at(path, returns));
+    const auto piece = connector_.connect(refuge, Local(pose_at(path, returns)));
     if (!piece) continue;
     std::vector<Segment> way;
     append(way, piece->piece);
@@ -251,7 +251,7 @@ std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double
 
 /// Whether nobody comes to the pose from when the vehicle may be there until the passing obstacle
 /// is nearest to it. Looks now and then, as the drive is checked later.
-bool Refuges::lets_pass(const Pose& pose, std::size_t passing) const {
+bool Refuges::lets_pass(const LocalPose& pose, std::size_t passing) const {
   const Path none{pose, {}};
   const moving::Encounters encounters({none, task_.vehicle}, task_.moving, margin_);
   const double way = reeds_shepp_length(task_.start, pose, task_.vehicle.min_turning_radius);

@@ -23,7 +23,7 @@ namespace vandplan::in_time {
 
 /// A refuge, and paths to it and on to the goal.
 struct Detour {
-  Pose refuge;
+  LocalPose refuge;
   std::vector<Segment> there = {};   ///< from the start; empty with a trailer: not known
   std::vector<Segment> onward = {};  ///< from the refuge to the goal; empty with a trailer
 };
@@ -41,13 +41,13 @@ class Refuges {
   [[nodiscard]] std::int64_t iterations() const { return draws_ + connector_.solves(); }
 
  private:
-  [[nodiscard]] Pose pose_beside(const Pose& on_path);
-  [[nodiscard]] bool lets_pass(const Pose& pose, std::size_t passing) const;
-  [[nodiscard]] std::optional<Detour> detour(const Path& path, double s, const Pose& refuge);
+  [[nodiscard]] LocalPose pose_beside(const LocalPose& on_path);
+  [[nodiscard]] bool lets_pass(const LocalPose& pose, std::size_t passing) const;
+  [[nodiscard]] std::optional<Detour> detour(const Path& path, double s, const LocalPose& refuge);
   [[nodiscard]] std::optional<std::vector<Segment>> way_there(const Path& path, double s,
-                                                              const Pose& refuge);
+                                                              const LocalPose& refuge);
   [[nodiscard]] std::optional<std::vector<Segment>> way_onward(const Path& path, double s,
-                                                               const Pose& refuge);
+                                                               const LocalPose& refuge);
 
   const Task& task_;
   search::Connector connector_;

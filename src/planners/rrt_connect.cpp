@@ -20,7 +20,7 @@ constexpr double least_progress = 0.1;  // of one step towards a pose, of the ra
 
 // One of the two trees. That of the goal is driven towards its root.
 struct Side {
-  Side(const Pose& root, double radius, bool of_goal)
+  Side(const LocalPose& root, double radius, bool of_goal)
       : tree(root, 64), nearest(radius), is_goal(of_goal) {
     nearest.add(root);
   }
@@ -33,7 +33,7 @@ struct Side {
 // How far a tree has come on the way to a pose.
 struct Reached {
   NodeId node;
-  Pose pose;
+  LocalPose pose;
   bool is_there;
   double left_before;  ///< from the nearest node, before this step [m]
 };
@@ -55,13 +55,13 @@ class Trees {
   Side& side(bool of_goal) { return sides_[of_goal ? 1 : 0]; }
 
   // One step from the nearest node of a tree towards a pose; none where that is blocked.
-  std::optional<Reached> extend(Side& side, const Pose& to) {
+  std::optional<Reached> extend(Side& side, const LocalPose& to) {
     ranking_time_.start();
     const auto [near, length, solves] = *side.nearest.nearest(to);
     ranking_time_.stop();
     nearest_solves_ += solves;
     if (length == 0.0) return Reached{near, to, true, length};
-    std::optional<Pose> end = to;
+    std::optional<LocalPose> end = to;
     if (length > range_) end = planning::part_way(connector_, side.tree.pose(near), to, range_);
     if (!end) return std::nullopt;
     const auto node = add(side, near, *end);
@@ -69,7 +69,7 @@ class Trees {
   }
 
   // Step after step towards a pose: its node, or none where they are blocked.
-  std::optional<NodeId> connect(Side& side, const Pose& to, const Budget& budget) {
+  std::optional<NodeId> connect(Side& side, const LocalPose& to, const Budget& budget) {
     double left = std::numeric_limits<double>::infinity();
     while (!is_full() && !budget.is_interrupted()) {
       const std::optional<Reached> reached = extend(side, to);
@@ -85,8 +85,8 @@ class Trees {
 
   // The path through a pose that both trees have reached.
   void finish(NodeId of_start, NodeId of_goal, const Budget& budget, PlannerAnswer& answer) {
-    std::vector<Pose> poses = sides_[0].tree.branch(of_start);
-    const std::vector<Pose> rest = sides_[1].tree.branch(of_goal);
+    std::vector<LocalPose> poses = sides_[0].tree.branch(of_start);
+    const std::vector<LocalPose> rest = sides_[1].tree.branch(of_goal);
     poses.insert(poses.end(), rest.rbegin() + 1, rest.rend());
     answer.status = PlanStatus::solved;
     answer.anytime.push_back(
@@ -118,8 +118,8 @@ class Trees {
 
  private:
   // Adds a node beside another one, if the way between them is free.
-  std::optional<NodeId> add(Side& side, NodeId near, const Pose& pose) {
-    const Pose from = side.tree.pose(near);
+  std::optional<NodeId> add(Side& side, NodeId near, const LocalPose& pose) {
+    const LocalPose from = side.tree.pose(near);
     const auto edge = side.is_goal ? planning::edge_between(connector_, pose, from)
                                    : planning::edge_between(connector_, from, pose);
     if (!edge) return std::nullopt;
@@ -154,7 +154,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
   PlannerAnswer answer;
   Budget budget(options.budget);
   Rng rng(options.budget.seed);
-  const Bounds region = sampling_region(task, planning::region_of(options));
+  const Local<Bounds> region = sampling_region(task, planning::region_of(options));
   Trees trees(task, options);  // [1]
   bool from_goal = false;
   answer.status = PlanStatus::node_limit;
@@ -164,7 +164,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
       break;
     }
     const bool is_first = budget.iterations() == 1;
-    const Pose sample = is_first ? task.goal : uniform_pose(region, rng);             // [2]
+    const LocalPose sample = is_first ? task.goal : uniform_pose(region, rng);        // [2]
     if (const auto reached = trees.extend(trees.side(from_goal), sample)) {           // [3]
       const auto met = trees.connect(trees.side(!from_goal), reached->pose, budget);  // [4]
       if (met) {

@@ -67,13 +67,13 @@ class Run {
             std::min(region.y_max, (a.y + b.y) / 2 + reach)};
   }
   // Whether a way through a pose could be shorter than the best one.
-  [[nodiscard]] bool is_of_use(const Pose& pose) const {
+  [[nodiscard]] bool is_of_use(const LocalPose& pose) const {
     return !informed_ || goal_.from < 0 ||
            length(task_.start, pose) + length(pose, task_.goal) < cost();
   }
 
   // Step [3]: as far towards the sample as an edge may go.
-  std::optional<Pose> towards(const Pose& sample) {
+  std::optional<LocalPose> towards(const LocalPose& sample) {
     ranking_time_.start();
     const auto [near, length, solves] = *nearest_.nearest(sample);
     ranking_time_.stop();
@@ -83,7 +83,7 @@ class Run {
   }
 
   // Step [4]: the nodes to be rewired, by what the pose costs through them.
-  void find_near(const Pose& pose) {
+  void find_near(const LocalPose& pose) {
     ranking_time_.start();
     const auto size = static_cast<double>(tree_.size());
     // e (1 + 1/d) ln n, of d = 3 dimensions (Karaman & Frazzoli 2011).
@@ -99,7 +99,7 @@ class Run {
   }
 
   // Step [5]: the near node through which the pose costs least.
-  std::optional<LastEdge> best_parent(const Pose& pose, double cutoff) {
+  std::optional<LastEdge> best_parent(const LocalPose& pose, double cutoff) {
     std::optional<LastEdge> best;
     for (const Candidate& candidate : near_) {
       if (candidate.total >= cutoff) break;
@@ -113,14 +113,14 @@ class Run {
     return best;
   }
 
-  NodeId add(const Pose& pose, const LastEdge& edge) {
+  NodeId add(const LocalPose& pose, const LastEdge& edge) {
     nearest_.add(pose);
     return tree_.add(pose, edge.from, edge.cost);
   }
 
   // Step [6]: the near nodes that cost less through the new one are put below it.
   void rewire(NodeId added) {
-    const Pose pose = tree_.pose(added);
+    const LocalPose pose = tree_.pose(added);
     const double so_far = tree_.cost_to_come(added);
     for (const Candidate& candidate : near_) {
       const double cost = tree_.cost_to_come(candidate.id);
@@ -147,7 +147,7 @@ class Run {
   // What was found, counted and measured, and the tree if it is wanted.
   void report(const PlanOptions& options, PlannerAnswer& answer) {
     if (goal_.from >= 0) {
-      std::vector<Pose> poses = tree_.branch(goal_.from);
+      std::vector<LocalPose> poses = tree_.branch(goal_.from);
       poses.push_back(task_.goal);
       answer.status = PlanStatus::solved;
       answer.segments = planning::segments_along(connector_, poses);
@@ -211,9 +211,9 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
       break;
     }
     const auto [state, is_goal] = sampler.next(run.region_of_use(sampler.region()));  // [2]
-    const Pose& sample = state.pose;
+    const LocalPose sample(state.pose);
     if (!run.is_of_use(sample)) continue;
-    const std::optional<Pose> pose = is_goal ? sample : run.towards(sample);  // [3]
+    const std::optional<LocalPose> pose = is_goal ? sample : run.towards(sample);  // [3]
     if (!pose) continue;
     run.find_near(*pose);                                                         // [4]
     const auto parent = run.best_parent(*pose, is_goal ? run.cost() : infinity);  // [5]

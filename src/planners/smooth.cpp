@@ -88,7 +88,7 @@ class Smoother {
 /// as rounding tells.
 bool Smoother::is_drivable(Connector& connector) const {
   Driven before = gears_at_ends(task_, connector.rule()).before;
-  Pose pose = old_.start;
+  LocalPose pose(old_.start);
   for (const Segment& segment : old_.segments) {
     if (!anytime::can_drive(connector, segment)) return false;
     if (!anytime::may_follow(connector, before, segment)) return false;

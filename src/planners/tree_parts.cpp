@@ -31,8 +31,8 @@ Sample Sampler::next(const Bounds& box) {
   return {state, false};
 }
 
-std::optional<Connection> edge_between(Connector& connector, const Pose& from, const Pose& to,
-                                       double cost_so_far, double cutoff) {
+std::optional<Connection> edge_between(Connector& connector, const LocalPose& from,
+                                       const LocalPose& to, double cost_so_far, double cutoff) {
   // An edge is steered again in the end: a continuous piece is the same one if both times nothing
   // cuts the search for it short.
   const double limit =
@@ -42,7 +42,8 @@ std::optional<Connection> edge_between(Connector& connector, const Pose& from, c
   return edge;
 }
 
-std::optional<Pose> part_way(Connector& connector, const Pose& from, const Pose& to, double range) {
+std::optional<LocalPose> part_way(Connector& connector, const LocalPose& from, const LocalPose& to,
+                                  double range) {
   const std::optional<Piece> piece = connector.steer(from, to);
   if (!piece) return std::nullopt;
   if (piece->length <= range) return to;
@@ -52,7 +53,7 @@ std::optional<Pose> part_way(Connector& connector, const Pose& from, const Pose&
   return cut >= piece->length ? to : end_of(from, prefix(*piece, cut));
 }
 
-std::vector<Segment> segments_along(Connector& connector, const std::vector<Pose>& poses) {
+std::vector<Segment> segments_along(Connector& connector, const std::vector<LocalPose>& poses) {
   std::vector<Segment> segments;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const std::optional<Piece> piece = connector.steer(poses[i - 1], poses[i]);

@@ -46,17 +46,17 @@ class Sampler {
 /// The edge between two poses, the first of which costs `cost_so_far` [m], if it is free and
 /// reaches the second below the cutoff of cost.
 [[nodiscard]] std::optional<search::Connection> edge_between(
-    search::Connector& connector, const Pose& from, const Pose& to, double cost_so_far = 0.0,
-    double cutoff = std::numeric_limits<double>::infinity());
+    search::Connector& connector, const LocalPose& from, const LocalPose& to,
+    double cost_so_far = 0.0, double cutoff = std::numeric_limits<double>::infinity());
 
 /// A pose on the way from one to another, `range` metres along it or as near to that as the way may
 /// be cut; none where that is hardly anywhere. The other pose itself if it is nearer.
-[[nodiscard]] std::optional<Pose> part_way(search::Connector& connector, const Pose& from,
-                                           const Pose& to, double range);
+[[nodiscard]] std::optional<LocalPose> part_way(search::Connector& connector, const LocalPose& from,
+                                                const LocalPose& to, double range);
 
 /// The segments along poses, joined as `Connector::steer` joins them.
 [[nodiscard]] std::vector<Segment> segments_along(search::Connector& connector,
-                                                  const std::vector<Pose>& poses);
+                                                  const std::vector<LocalPose>& poses);
 
 /// What was counted in a run: nodes, exact lengths worked out, edges checked.
 [[nodiscard]] std::vector<Counter> counters_of(std::size_t nodes, std::int64_t solves,

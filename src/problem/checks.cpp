@@ -161,9 +161,9 @@ Point local_point(const Point& point, const Point& origin) {
   return {base::moved(point.x, -origin.x), base::moved(point.y, -origin.y)};
 }
 
-Pose local_pose(const Pose& pose, const Point& origin) {
+LocalPose local_pose(const Pose& pose, const Point& origin) {
   const Point position = local_point({pose.x, pose.y}, origin);
-  return {position.x, position.y, wrap_angle(pose.heading)};
+  return Local(Pose{position.x, position.y, wrap_angle(pose.heading)});
 }
 
 Point local_origin(const Point& near) { return {std::round(near.x), std::round(near.y)}; }

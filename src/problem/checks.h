@@ -67,7 +67,7 @@ void check_row_distance(double distance, const std::string& where);
 /// A point of the scenario's frame in the frame of `origin`, exact on the decimals that were
 /// written.
 [[nodiscard]] Point local_point(const Point& point, const Point& origin);
-[[nodiscard]] Pose local_pose(const Pose& pose, const Point& origin);
+[[nodiscard]] LocalPose local_pose(const Pose& pose, const Point& origin);
 
 /// `near`, rounded to whole metres.
 [[nodiscard]] Point local_origin(const Point& near);

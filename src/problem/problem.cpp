@@ -167,15 +167,15 @@ Task task_of(const Problem& problem, const ClearanceOptions& options, Steering s
   if (options.margin == 0.0) return task;
   Margin margin{.wanted = options.margin};
   if (options.margin_ramp > 0.0) {
-    for (const RigState& state : {RigState{task.start, task.hitch_angles.start},
-                                  RigState{task.goal, task.hitch_angles.goal}}) {
+    for (const auto& state : {Local(RigState{task.start, task.hitch_angles.start}),
+                              Local(RigState{task.goal, task.hitch_angles.goal})}) {
       const Pose& pose = state.pose;
       const double clearance = task.checker->rig_clearance(state, options.margin);
       if (clearance == 0.0 || clearance >= options.margin) continue;
       // The checker asks for up to its tolerance more than the margin: so that the pose itself, at
       // exactly its clearance, is free.
       const double least = std::max(clearance - CollisionChecker::tolerance, 0.0);
-      margin.ramps.push_back({{pose.x, pose.y}, least, options.margin_ramp});
+      margin.ramps.push_back({Local(Point{pose.x, pose.y}), least, options.margin_ramp});
     }
   }
   task.least_margin = margin.least();
@@ -183,19 +183,19 @@ Task task_of(const Problem& problem, const ClearanceOptions& options, Steering s
   return task;
 }
 
-Pose to_local(const World& world, const Pose& pose) noexcept {
+LocalPose to_local(const World& world, const Pose& pose) noexcept {
   return problem::local_pose(pose, world.origin());
 }
 
-Pose to_scenario(const World& world, const Pose& pose) noexcept {
+Pose to_scenario(const World& world, const LocalPose& pose) noexcept {
   return {base::moved(pose.x, world.origin().x), base::moved(pose.y, world.origin().y),
           pose.heading};
 }
 
-Bounds sampling_region(const Task& task, Region region) noexcept {
+Local<Bounds> sampling_region(const Task& task, Region region) noexcept {
   const Surroundings& ground = task.world->local();
   const Bounds& bounds = ground.bounds;
-  if (region == Region::bounds) return bounds;
+  if (region == Region::bounds) return Local(bounds);
   constexpr double margin = 20.0;  // [m]
   const Point poses[] = {{task.start.x, task.start.y}, {task.goal.x, task.goal.y}};
   Bounds scene = bounding_box(poses);
@@ -206,10 +206,10 @@ Bounds sampling_region(const Task& task, Region region) noexcept {
   for (const Polygon& obstacle : ground.obstacles) add(bounding_box(obstacle));
   for (const Polygon& kerb : ground.kerbs) add(bounding_box(kerb));
   if (ground.map) add(bounding_box(outline(*ground.map)));
-  return {std::clamp(scene.x_min - margin, bounds.x_min, bounds.x_max),
-          std::clamp(scene.x_max + margin, bounds.x_min, bounds.x_max),
-          std::clamp(scene.y_min - margin, bounds.y_min, bounds.y_max),
-          std::clamp(scene.y_max + margin, bounds.y_min, bounds.y_max)};
+  return Local(Bounds{std::clamp(scene.x_min - margin, bounds.x_min, bounds.x_max),
+                      std::clamp(scene.x_max + margin, bounds.x_min, bounds.x_max),
+                      std::clamp(scene.y_min - margin, bounds.y_min, bounds.y_max),
+                      std::clamp(scene.y_max + margin, bounds.y_min, bounds.y_max)});
 }
 
 }  // namespace vandplan

@@ -142,7 +142,7 @@ class LiveDrive {
 
  private:
   [[nodiscard]] Pose in_scenario(const Pose& pose) const {
-    return to_scenario(*truth_.world(), pose);
+    return to_scenario(*truth_.world(), Local(pose));
   }
 
   void correct_estimate() {

@@ -87,7 +87,8 @@ Connector::Connector(const Task& task, const CostRule& rule, bool profile)
       steering_(profile),
       checking_(profile) {}
 
-std::optional<Connection> Connector::connect(const Pose& from, const Pose& to, const Terms& terms) {
+std::optional<Connection> Connector::connect(const LocalPose& from, const LocalPose& to,
+                                             const Terms& terms) {
   const std::optional<Piece> piece = steer(from, to, terms.gears, terms.cutoff - terms.cost_so_far);
   if (!piece) return std::nullopt;
   const double total = terms.cost_so_far + cost(*piece, terms.gears);
@@ -97,8 +98,8 @@ std::optional<Connection> Connector::connect(const Pose& from, const Pose& to, c
   return Connection{*piece, total + near};
 }
 
-std::optional<Piece> Connector::steer(const Pose& from, const Pose& to, const Gears& gears,
-                                      double cutoff) {
+std::optional<Piece> Connector::steer(const LocalPose& from, const LocalPose& to,
+                                      const Gears& gears, double cutoff) {
   ++solves_;
   steering_.start();
   std::optional<Piece> best;
@@ -126,7 +127,8 @@ bool Connector::may_jump(const Driven& before, const Driven& after) const {
 }
 
 // Ends where a vehicle stands first: no piece is shorter than one that begins and ends so.
-void Connector::find_ends(const Pose& pose, const Driven& beside, std::vector<End>& ends) const {
+void Connector::find_ends(const LocalPose& pose, const Driven& beside,
+                          std::vector<End>& ends) const {
   ends.clear();
   const bool between_stops = continuous_->continuity() == Continuity::between_stops;
   const bool is_known = !std::isnan(beside.curvature);
@@ -144,7 +146,7 @@ void Connector::find_ends(const Pose& pose, const Driven& beside, std::vector<En
   ends.push_back({false, 0.0, is_one_gear ? beside.gear : 0});
 }
 
-std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& to,
+std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const LocalPose& to,
                                                  const Gears& gears, double cutoff) {
   const double shortest = reeds_shepp_length(from, to, radius_);
   if (from == to || shortest >= cutoff) return std::nullopt;
@@ -197,7 +199,7 @@ std::optional<Piece> Connector::continuous_piece(const Pose& from, const Pose& t
 
 // Among all words, those with the fewest gear changes first: each one more has to be worth its
 // price, and most of them are not. Where costs are equal, the fewest segments.
-Piece Connector::cheapest_word(const Pose& from, const Pose& to, const Gears& gears,
+Piece Connector::cheapest_word(const LocalPose& from, const LocalPose& to, const Gears& gears,
                                const Piece& shortest, double cutoff) {
   // The piece to the goal is the last one: nothing is added to where it ends. Wide arcs seldom fit
   // between obstacles, and would hide the words that do.
@@ -221,7 +223,7 @@ Piece Connector::cheapest_word(const Pose& from, const Pose& to, const Gears& ge
   return best;
 }
 
-double Connector::least_cost(const Pose& from, const Pose& to, const Gears& gears) {
+double Connector::least_cost(const LocalPose& from, const LocalPose& to, const Gears& gears) {
   ++solves_;
   const double shortest = reeds_shepp_length(from, to, radius_);
   if (rule_.is_length()) return shortest;
@@ -245,7 +247,7 @@ double Connector::cost(const Piece& piece, const Gears& gears) const {
   return sum + change_cost(rule_, driven, gears.after);
 }
 
-bool Connector::is_free(const Pose& from, const Piece& piece) {
+bool Connector::is_free(const LocalPose& from, const Piece& piece) {
   ++checks_;
   checking_.start();
   const bool free = checker_.is_free(from, piece.view());
@@ -253,14 +255,14 @@ bool Connector::is_free(const Pose& from, const Piece& piece) {
   return free;
 }
 
-bool Connector::is_free(const Pose& from, const Segment& segment) {
+bool Connector::is_free(const LocalPose& from, const Segment& segment) {
   ++checks_;
   return checker_.is_free(from, segment);
 }
 
-Piece Connector::free_prefix(const Pose& from, const Piece& piece) {
+Piece Connector::free_prefix(const LocalPose& from, const Piece& piece) {
   Piece result;
-  Pose pose = from;
+  LocalPose pose = from;
   for (const Segment& segment : piece.view()) {
     if (is_free(pose, segment)) {
       append(result, segment);

@@ -42,8 +42,9 @@ struct Looked {
   [[nodiscard]] double clearance(double driven, double most, double enough) const {
     const Segment part = part_of(segment, 0.0, driven);
     const CollisionChecker& checker = *task.checker;
-    if (!task.vehicle.trailer) return checker.clearance(advance(from.pose, part), most, enough);
-    return checker.rig_clearance(advance(task.vehicle, from, part), most, enough);
+    if (!task.vehicle.trailer)
+      return checker.clearance(Local(advance(from.pose, part)), most, enough);
+    return checker.rig_clearance(Local(advance(task.vehicle, from, part)), most, enough);
   }
 
   /// How fast any point of the bodies moves, for each metre driven.
@@ -73,7 +74,7 @@ struct LookSteps {
 /// millimetre.
 class Steps {
  public:
-  explicit Steps(const Looked& looked) : looked_(looked), pose_(looked.from.pose) {}
+  explicit Steps(const Looked& looked) : looked_(looked), pose_(Local(looked.from.pose)) {}
 
   [[nodiscard]] double clearance(double driven, double most, double enough) {
     if (looked_.task.vehicle.trailer) return looked_.clearance(driven, most, enough);
@@ -90,7 +91,7 @@ class Steps {
   static constexpr double most_off = 1e-3;  // [m]
 
   const Looked& looked_;
-  Pose pose_;
+  LocalPose pose_;
   double driven_ = 0.0;
 };
 
@@ -247,12 +248,13 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments, Drive
   return sum;
 }
 
-double clearance_cost(const Task& task, const CostRule& rule, const Pose& from,
+double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
                       std::span<const Segment> segments, Looks looks, double cutoff) {
-  return rig_clearance_cost(task, rule, {from, task.hitch_angles.start}, segments, looks, cutoff);
+  return rig_clearance_cost(task, rule, Local(RigState{from, task.hitch_angles.start}), segments,
+                            looks, cutoff);
 }
 
-double rig_clearance_cost(const Task& task, const CostRule& rule, const RigState& from,
+double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<RigState>& from,
                           std::span<const Segment> segments, Looks looks, double cutoff) {
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;

@@ -88,9 +88,9 @@ void DriveField::look_towards(const DriveField& opposite) {
   push({opposite.onward(*this, nodes_.front()).cost, 0});
 }
 
-Pose DriveField::pose(const Node& node) const {
-  return {static_cast<double>(node.x), static_cast<double>(node.y),
-          wrap_angle(root_.heading + node.heading * turn_)};
+LocalPose DriveField::pose(const Node& node) const {
+  return Local(Pose{static_cast<double>(node.x), static_cast<double>(node.y),
+                    wrap_angle(root_.heading + node.heading * turn_)});
 }
 
 Segment DriveField::step_to(const Node& node) const {

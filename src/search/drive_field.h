@@ -65,7 +65,7 @@ class DriveField {
   [[nodiscard]] const Node& node(std::int32_t id) const {
     return nodes_[static_cast<std::size_t>(id)];
   }
-  [[nodiscard]] Pose pose(const Node& node) const;
+  [[nodiscard]] LocalPose pose(const Node& node) const;
   /// The step that leads to a node.
   [[nodiscard]] Segment step_to(const Node& node) const;
 

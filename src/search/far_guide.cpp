@@ -128,7 +128,7 @@ void FarGuide::mark(Tile& tile, const RasterCell& first, const Point& a, const P
 
 bool FarGuide::is_closed(const RasterCell& cell) const {
   const Point centre = centre_of(cell);
-  return !contains(box_, centre) || (map_ != nullptr && map_->map_is_within(centre, near_));
+  return !contains(box_, centre) || (map_ != nullptr && map_->map_is_within(Local(centre), near_));
 }
 
 std::int64_t FarGuide::rank_of(const RasterCell& cell, std::int32_t cost) const noexcept {

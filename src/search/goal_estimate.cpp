@@ -111,9 +111,8 @@ GoalEstimate make_goal_estimate(std::string_view name, const Task& task,
 GoalEstimate max_of(GoalEstimate a, GoalEstimate b) {
   GoalEstimate larger{.name = "max-" + a.name + "-" + b.name,
                       .is_admissible = a.is_admissible && b.is_admissible};
-  larger.length = [first = std::move(a.length), second = std::move(b.length)](const Pose& from) {
-    return std::max(first(from), second(from));
-  };
+  larger.length = [first = std::move(a.length), second = std::move(b.length)](
+                      const LocalPose& from) { return std::max(first(from), second(from)); };
   return larger;
 }
 

@@ -137,7 +137,7 @@ std::int64_t GridDistance::mark_side(const Point& a, const Point& b, double near
 // When it is first reached: most cells of a large map never are.
 bool GridDistance::is_blocked_by_map(const RasterCell& cell) const {
   if (cell == root_ || cell == cell_of(target_)) return false;
-  return map_->map_is_within(centre_of(cell), near_);
+  return map_->map_is_within(Local(centre_of(cell)), near_);
 }
 
 Point GridDistance::centre_of(const RasterCell& cell) const noexcept {
@@ -147,7 +147,7 @@ Point GridDistance::centre_of(const RasterCell& cell) const noexcept {
 // Of a metre, where in the cell it is least.
 double GridDistance::price_at(const RasterCell& cell) const {
   double gap = gaps_[index_of(cell)];
-  if (map_ != nullptr) gap = std::min(gap, map_->map_distance(centre_of(cell)).most);
+  if (map_ != nullptr) gap = std::min(gap, map_->map_distance(Local(centre_of(cell))).most);
   const double clearance = std::max(0.0, gap + side_ / 2 - disc_);
   return 1.0 + price_.weight * std::max(0.0, 1.0 - clearance / price_.distance);
 }

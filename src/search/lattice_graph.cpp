@@ -71,11 +71,11 @@ LatticeGraph::LatticeGraph(const Task& task, LatticeParts parts)
   for (const Primitive& p : primitives.all()) moves_.push_back({p.dx, p.dy, p.to, p.piece.length});
 }
 
-Pose LatticeGraph::pose_of(const Vertex& vertex) const noexcept {
+LocalPose LatticeGraph::pose_of(const Vertex& vertex) const noexcept {
   const double x = vertex.x * parts_.primitives->step();
   const double y = vertex.y * parts_.primitives->step();
-  return {frame_.x + cos_ * x - sin_ * y, frame_.y + sin_ * x + cos_ * y,
-          headings_[static_cast<std::size_t>(vertex.heading)]};
+  return Local(Pose{frame_.x + cos_ * x - sin_ * y, frame_.y + sin_ * x + cos_ * y,
+                    headings_[static_cast<std::size_t>(vertex.heading)]});
 }
 
 std::int32_t LatticeGraph::first_move(std::int32_t heading) const noexcept {

@@ -53,7 +53,7 @@ class LatticeGraph {
   LatticeGraph(const Task& task, LatticeParts parts);
 
   [[nodiscard]] const Vertex& goal() const noexcept { return goal_; }
-  [[nodiscard]] Pose pose_of(const Vertex& vertex) const noexcept;
+  [[nodiscard]] LocalPose pose_of(const Vertex& vertex) const noexcept;
   /// Moves that begin with a heading; `first_move` is the position of the first one in `piece`.
   [[nodiscard]] std::span<const Move> moves(std::int32_t heading) const noexcept;
   [[nodiscard]] std::int32_t first_move(std::int32_t heading) const noexcept;

@@ -15,7 +15,7 @@ Milestones::Milestones(std::shared_ptr<const CollisionChecker> checker, double r
       nearest_(radius) {}
 
 void Milestones::sample() {
-  const Pose pose = uniform_pose(options_.region, rng_);
+  const LocalPose pose = uniform_pose(options_.region, rng_);
   ++samples_;
   if (!checker_->is_free(pose)) return;
   const NearWanted wanted{.count = static_cast<std::size_t>(options_.neighbours)};

@@ -15,8 +15,8 @@ namespace vandplan::search {
 
 /// What says which poses are drawn and joined.
 struct MilestoneOptions {
-  Bounds region = {};  ///< where poses are drawn, in the frame of the world [m]
-  int neighbours = 1;  ///< older ones that each is joined to; >= 1
+  Local<Bounds> region = {};  ///< where poses are drawn, in the frame of the world [m]
+  int neighbours = 1;         ///< older ones that each is joined to; >= 1
   std::uint64_t seed = 1;
   bool operator==(const MilestoneOptions&) const = default;
 };
@@ -38,7 +38,7 @@ class Milestones {
   [[nodiscard]] const MilestoneOptions& options() const { return options_; }
   [[nodiscard]] std::int64_t samples() const { return samples_; }
   [[nodiscard]] std::size_t size() const { return poses_.size(); }
-  [[nodiscard]] const std::vector<Pose>& poses() const { return poses_; }
+  [[nodiscard]] const std::vector<LocalPose>& poses() const { return poses_; }
   /// To older ones: those of the first milestone, of the second one, ...
   [[nodiscard]] const std::vector<NearNode>& edges() const { return edges_; }
   /// Where those of each milestone begin, and where the last ones end.
@@ -51,7 +51,7 @@ class Milestones {
   MilestoneOptions options_;
   Rng rng_;
   std::int64_t samples_ = 0;
-  std::vector<Pose> poses_;
+  std::vector<LocalPose> poses_;
   std::vector<NearNode> edges_;
   std::vector<std::int32_t> first_edge_ = {0};
   NearestNodes nearest_;

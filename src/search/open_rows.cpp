@@ -199,7 +199,7 @@ void OpenRows::close_near_map(double y) {
   }
   for (std::int32_t x = begin; x < std::min(end, columns_);) {
     const Point middle{box_.x_min + (x + 0.5) * side_, y};
-    const CollisionChecker::Range range = task_->checker->map_distance(middle);
+    const CollisionChecker::Range range = task_->checker->map_distance(Local(middle));
     const bool is_open = range.least > near_ + rounding;
     const bool is_closed = range.most < near_ - rounding;
     const double sure = is_open     ? range.least - near_ - rounding
@@ -207,7 +207,7 @@ void OpenRows::close_near_map(double y) {
                                     : 0.0;
     const double cells = std::min(sure / side_, 1e6);
     const std::int32_t next = x + 1 + static_cast<std::int32_t>(cells);
-    if (is_closed || (!is_open && task_->checker->map_is_within(middle, near_))) {
+    if (is_closed || (!is_open && task_->checker->map_is_within(Local(middle), near_))) {
       closed_.push_back({x, std::min(next, columns_)});
     }
     x = next;

@@ -177,7 +177,7 @@ bool PoseBoxes::is_hit(const Pose& middle) const {
   if (!core_) return false;
   const auto [sin, cos] = base::sin_cos(middle.heading);
   const Pose core{middle.x + ahead_ * cos, middle.y + ahead_ * sin, middle.heading};
-  return is_within(task_.world->local().bounds, {core.x, core.y}) && !core_->is_free(core);
+  return is_within(task_.world->local().bounds, {core.x, core.y}) && !core_->is_free(Local(core));
 }
 
 Pose PoseBoxes::middle_of(const Column& column, double heading) const {

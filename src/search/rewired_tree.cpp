@@ -6,9 +6,9 @@
 
 namespace vandplan::search {
 
-RewiredTree::RewiredTree(const Pose& root) { nodes_.push_back({root, 0.0}); }
+RewiredTree::RewiredTree(const LocalPose& root) { nodes_.push_back({root, 0.0}); }
 
-NodeId RewiredTree::add(const Pose& pose, NodeId parent, double edge_cost) {
+NodeId RewiredTree::add(const LocalPose& pose, NodeId parent, double edge_cost) {
   const auto id = static_cast<NodeId>(nodes_.size());
   nodes_.push_back({pose, edge_cost});
   put_in(id, parent, edge_cost);
@@ -46,8 +46,8 @@ void RewiredTree::put_in(NodeId id, NodeId parent, double edge_cost) {
   at(parent).first_child = id;
 }
 
-std::vector<Pose> RewiredTree::branch(NodeId id) const {
-  std::vector<Pose> poses;
+std::vector<LocalPose> RewiredTree::branch(NodeId id) const {
+  std::vector<LocalPose> poses;
   for (NodeId i = id; i >= 0; i = parent(i)) poses.push_back(pose(i));
   std::ranges::reverse(poses);
   return poses;

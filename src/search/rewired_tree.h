@@ -13,22 +13,22 @@ namespace vandplan::search {
 /// all nodes below it follow.
 class RewiredTree {
  public:
-  explicit RewiredTree(const Pose& root);
+  explicit RewiredTree(const LocalPose& root);
 
   /// Adds a node below another, at the end of an edge of that cost [m].
-  NodeId add(const Pose& pose, NodeId parent, double edge_cost);
+  NodeId add(const LocalPose& pose, NodeId parent, double edge_cost);
 
   /// Puts a node with all below it under another parent, which is not one of them.
   void move(NodeId node, NodeId parent, double edge_cost);
 
   [[nodiscard]] std::size_t size() const noexcept { return nodes_.size(); }
-  [[nodiscard]] const Pose& pose(NodeId id) const noexcept { return at(id).pose; }
+  [[nodiscard]] const LocalPose& pose(NodeId id) const noexcept { return at(id).pose; }
   [[nodiscard]] NodeId parent(NodeId id) const noexcept { return at(id).parent; }
   /// Cost of the path from the root [m].
   [[nodiscard]] double cost_to_come(NodeId id) const noexcept { return at(id).cost_to_come; }
 
   /// The poses from the root to the node, both included.
-  [[nodiscard]] std::vector<Pose> branch(NodeId id) const;
+  [[nodiscard]] std::vector<LocalPose> branch(NodeId id) const;
 
   /// The nodes as they were added, but for those whose parent came after them: they follow it.
   [[nodiscard]] TreeSnapshot snapshot() const;
@@ -36,7 +36,7 @@ class RewiredTree {
  private:
   /// The children of a node are a list that goes both ways; -1: there is none.
   struct Node {
-    Pose pose;
+    LocalPose pose;
     double edge_cost;
     double cost_to_come = 0.0;
     NodeId parent = -1, first_child = -1, next = -1, previous = -1;

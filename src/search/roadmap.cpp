@@ -40,13 +40,13 @@ struct Roadmap::Data {
     const auto i = static_cast<std::size_t>(node);
     return std::span(arcs).subspan(first_arc[i], first_arc[i + 1] - first_arc[i]);
   }
-  [[nodiscard]] const Pose& pose(std::int32_t node) const {
+  [[nodiscard]] const LocalPose& pose(std::int32_t node) const {
     return poses[static_cast<std::size_t>(node)];
   }
   [[nodiscard]] std::atomic<std::uint8_t>& state(std::int32_t edge) const {
     return states[static_cast<std::size_t>(edge)];
   }
-  [[nodiscard]] bool may_drive(const Pose& from, const Pose& to) const {
+  [[nodiscard]] bool may_drive(const LocalPose& from, const LocalPose& to) const {
     return checker->is_free(from, reeds_shepp(from, to, radius).view());
   }
   /// Whether an edge is free: looked up, or else found out, always from the same end of it.
@@ -56,7 +56,7 @@ struct Roadmap::Data {
   double radius;  // of turning [m]
   std::int64_t samples;
   std::size_t neighbours;
-  std::vector<Pose> poses;
+  std::vector<LocalPose> poses;
   NearestNodes nearest;
   std::vector<std::size_t> first_arc;  // of each node, and the end of the last one's
   std::vector<Arc> arcs;
@@ -114,7 +114,7 @@ bool Roadmap::Data::may_drive(std::int32_t edge, std::int32_t a, std::int32_t b)
 //   [4]   for each neighbour: add the way on to there to open, unless a free one is shorter
 class Roadmap::Data::Query {
  public:
-  Query(const Data& map, const Pose& from, const Pose& to, const RouteOptions& options)
+  Query(const Data& map, const LocalPose& from, const LocalPose& to, const RouteOptions& options)
       : map_(map),
         options_(options),
         from_(from),
@@ -176,7 +176,7 @@ class Roadmap::Data::Query {
 
   Node& at(std::int32_t node) { return nodes_[static_cast<std::size_t>(node)]; }
 
-  const Pose& pose(std::int32_t node) const {
+  const LocalPose& pose(std::int32_t node) const {
     return node == start_ ? from_ : node == goal_ ? to_ : map_.pose(node);
   }
 
@@ -247,7 +247,7 @@ class Roadmap::Data::Query {
 
   const Data& map_;
   const RouteOptions& options_;
-  Pose from_, to_;
+  LocalPose from_, to_;
   std::int32_t start_, goal_;
   std::vector<Node> nodes_;           // milestones, start and goal
   std::vector<NearNode> from_start_;  // where pieces from the start lead
@@ -268,7 +268,8 @@ Roadmap::~Roadmap() = default;
 Roadmap::Roadmap(Roadmap&& other) noexcept = default;
 Roadmap& Roadmap::operator=(Roadmap&& other) noexcept = default;
 
-RoadmapAnswer Roadmap::route(const Pose& from, const Pose& to, const RouteOptions& options) const {
+RoadmapAnswer Roadmap::route(const LocalPose& from, const LocalPose& to,
+                             const RouteOptions& options) const {
   return Data::Query(*data_, from, to, options).run();
 }
 
@@ -302,7 +303,7 @@ Roadmap build_roadmap(const World& world, const Vehicle& vehicle, const RoadmapO
   expect_in_range("nodes", static_cast<double>(options.nodes), 1, 1e6);
   expect_in_range("neighbours", options.neighbours, 1, 100);
   expect_in_range("margin", options.margin, 0, 1000);
-  const Bounds region = options.region.value_or(world.local().bounds);
+  const Local<Bounds> region = options.region.value_or(Local(world.local().bounds));
   search::Milestones milestones(world.checker(vehicle, {.wanted = options.margin}),
                                 vehicle.min_turning_radius,
                                 {region, options.neighbours, options.seed});

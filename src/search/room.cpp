@@ -106,7 +106,7 @@ float Room::distance_of(std::int32_t column, std::int32_t row) noexcept {
   if (map_ == nullptr || is_asked_[cell]) return distance;
   is_asked_[cell] = true;
   const Point centre{box_.x_min + (column + 0.5) * side_, box_.y_min + (row + 0.5) * side_};
-  distance = std::min(distance, static_cast<float>(map_->map_distance(centre).most));
+  distance = std::min(distance, static_cast<float>(map_->map_distance(Local(centre)).most));
   return distance;
 }
 

@@ -13,8 +13,8 @@ double Route::length() const {
   return sum;
 }
 
-void drive_on(std::vector<Leg>& legs, const Segment& segment, const Pose& end, std::size_t most,
-              bool begins_leg) {
+void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& end,
+              std::size_t most, bool begins_leg) {
   Leg* leg = legs.empty() ? nullptr : &legs.back();
   Segment* last = leg == nullptr ? nullptr : &leg->piece.segments[leg->piece.count - 1U];
   if (last != nullptr && last->curvature == segment.curvature && last->curvature_rate == 0.0 &&
@@ -81,7 +81,7 @@ Route part_of(const Route& route, double begin, double end) {
     const bool is_last = next >= end;
     if (next > begin) {
       const Piece head = is_last && next > end ? prefix(leg.piece, end - driven) : leg.piece;
-      const Pose to = is_last && next > end ? end_of(route.begin_of(i), head) : leg.end;
+      const LocalPose to = is_last && next > end ? end_of(route.begin_of(i), head) : leg.end;
       const bool is_cut = begin > driven;
       if (is_cut) result.start = end_of(route.begin_of(i), prefix(leg.piece, begin - driven));
       if (result.legs.empty() && !is_cut) result.start = route.begin_of(i);

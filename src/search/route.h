@@ -12,19 +12,19 @@ namespace vandplan::search {
 /// A piece and the exact pose it leads to.
 struct Leg {
   Piece piece;
-  Pose end;
+  LocalPose end;
   double clearance_cost = 0.0;  ///< what being near things adds to its cost [m]
 };
 
 /// From the start through via poses to the goal.
 struct Route {
-  Pose start;
+  LocalPose start;
   std::vector<Leg> legs;
   double cost = 0.0;
 
   [[nodiscard]] double length() const;
   /// Where leg `i` begins.
-  [[nodiscard]] const Pose& begin_of(std::size_t i) const {
+  [[nodiscard]] const LocalPose& begin_of(std::size_t i) const {
     return i == 0 ? start : legs[i - 1].end;
   }
 };
@@ -35,7 +35,7 @@ inline constexpr std::size_t segments_of_leg = 5;
 /// Drives on to `end`: the last segment goes on where both are alike, an arc or a line in the same
 /// gear; else the segment begins a leg, if it has to or the last one has `most` of them, or joins
 /// that one.
-void drive_on(std::vector<Leg>& legs, const Segment& segment, const Pose& end,
+void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& end,
               std::size_t most = segments_of_leg, bool begins_leg = false);
 
 /// What is driven before the start and after the goal, as far as the task and the rule say.

@@ -6,7 +6,7 @@
 
 namespace vandplan::search {
 
-Tree::Tree(const Pose& root, std::size_t capacity) {
+Tree::Tree(const LocalPose& root, std::size_t capacity) {
   poses_.reserve(capacity);
   parents_.reserve(capacity);
   costs_.reserve(capacity);
@@ -14,7 +14,7 @@ Tree::Tree(const Pose& root, std::size_t capacity) {
   add(root, -1, 0.0);
 }
 
-NodeId Tree::add(const Pose& pose, NodeId parent, double cost_to_come) {
+NodeId Tree::add(const LocalPose& pose, NodeId parent, double cost_to_come) {
   const auto id = static_cast<NodeId>(poses_.size());
   poses_.push_back(pose);
   parents_.push_back(parent);
@@ -26,8 +26,8 @@ NodeId Tree::add(const Pose& pose, NodeId parent, double cost_to_come) {
   return id;
 }
 
-std::vector<Pose> Tree::branch(NodeId id) const {
-  std::vector<Pose> poses;
+std::vector<LocalPose> Tree::branch(NodeId id) const {
+  std::vector<LocalPose> poses;
   for (NodeId i = id; i >= 0; i = parent(i)) poses.push_back(pose(i));
   std::reverse(poses.begin(), poses.end());
   return poses;

@@ -100,7 +100,7 @@ void VoronoiField::seed_inside(const Polygon& polygon) {
 void VoronoiField::seed_map_row() {
   for (std::int32_t x = 0; x < columns_; ++x) {
     const Spot spot{x, map_row_};
-    if (task_.checker->map_is_within(centre_of(spot), side_ / 2)) seed(obstacles_, spot);
+    if (task_.checker->map_is_within(Local(centre_of(spot)), side_ / 2)) seed(obstacles_, spot);
   }
   ++map_row_;
 }

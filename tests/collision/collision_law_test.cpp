@@ -116,7 +116,7 @@ TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
     const Case c = any_case(rng);
     const OracleBody body(c.vehicle);
     const CollisionChecker checker(c.vehicle, yard_of(c));
-    if (checker.is_free(c.path.start, c.path.segments)) {
+    if (checker.is_free(Local(c.path.start), c.path.segments)) {
       const Problem problem = problem_of_path(yard_of(c), c.path, c.vehicle);
       const PathCheck check = check_path(problem, c.path, {});
       EXPECT_TRUE(check.valid) << check.reason << "; " << described(c);
@@ -185,7 +185,7 @@ TEST(CollisionLaw, SidesMayEndFarAway) {
     }
     c.obstacles = {wedge};
     const CollisionChecker checker(c.vehicle, yard_of(c));
-    if (checker.is_free(c.path.start, c.path.segments)) {
+    if (checker.is_free(Local(c.path.start), c.path.segments)) {
       EXPECT_FALSE(comes_within(0, body, c.obstacles, c.path)) << described(c);
       ++accepted;
     } else {
@@ -219,7 +219,7 @@ TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
     c.obstacles = {polygon};
     const CollisionChecker checker(
         c.vehicle, Surroundings{.bounds = c.bounds, .obstacles = c.obstacles}, {.wanted = margin});
-    if (checker.is_free(c.path.start, c.path.segments)) {
+    if (checker.is_free(Local(c.path.start), c.path.segments)) {
       EXPECT_FALSE(comes_within(margin, body, c.obstacles, c.path))
           << margin << "; " << described(c);
       ++accepted;
@@ -264,7 +264,7 @@ TEST(CollisionLaw, ARampOfTheMarginIsKeptAndNoMoreThanThat) {
     Margin margin{.wanted = any_size(0.05, 2, rng)};
     for (const Pose& end : {c.path.start, end_pose(c.path)}) {
       margin.ramps.push_back(
-          {{end.x, end.y}, margin.wanted * uniform01(rng), any_size(0.1, 20, rng)});
+          {Local(Point{end.x, end.y}), margin.wanted * uniform01(rng), any_size(0.1, 20, rng)});
     }
     const Pose near = pose_at(c.path, uniform(0, whole, rng));
     Polygon polygon =
@@ -277,11 +277,11 @@ TEST(CollisionLaw, ARampOfTheMarginIsKeptAndNoMoreThanThat) {
     }
     c.obstacles = {polygon};
     const Surroundings yard{.bounds = c.bounds, .obstacles = c.obstacles};
-    if (CollisionChecker(c.vehicle, yard, margin).is_free(c.path.start, c.path.segments)) {
+    if (CollisionChecker(c.vehicle, yard, margin).is_free(Local(c.path.start), c.path.segments)) {
       EXPECT_GE(least_excess(margin, body, c), 0) << described(c);
       ++accepted;
       const CollisionChecker strict(c.vehicle, yard, {.wanted = margin.wanted});
-      accepted_by_ramp += !strict.is_free(c.path.start, c.path.segments);
+      accepted_by_ramp += !strict.is_free(Local(c.path.start), c.path.segments);
     } else {
       double steepest = 0;
       for (const Segment& segment : c.path.segments) {
@@ -308,9 +308,10 @@ TEST(CollisionLaw, TheClearanceIsTheDistanceOfTheOracle) {
     const double most = any_size(0.01, 100, rng);
     const double gap = gap_at(body, c.obstacles, c.path.start).distance;
     const double expected = std::min(gap, most);
-    EXPECT_NEAR(checker.clearance(c.path.start, most), expected, 1e-9) << most << described(c);
+    EXPECT_NEAR(checker.clearance(Local(c.path.start), most), expected, 1e-9)
+        << most << described(c);
     if (gap < infinity) {
-      EXPECT_NEAR(checker.clearance(c.path.start, infinity), gap, 1e-9) << described(c);
+      EXPECT_NEAR(checker.clearance(Local(c.path.start), infinity), gap, 1e-9) << described(c);
     }
     apart += expected > 0 && expected < most;
   });
@@ -339,7 +340,7 @@ TEST(CollisionLaw, TheRearAxleIsKeptInTheBoundsToAMicrometre) {
     const auto inflated = [&](double by) {
       return Bounds{bounds.x_min - by, bounds.x_max + by, bounds.y_min - by, bounds.y_max + by};
     };
-    if (checker.is_free(path.start, path.segments)) {
+    if (checker.is_free(Local(path.start), path.segments)) {
       EXPECT_TRUE(judged_within(path, bounds)) << as_code(path);
       ++accepted;
     } else {
@@ -374,10 +375,10 @@ TEST(CollisionLaw, ManyObstaclesAreHitExactlyIfOneOfThemIs) {
       Path path = any_edge(around, rng);
       Segment& first = path.segments[0];
       if (first.curvature_rate == 0 && chance(0.05, rng)) first.length *= any_size(1, 100, rng);
-      const bool free = all.is_free(path.start, path.segments);
+      const bool free = all.is_free(Local(path.start), path.segments);
       EXPECT_EQ(free, std::all_of(each.begin(), each.end(),
                                   [&](const auto& checker) {
-                                    return checker->is_free(path.start, path.segments);
+                                    return checker->is_free(Local(path.start), path.segments);
                                   }))
           << as_code(path);
       ++(free ? accepted : rejected);

@@ -44,7 +44,7 @@ void expect_law(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& p
            as_code(grid.origin) + ", " + std::to_string(grid.columns) + " x " +
            std::to_string(grid.rows) + ": " + as_code(squares_of(grid));
   };
-  if (problem.task().checker->is_free(path.start, path.segments)) {
+  if (problem.task().checker->is_free(Local(path.start), path.segments)) {
     const PathCheck check = check_path(problem, path, {});
     EXPECT_TRUE(check.valid) << check.reason << "; " << described();
     ++counts.accepted;
@@ -101,13 +101,13 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracle) {
     const double most = any_size(0.01, 100, rng);
     const Pose pose = any_edge(rng).start;
     const double gap = gap_at(vehicle, squares_of(grid), pose).distance;
-    EXPECT_NEAR(checker.clearance(pose, most), std::min(gap, most), 1e-9)
+    EXPECT_NEAR(checker.clearance(Local(pose), most), std::min(gap, most), 1e-9)
         << most << " at " << as_code(pose) << " on cells of " << as_code(grid.resolution);
     if (gap < infinity) {
-      EXPECT_NEAR(checker.clearance(pose, infinity), gap, 1e-9) << as_code(pose);
+      EXPECT_NEAR(checker.clearance(Local(pose), infinity), gap, 1e-9) << as_code(pose);
     }
     const double enough = uniform(0, 1.5, rng) * most;
-    const double roughly = checker.clearance(pose, most, enough);
+    const double roughly = checker.clearance(Local(pose), most, enough);
     EXPECT_LE(roughly, std::min(gap, most) + 1e-9);
     EXPECT_GE(roughly, std::min({gap, most, enough}) - 1e-9);
     apart += gap > 0 && gap < most;
@@ -140,7 +140,7 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracleInACrowd) {
     grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
     const CollisionChecker checker(vehicle, Surroundings{.bounds = wide, .map = grid});
     const double gap = gap_at(body, squares_of(grid), pose).distance;
-    EXPECT_NEAR(checker.clearance(pose, 100), gap, 1e-9) << as_code(pose);
+    EXPECT_NEAR(checker.clearance(Local(pose), 100), gap, 1e-9) << as_code(pose);
     crowded += std::ranges::count_if(gaps, [&](double g) { return g < gap + 0.2; }) > 40;
   });
   EXPECT_GT(crowded, is_sanitized ? -1 : cases(count) / 10);
@@ -175,9 +175,10 @@ TEST(MapLaw, MoreThan100MillionCellsGiveTheSameAnswers) {
   const CollisionChecker found(Vehicle{}, large);
   for (int i = 0; i < edges; ++i) {
     const Path path = any_edge(rng);
-    const bool is_free = expected.is_free(path.start, path.segments);
-    EXPECT_EQ(found.is_free(path.start, path.segments), is_free) << as_code(path);
-    EXPECT_NEAR(found.clearance(path.start, 10), expected.clearance(path.start, 10), 1e-9)
+    const bool is_free = expected.is_free(Local(path.start), path.segments);
+    EXPECT_EQ(found.is_free(Local(path.start), path.segments), is_free) << as_code(path);
+    EXPECT_NEAR(found.clearance(Local(path.start), 10), expected.clearance(Local(path.start), 10),
+                1e-9)
         << as_code(path);
     free += is_free;
   }
@@ -201,7 +202,7 @@ TEST(MapLaw, AMarginIsKeptAndNoMoreThanThat) {
                                    {.wanted = margin});
     for (int i = 0; i < 3; ++i) {
       const Path path = i == 0 ? grazing : any_edge(rng);
-      const bool is_free = checker.is_free(path.start, path.segments);
+      const bool is_free = checker.is_free(Local(path.start), path.segments);
       ++(is_free ? accepted : rejected);
       const double distance = margin + (is_free ? 0.0 : CollisionChecker::tolerance);
       EXPECT_NE(comes_within(distance, body, squares, path), is_free)

@@ -42,7 +42,8 @@ double added_up(const std::vector<Polygon>& obstacles, const Path& path) {
     double near = 0.0;
     for (int i = 0; i < count; ++i) {
       const Segment driven = part_of(segment, 0.0, length * (i + 0.5) / count);
-      const double clearance = checker.clearance(advance(from, driven), *rule.clearance_distance);
+      const double clearance =
+          checker.clearance(Local(advance(from, driven)), *rule.clearance_distance);
       near += std::max(0.0, 1 - clearance / *rule.clearance_distance) * length / count;
     }
     sum += near * (segment.length < 0 ? *rule.reverse_weight : 1.0);

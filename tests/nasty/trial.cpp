@@ -196,10 +196,11 @@ class Judgement {
     const Task& task = problem_->task();
     const double reach = 2 * task.vehicle.wheelbase + task.vehicle.min_turning_radius;
     for (int i = 0; i < 20; ++i) {
-      const Pose base = chance(0.5, rng_) ? task.start : task.goal;
+      const LocalPose base = chance(0.5, rng_) ? task.start : task.goal;
       const double shift = any_size(1e-4, 1, rng_) * reach;
-      const Pose pose = compose(base, {uniform(-shift, shift, rng_), uniform(-shift, shift, rng_),
-                                       uniform(-1, 1, rng_) * shift / reach});
+      const LocalPose pose =
+          compose(base, {uniform(-shift, shift, rng_), uniform(-shift, shift, rng_),
+                         uniform(-1, 1, rng_) * shift / reach});
       const Pose outside = to_scenario(*problem_->world(), pose);
       const bool is_free = task.checker->is_free(pose);
       if (is_free && !naive_hit(scenario_, outside, -allowed_depth).empty()) {

@@ -128,7 +128,7 @@ TEST(ClothoidLaw, TheWayBackLeadsBack) {
 
 // The last metres, where the wheels get straight, come after a thousand radians.
 TEST(Clothoid, ASpiralOfHundredsOfTurnsUnwinds) {
-  const Pose centre = advance({}, {0.0, 200.0, 0.05});
+  const Pose centre = advance(Pose{}, {0.0, 200.0, 0.05});
   const Pose back = advance(centre, {10.0, -200.0, -0.05});
   EXPECT_NEAR(back.x, 0, 1e-9);
   EXPECT_NEAR(back.y, 0, 1e-9);

@@ -40,7 +40,7 @@ Route relaxed_route(const Problem& problem, std::int64_t iterations) {
   options.steering = Steering::reeds_shepp;
   options.budget.max_iterations = iterations;
   const PlanResult result = plan(problem, planner_named("anytime"), options);
-  Route route = anytime::legs_along(result.path.value(), problem.goal());
+  Route route = anytime::legs_along(result.path.value(), problem.task().goal);
   const Task task = task_of(problem, {}, Steering::reeds_shepp);
   price(search::Connector(task, priced), route);
   return route;

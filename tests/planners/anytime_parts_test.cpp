@@ -47,14 +47,15 @@ Problem random_problem(Rng& rng) {
     const Bounds region{-30, 30, -30, 30};
     Problem problem = problem_of(uniform_pose(region, rng), uniform_pose(region, rng), boxes);
     const CollisionChecker& checker = *problem.task().checker;
-    if (checker.is_free(problem.start()) && checker.is_free(problem.goal())) return problem;
+    if (checker.is_free(problem.task().start) && checker.is_free(problem.task().goal))
+      return problem;
   }
 }
 
 void expect_valid(const Problem& problem, const CostRule& rule, const Route& route) {
   const PathCheck check = check_path(problem, path_of(route), {});
-  EXPECT_TRUE(check.valid) << check.reason << " " << as_code(problem.start()) << " "
-                           << as_code(problem.goal()) << " " << as_code(obstacles_of(problem));
+  EXPECT_TRUE(check.valid) << check.reason << " " << as_code(problem.task().start) << " "
+                           << as_code(problem.task().goal) << " " << as_code(obstacles_of(problem));
   EXPECT_NEAR(cost_of(rule, route), route.cost, 1e-9);
   EXPECT_NEAR(rule.forward_weight * (check.length - check.reverse_length) +
                   rule.reverse_weight * check.reverse_length +
@@ -70,7 +71,7 @@ TEST(TwoTrees, WhatTheyFindIsARoute) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
-    TwoTrees trees(problem.task(), {-40, 40, -40, 40}, connector, 0.5, rng());
+    TwoTrees trees(problem.task(), Local(Bounds{-40, 40, -40, 40}), connector, 0.5, rng());
     for (int i = 0; i < 300; ++i) {
       if (!trees.step()) continue;
       expect_valid(problem, rule, trees.route());
@@ -84,10 +85,12 @@ TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
-    GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.goal(), problem.start());
+    GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.task().goal,
+                       problem.task().start);
     while (guide.step()) {
     }
-    Lattice lattice(problem.start(), problem.goal(), {}, {12, 0.5, 2.0}, guide, connector);
+    Lattice lattice(problem.task().start, problem.task().goal, {}, {12, 0.5, 2.0}, guide,
+                    connector);
     double cost = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 400 && !lattice.is_exhausted(); ++i) {
       if (!lattice.step()) continue;
@@ -103,10 +106,11 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
   for_each_case(5, 40, [](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule rule{1.0, 2.0, 3.0, 0};
-    GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.goal(), problem.start());
+    GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.task().goal,
+                       problem.task().start);
     while (guide.step()) {
     }
-    Rotation rotation(problem.task(), rule, problem.start(), problem.goal(), {}, guide);
+    Rotation rotation(problem.task(), rule, problem.task().start, problem.task().goal, {}, guide);
     double cutoff = 150.0;
     for (int i = 0; i < 3000 && !rotation.is_finished(); ++i) {
       if (!rotation.step(cutoff)) continue;
@@ -122,10 +126,12 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
 // Where a cutoff leaves nothing every search ends, and so does the rotation.
 TEST(Rotation, EndsWhenNothingCheaperIsLeft) {
   const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
-  GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.goal(), problem.start());
+  GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.task().goal,
+                     problem.task().start);
   while (guide.step()) {
   }
-  Rotation rotation(problem.task(), {1.0, 2.0, 5.0, 0}, problem.start(), problem.goal(), {}, guide);
+  Rotation rotation(problem.task(), {1.0, 2.0, 5.0, 0}, problem.task().start, problem.task().goal,
+                    {}, guide);
   for (int i = 0; i < 50000 && !rotation.is_finished(); ++i) EXPECT_FALSE(rotation.step(9.0));
   EXPECT_TRUE(rotation.is_finished());
 }
@@ -135,9 +141,9 @@ TEST(Detours, FindAnotherWayBetweenTwoPlacesOfARoute) {
   const Problem problem = problem_of({0, 0, 0}, {0, 20, pi}, {box(-60, 9, 30, 11)});
   for (const CostRule& rule : rules) {
     Connector connector(problem.task(), rule);
-    Route route{problem.start(), {}, 0.0};
-    for (const Pose& via : {Pose{80, 0, 0}, Pose{80, 20, pi}, problem.goal()}) {
-      const Pose from = route.legs.empty() ? route.start : route.legs.back().end;
+    Route route{problem.task().start, {}, 0.0};
+    for (const auto& via : {LocalPose({80, 0, 0}), LocalPose({80, 20, pi}), problem.task().goal}) {
+      const LocalPose from = route.legs.empty() ? route.start : route.legs.back().end;
       route.legs.push_back({*connector.steer(from, via), via});
     }
     route.cost = cost_of(rule, route);
@@ -220,7 +226,7 @@ TEST(Survey, EveryRouteIsValid) {
         EXPECT_NEAR(std::hypot(pose.x - leg.end.x, pose.y - leg.end.y), 0.0, 1e-9);
         pose = leg.end;
       }
-      EXPECT_EQ(pose, problem.goal());
+      EXPECT_EQ(pose, problem.task().goal);
     }
     found += routes.empty() ? 0 : 1;
   });
@@ -282,8 +288,8 @@ TEST(Island, KeepsWhatHasWonForAWhile) {
   anytime::Island island(anytime::Work::survey, problem.task(), rules[1], wide_bounds, 1,
                          keeps_losers);
   const Budget budget{BudgetOptions{}};
-  Route reverse{problem.start(), {}, 0.0};
-  search::drive_on(reverse.legs, {0.0, -100.0}, problem.goal());
+  Route reverse{problem.task().start, {}, 0.0};
+  search::drive_on(reverse.legs, {0.0, -100.0}, problem.task().goal);
   price(Connector(problem.task(), rules[1]), reverse);
   const anytime::Slice slice = island.run(20'000, &reverse, budget, 0.0);
   ASSERT_GE(slice.improvements.size(), 2U);
@@ -319,7 +325,7 @@ TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
-    TwoTrees trees(problem.task(), {-40, 40, -40, 40}, connector, 0.5, rng());
+    TwoTrees trees(problem.task(), Local(Bounds{-40, 40, -40, 40}), connector, 0.5, rng());
     int tries = 0;
     while (!trees.step() && ++tries < 300) {
     }
@@ -339,23 +345,24 @@ TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
 TEST(Shortener, OnOpenGroundItFindsTheShortestPath) {
   for_each_case(4, 20, [](Rng& rng) {
     Problem problem = random_problem(rng);
-    problem = problem_of(problem.start(), problem.goal(), {});
+    problem = problem_of(problem.task().start, problem.task().goal, {});
     Connector connector(problem.task());
-    const Pose via = uniform_pose({-30, 30, -30, 30}, rng);
-    Route route{problem.start(), {}, 0.0};
-    route.legs.push_back({*connector.steer(problem.start(), via), via});
-    route.legs.push_back({*connector.steer(via, problem.goal()), problem.goal()});
+    const LocalPose via(uniform_pose({-30, 30, -30, 30}, rng));
+    Route route{problem.task().start, {}, 0.0};
+    route.legs.push_back({*connector.steer(problem.task().start, via), via});
+    route.legs.push_back({*connector.steer(via, problem.task().goal), problem.task().goal});
     route.cost = cost_of({}, route);
     Shortener shortener(connector, route, rng());
     for (int i = 0; i < 200; ++i) shortener.step();
-    EXPECT_NEAR(shortener.route().cost, connector.least_cost(problem.start(), problem.goal()),
-                1e-6);
+    EXPECT_NEAR(shortener.route().cost,
+                connector.least_cost(problem.task().start, problem.task().goal), 1e-6);
   });
 }
 
 TEST(GridDistance, GoesAroundAWallAndIsNearTheTruth) {
   const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
-  GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.goal(), problem.start());
+  GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.task().goal,
+                     problem.task().start);
   while (guide.step()) {
   }
   EXPECT_NEAR(guide.at(0, 0), 2 * std::hypot(14, 20) + 2, 0.12 * 50);
@@ -416,7 +423,8 @@ TEST(GridDistance, MarksAFewSidesAtATime) {
       star.push_back({radius * std::cos(angle), 50 + radius * std::sin(angle)});
     }
     const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {star}, {-80, 80, -80, 80});
-    GridDistance guide(problem.task(), {-80, 80, -80, 80}, 0.25, problem.goal(), problem.start());
+    GridDistance guide(problem.task(), {-80, 80, -80, 80}, 0.25, problem.task().goal,
+                       problem.task().start);
     int steps = 0;
     while (guide.step()) ++steps;
     return steps;
@@ -429,16 +437,16 @@ TEST(GridDistance, WithAPriceItKeepsAwayFromWalls) {
   const Problem problem =
       problem_of({0, 0, 0}, {30, 0, 0}, {box(5, -3, 25, -1.35), box(5, 1.35, 25, 3)});
   const auto guide_with = [&](double weight, const Pose& root) {
-    GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.goal(), root,
+    GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.task().goal, root,
                        {weight, 1.0});
     while (guide.step()) {
     }
     return guide;
   };
-  const GridDistance by_length = guide_with(0.0, problem.start());
+  const GridDistance by_length = guide_with(0.0, problem.task().start);
   EXPECT_NEAR(by_length.at(0, 0), 30.0, 1.0);
   EXPECT_EQ(by_length.length_at(0, 0), by_length.at(0, 0));
-  const GridDistance by_price = guide_with(2.0, problem.start());
+  const GridDistance by_price = guide_with(2.0, problem.task().start);
   EXPECT_GT(by_price.length_at(0, 0), 32.0);
   EXPECT_GE(by_price.at(0, 0), by_price.length_at(0, 0));
   EXPECT_LT(by_price.at(0, 0), 40.0);

@@ -376,7 +376,7 @@ TEST(Bender, KeepsTheCheapestOfAll) {
 }
 
 /// By way of a pose.
-Route route_by_way_of(const Task& task, const Pose& via) {
+Route route_by_way_of(const Task& task, const LocalPose& via) {
   search::Connector connector(task, priced);
   Route route{task.start, {{connector.steer(task.start, via).value(), via}}, 0.0};
   route.legs.push_back({connector.steer(via, task.goal).value(), task.goal});
@@ -390,12 +390,12 @@ TEST(Bender, TriesANewRouteAtOnce) {
   const Problem problem = problem_of({-50, 0, 0}, {50, 0, 0}, {box(-5, -10, 5, 30)});
   const Task task = task_of(problem, {}, Steering::reeds_shepp);
   Bender bender(task, priced, 1);
-  bender.offer(path_of(route_by_way_of(task, {0, 40, 0})).segments);
+  bender.offer(path_of(route_by_way_of(task, LocalPose({0, 40, 0}))).segments);
   EXPECT_TRUE(bender.step());
-  bender.offer(path_of(route_by_way_of(task, {0, 41, 0})).segments);
+  bender.offer(path_of(route_by_way_of(task, LocalPose({0, 41, 0}))).segments);
   EXPECT_FALSE(bender.step());
   const double dear = bender.cost();
-  bender.offer(path_of(route_by_way_of(task, {0, -20, 0})).segments);
+  bender.offer(path_of(route_by_way_of(task, LocalPose({0, -20, 0}))).segments);
   EXPECT_TRUE(bender.step());
   EXPECT_LT(bender.cost(), 0.9 * dear);
 }
@@ -405,10 +405,10 @@ TEST(Bender, TriesTheCheapestRouteFirst) {
   const Problem problem = problem_of({-50, 0, 0}, {50, 0, 0}, {});
   const Task task = task_of(problem, {}, Steering::reeds_shepp);
   Bender bender(task, priced, 1);
-  const Route cheap = route_by_way_of(task, {0, -20, 0});
+  const Route cheap = route_by_way_of(task, LocalPose({0, -20, 0}));
   bender.offer(cheap);
   for (const double y : {30.0, 45.0, 60.0, -30.0, -45.0, -60.0}) {
-    bender.offer(route_by_way_of(task, {0, y, 0}));
+    bender.offer(route_by_way_of(task, LocalPose({0, y, 0})));
   }
   EXPECT_TRUE(bender.step());
   EXPECT_LE(bender.cost(), cheap.cost + 1e-9);
@@ -440,7 +440,7 @@ TEST(Bender, FollowsAWayPartByPart) {
   ASSERT_TRUE(task.checker->is_free(task.start, way));
   const Route route = [&] {
     Route result{task.start, {}, 0.0};
-    Pose pose = task.start;
+    LocalPose pose = task.start;
     for (const Segment& segment : way) {
       pose = advance(pose, segment);
       search::drive_on(result.legs, segment, pose);

@@ -96,8 +96,8 @@ Bounds all_of(const Problem& problem) { return sampling_region(problem.task(), R
 TEST(FarGuide, WithoutGreedIsAsFarAsTheGridOverAllOfIt) {
   for_each_case(2, 20, [](Rng& rng) {
     const Problem problem = site(200, rng());
-    const Pose& start = problem.start();
-    const Pose& goal = problem.goal();
+    const Pose& start = problem.task().start;
+    const Pose& goal = problem.task().goal;
     GridDistance grid(problem.task(), all_of(problem), 1.0, goal, start);
     FarGuide exact(problem.task(), all_of(problem), {1.0, 1.0}, goal, start);
     FarGuide greedy(problem.task(), all_of(problem), {1.0, 1.25}, goal, start);
@@ -128,7 +128,7 @@ TEST(FarGuide, GoesAroundTheCellsOfAMapAndAroundKerbs) {
                                   {.bounds = bounds, .obstacles = {wall}}};
   for (const Surroundings& ground : grounds) {
     const Problem problem = problem_in(ground, {0, 0, 0}, {40, 0, 0});
-    FarGuide guide(problem.task(), bounds, {1.0, 1.0}, problem.goal(), problem.start());
+    FarGuide guide(problem.task(), bounds, {1.0, 1.0}, problem.task().goal, problem.task().start);
     while (guide.step()) {
     }
     EXPECT_TRUE(guide.is_connected());
@@ -138,7 +138,8 @@ TEST(FarGuide, GoesAroundTheCellsOfAMapAndAroundKerbs) {
 
 TEST(FarGuide, SaysWhereNoWayIs) {
   const Problem problem = problem_of({0, 0, 0}, {40, 0, 0}, {box(20, -300, 21, 300)});
-  FarGuide guide(problem.task(), {-30, 70, -40, 40}, {1.0, 1.25}, problem.goal(), problem.start());
+  FarGuide guide(problem.task(), {-30, 70, -40, 40}, {1.0, 1.25}, problem.task().goal,
+                 problem.task().start);
   while (guide.step()) {
   }
   EXPECT_FALSE(guide.is_connected());
@@ -152,7 +153,8 @@ TEST(FarGuide, IsWantedWhereOneGridWouldBeTooCoarse) {
 }
 
 std::vector<Point> way_of(const Problem& problem) {
-  FarGuide guide(problem.task(), all_of(problem), {1.0, 1.25}, problem.goal(), problem.start());
+  FarGuide guide(problem.task(), all_of(problem), {1.0, 1.25}, problem.task().goal,
+                 problem.task().start);
   while (guide.step()) {
   }
   return guide.way();
@@ -170,17 +172,18 @@ TEST(FarGuide, ItsWayIsAsLongAsItSays) {
   for_each_case(6, 10, [](Rng& rng) {
     const Problem problem = site(600, rng());
     const double side = problem.vehicle().width;
-    FarGuide guide(problem.task(), all_of(problem), {1.0, 1.0}, problem.goal(), problem.start());
+    FarGuide guide(problem.task(), all_of(problem), {1.0, 1.0}, problem.task().goal,
+                   problem.task().start);
     while (guide.step()) {
     }
     const std::vector<Point> way = guide.way();
-    EXPECT_EQ(way.front().x, problem.start().x);
-    EXPECT_EQ(way.back().y, problem.goal().y);
+    EXPECT_EQ(way.front().x, problem.task().start.x);
+    EXPECT_EQ(way.back().y, problem.task().goal.y);
     for (std::size_t i = 1; i < way.size(); ++i) {
       EXPECT_LT(std::hypot(way[i].x - way[i - 1].x, way[i].y - way[i - 1].y), 2.2 * side);
     }
     // Diagonals count 7 fifths of a cell, and both ends lie somewhere in theirs.
-    const double said = guide.at(problem.start().x, problem.start().y);
+    const double said = guide.at(problem.task().start.x, problem.task().start.y);
     EXPECT_NEAR(length_of(way), said, 0.011 * said + 2 * side);
   });
 }
@@ -223,10 +226,11 @@ TEST(Strung, GivesUpWhereNobodyGetsThrough) {
 
 // A raw route of more legs than windows have, as a lattice finds it.
 std::optional<Route> long_route(const Problem& problem, Connector& connector) {
-  FarGuide guide(problem.task(), all_of(problem), {1.0, 1.25}, problem.goal(), problem.start());
+  FarGuide guide(problem.task(), all_of(problem), {1.0, 1.25}, problem.task().goal,
+                 problem.task().start);
   while (guide.step()) {
   }
-  Lattice lattice(problem.start(), problem.goal(), {}, {12, 0.5, 2.0}, guide, connector);
+  Lattice lattice(problem.task().start, problem.task().goal, {}, {12, 0.5, 2.0}, guide, connector);
   for (int i = 0; i < 20000; ++i) {
     if (lattice.step()) return lattice.route();
   }
@@ -269,9 +273,9 @@ TEST(Detours, OfALongRoutePutShorterStretchesInTheirPlace) {
   const Problem problem = problem_of({0, 0, 0}, {0, 20, 3}, {box(-60, 9, 30, 11)});
   for (const CostRule& rule : {CostRule{}, CostRule{1.0, 2.0, 3.0, 0}}) {
     Connector connector(problem.task(), rule);
-    Route route{problem.start(), {}, 0.0};
-    for (const Pose& via : {Pose{80, 0, 0}, Pose{80, 20, 3}, problem.goal()}) {
-      const Pose from = route.legs.empty() ? route.start : route.legs.back().end;
+    Route route{problem.task().start, {}, 0.0};
+    for (const auto& via : {LocalPose({80, 0, 0}), LocalPose({80, 20, 3}), problem.task().goal}) {
+      const LocalPose from = route.legs.empty() ? route.start : route.legs.back().end;
       route.legs.push_back({*connector.steer(from, via), via});
     }
     route.cost = cost_of(rule, route);
@@ -299,10 +303,10 @@ TEST(Detours, OfALongRouteAreFollowedByWhatIsDrivenThere) {
     Connector connector(task, rule);
     Route route{task.start, {}, 0.0};
     for (int i = 0; i < 4; ++i) {
-      const Pose from = route.legs.empty() ? route.start : route.legs.back().end;
+      const LocalPose from = route.legs.empty() ? route.start : route.legs.back().end;
       const search::Driven before =
           route.legs.empty() ? search::Driven{} : search::last_driven(route.legs.back().piece);
-      const Pose via = uniform_pose({-12, 12, -12, 12}, rng);
+      const LocalPose via(uniform_pose({-12, 12, -12, 12}, rng));
       const auto piece = connector.steer(from, via, {before, 0});
       if (piece) route.legs.push_back({*piece, via});
     }

@@ -95,7 +95,7 @@ Polygon post(const Pose& at, double half) {
 
 bool is_free_beside(std::span<const Segment> way, const Polygon& obstacle) {
   const Problem problem = problem_along(way, {obstacle});
-  return problem.task().checker->is_free(problem.start(), way);
+  return problem.task().checker->is_free(problem.task().start, way);
 }
 
 /// Posts that the way goes by, with next to no room.

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double radius = 7.0;
-constexpr Bounds yard{-40, 40, -40, 40};
+constexpr Local<Bounds> yard(Bounds{-40, 40, -40, 40});
 
 /// Two walls with openings, one after the other.
 std::shared_ptr<const World> walls() {
@@ -30,9 +30,9 @@ std::shared_ptr<const World> walls() {
                    .obstacles = {box(-12, -30, -10, 40), box(10, -40, 12, 28), box(20, 0, 26, 4)}});
 }
 
-Pose free_pose(const CollisionChecker& checker, Rng& rng) {
+LocalPose free_pose(const CollisionChecker& checker, Rng& rng) {
   for (;;) {
-    const Pose pose = uniform_pose(yard, rng);
+    const LocalPose pose = uniform_pose(yard, rng);
     if (checker.is_free(pose)) return pose;
   }
 }
@@ -71,10 +71,10 @@ TEST(Milestones, LaterOnesChangeNothingOfTheFirst) {
 }
 
 /// Length of the shortest way, every edge of which is looked at: Bellman and Ford.
-double by_all_edges(const search::Milestones& all, const Pose& from, const Pose& to) {
+double by_all_edges(const search::Milestones& all, const LocalPose& from, const LocalPose& to) {
   const std::size_t start = all.size();
   const std::size_t goal = all.size() + 1;
-  std::vector<Pose> poses = all.poses();
+  std::vector<LocalPose> poses = all.poses();
   poses.insert(poses.end(), {from, to});
   struct Edge {
     std::size_t a, b;
@@ -118,8 +118,8 @@ TEST(Roadmap, AnswersWithItsShortestWay) {
     const search::Milestones milestones = grown(world, 40 + rng() % 150, rng());
     const Roadmap roadmap(milestones);
     for (int i = 0; i < 5; ++i) {
-      const Pose from = free_pose(*milestones.checker(), rng);
-      const Pose to = free_pose(*milestones.checker(), rng);
+      const LocalPose from = free_pose(*milestones.checker(), rng);
+      const LocalPose to = free_pose(*milestones.checker(), rng);
       const RoadmapAnswer answer = roadmap.route(from, to);
       const double expected = by_all_edges(milestones, from, to);
       ASSERT_EQ(answer.route.has_value(), expected < infinity) << as_code(from) << as_code(to);
@@ -140,10 +140,10 @@ TEST(Roadmap, AnEstimateThatJumpsStillFindsTheShortestWay) {
   const Roadmap roadmap(milestones);
   Rng rng(4);
   for (int i = 0; i < 20; ++i) {
-    const Pose from = free_pose(*milestones.checker(), rng);
-    const Pose to = free_pose(*milestones.checker(), rng);
+    const LocalPose from = free_pose(*milestones.checker(), rng);
+    const LocalPose to = free_pose(*milestones.checker(), rng);
     // Admissible, but it falls by more than an edge is long.
-    const auto jumping = [&](const Pose& pose) {
+    const auto jumping = [&](const LocalPose& pose) {
       const bool all = static_cast<int>(std::floor(pose.x)) % 2 == 0;
       return all ? reeds_shepp_length(pose, to, radius) : 0.0;
     };
@@ -163,8 +163,8 @@ TEST(Roadmap, AnswersTheSameWhateverItHasBeenAsked) {
   const Roadmap heir(milestones, &known);
   Rng rng(5);
   for (int i = 0; i < 40; ++i) {
-    const Pose from = free_pose(*milestones.checker(), rng);
-    const Pose to = free_pose(*milestones.checker(), rng);
+    const LocalPose from = free_pose(*milestones.checker(), rng);
+    const LocalPose to = free_pose(*milestones.checker(), rng);
     const RoadmapAnswer first = fresh.route(from, to, {.keep_tree = true});
     for (const Roadmap* other : {&known, &heir}) {
       const RoadmapAnswer answer = other->route(from, to, {.keep_tree = true});
@@ -184,14 +184,15 @@ TEST(Roadmap, IsBuiltForAWorldAndAVehicle) {
   EXPECT_EQ(roadmap.nodes(), 150);
   EXPECT_EQ(roadmap.edges(), 145 * 5 + 4 + 3 + 2 + 1);
   EXPECT_GT(roadmap.samples(), 150);
-  EXPECT_TRUE(roadmap.route({-30, 0, 1}, {-30, 20, 1}).route);
-  const auto stopped =
-      roadmap.route({-30, 0, 1}, {-30, 0, 1.5}, {.is_interrupted = [] { return true; }});
+  EXPECT_TRUE(roadmap.route(LocalPose({-30, 0, 1}), LocalPose({-30, 20, 1})).route);
+  const auto stopped = roadmap.route(LocalPose({-30, 0, 1}), LocalPose({-30, 0, 1.5}),
+                                     {.is_interrupted = [] { return true; }});
   EXPECT_LE(stopped.expansions, 256);
   EXPECT_THROW((void)build_roadmap(*world, {}, {.nodes = 0}), InputError);
   EXPECT_THROW((void)build_roadmap(*world, {}, {.neighbours = 0}), InputError);
   EXPECT_THROW((void)build_roadmap(*world, {}, {.margin = -1}), InputError);
-  EXPECT_THROW((void)build_roadmap(*world, {}, {.region = Bounds{900, 901, 0, 1}}), InputError);
+  EXPECT_THROW((void)build_roadmap(*world, {}, {.region = Local(Bounds{900, 901, 0, 1})}),
+               InputError);
 }
 
 // ---- the planner ----
@@ -208,7 +209,7 @@ std::vector<Problem> problems_in(const std::shared_ptr<const World>& world) {
   Rng rng(6);
   std::vector<Problem> problems;
   for (int i = 0; i < 8; ++i) {
-    const Pose from = free_pose(*world->checker({}), rng);
+    const LocalPose from = free_pose(*world->checker({}), rng);
     problems.push_back(make_problem(world, {}, from, free_pose(*world->checker({}), rng)));
   }
   return problems;

@@ -33,7 +33,8 @@ void expect_free_drive_to_goal(const Task& task, std::span<const Segment> comman
   EXPECT_LT(std::hypot(end.pose.x - task.goal.x, end.pose.y - task.goal.y), 1e-6);
   EXPECT_NEAR(std::remainder(end.pose.heading - task.goal.heading, 2 * pi), 0, 1e-6);
   EXPECT_NEAR(end.hitch_angle, task.hitch_angles.goal, 1e-6);
-  EXPECT_TRUE(task.checker->rig_is_free({task.start, task.hitch_angles.start}, commands));
+  EXPECT_TRUE(
+      task.checker->rig_is_free(Local(RigState{task.start, task.hitch_angles.start}), commands));
 }
 
 /// Blocks of 70 m with streets of 14 m between them.

@@ -34,7 +34,7 @@ double cost_of(const CostRule& rule, std::span<const Segment> segments) {
 
 std::vector<Segment> tidied(const Problem& problem, const Path& path, double min_stroke) {
   Connector connector(problem.task(), priced);
-  return anytime::tidied(connector, path.start, path.segments, min_stroke);
+  return anytime::tidied(connector, Local(path.start), path.segments, min_stroke);
 }
 
 double shortest(const std::vector<Segment>& segments) {

@@ -82,7 +82,7 @@ struct Reading {
 TreeSnapshot guided_tree(const Reading& reading, int iterations) {
   const Problem ground = open_ground();
   const Task& task = ground.task();
-  const Bounds region = sampling_region(task, Region::scene);
+  const Local<Bounds> region = sampling_region(task, Region::scene);
   Rng rng(1);
   TreeSnapshot tree{{task.start}, {-1}};
   std::vector<double> costs = {0.0};
@@ -97,7 +97,7 @@ TreeSnapshot guided_tree(const Reading& reading, int iterations) {
   };
   for (int i = 0; i < iterations; ++i) {
     const bool is_goal = uniform01(rng) < 0.05;
-    const Pose sample = is_goal ? task.goal : uniform_pose(region, rng);
+    const LocalPose sample = is_goal ? task.goal : uniform_pose(region, rng);
     std::vector<std::size_t> near = nearest(tree.poses, sample, reading.k);
     if (reading.planner == "bkrrt") {
       near = {*std::ranges::min_element(near, {}, [&](std::size_t n) { return through[n]; })};
@@ -173,7 +173,7 @@ struct Rewired {
     return cost(above) + length_between(poses[above], poses[node]);
   }
 
-  void add(const Pose& pose) {
+  void add(const LocalPose& pose) {
     const double k = 1.1 * std::numbers::e * (1.0 + 1.0 / 3.0) *
                      std::log(static_cast<double>(poses.size()) + 1.0);
     const auto near = nearest(poses, pose, static_cast<std::size_t>(std::ceil(k)));
@@ -181,7 +181,7 @@ struct Rewired {
     std::int32_t parent = -1;
     for (const std::size_t node : near) {
       const double total = cost(node) + length_between(poses[node], pose);
-      if (total >= least || !connector.connect(poses[node], pose)) continue;
+      if (total >= least || !connector.connect(Local(poses[node]), pose)) continue;
       least = total;
       parent = static_cast<std::int32_t>(node);
     }
@@ -190,7 +190,7 @@ struct Rewired {
     parents.push_back(parent);
     for (const std::size_t node : near) {
       if (least + length_between(pose, poses[node]) >= cost(node)) continue;
-      if (!connector.connect(pose, poses[node])) continue;
+      if (!connector.connect(pose, Local(poses[node]))) continue;
       parents[node] = static_cast<std::int32_t>(poses.size()) - 1;
       ++rewired;
     }
@@ -220,7 +220,7 @@ TEST(RrtStar, RewiresAsItsPaperSays) {
                                 {{"goal_bias", "0"}, {"informed", "false"}, {"range", "1000"}});
   Rewired expected(problem.task());
   Rng rng(1);
-  const Bounds region = sampling_region(problem.task(), Region::scene);
+  const Local<Bounds> region = sampling_region(problem.task(), Region::scene);
   for (int i = 0; i < iterations; ++i) {
     (void)uniform01(rng);  // against the goal's share
     expected.add(uniform_pose(region, rng));
@@ -359,7 +359,7 @@ INSTANTIATE_TEST_SUITE_P(Trees, FamilyTree,
 
 TEST(RewiredTree, CostsFollowWhateverIsMoved) {
   for_each_case(1, 100, [](Rng& rng) {
-    search::RewiredTree tree({0, 0, 0});
+    search::RewiredTree tree(LocalPose({0, 0, 0}));
     std::vector<std::int32_t> parents = {-1};
     std::vector<double> edges = {0.0};
     const auto is_below = [&](std::int32_t node, std::int32_t above) {
@@ -375,7 +375,7 @@ TEST(RewiredTree, CostsFollowWhateverIsMoved) {
         parents[static_cast<std::size_t>(node)] = parent;
         edges[static_cast<std::size_t>(node)] = edge;
       } else {
-        tree.add({static_cast<double>(parents.size()), 0, 0}, parent, edge);
+        tree.add(LocalPose({static_cast<double>(parents.size()), 0, 0}), parent, edge);
         parents.push_back(parent);
         edges.push_back(edge);
       }

@@ -71,8 +71,8 @@ TEST(MakeProblem, APolygonOfOnePointStaysAnObstacle) {
   const Problem problem = make_problem(scenario);
   ASSERT_EQ(obstacles_of(problem).size(), 1U);
   const CollisionChecker& checker = *problem.task().checker;
-  EXPECT_FALSE(checker.is_free({9.0, 3.0, 0.0}));  // (20, 0) in the yard
-  EXPECT_TRUE(checker.is_free({9.0, 3.0 + 2.55 / 2 + 0.002, 0.0}));
+  EXPECT_FALSE(checker.is_free(LocalPose({9.0, 3.0, 0.0})));  // (20, 0) in the yard
+  EXPECT_TRUE(checker.is_free(LocalPose({9.0, 3.0 + 2.55 / 2 + 0.002, 0.0})));
 }
 
 TEST(MakeProblem, TheWheelsAreTurnedNoFurtherThanTheyCanBe) {
@@ -113,7 +113,7 @@ TEST(ToLocal, IsUndoneByToScenario) {
     scenario.start = uniform_pose({-size, size, -size, size}, rng);
     scenario.goal = scenario.start;
     const Problem problem = make_problem(scenario);
-    const Pose& local = problem.task().start;
+    const LocalPose& local = problem.task().start;
     ASSERT_EQ(to_scenario(*problem.world(), local), scenario.start) << as_code(scenario.start);
     ASSERT_EQ(to_local(*problem.world(), scenario.start), local) << as_code(scenario.start);
   });

@@ -104,8 +104,8 @@ TEST(World, HasNoVehicleSoSeveralMayDriveInIt) {
   const Path through{before, {{0, 20}}};
   EXPECT_EQ(check_path(wide, through).reason, "the footprint hits the map");
   EXPECT_TRUE(check_path(narrow, through).valid);
-  EXPECT_FALSE(wide.task().checker->is_free(before, through.segments));
-  EXPECT_TRUE(narrow.task().checker->is_free(before, through.segments));
+  EXPECT_FALSE(wide.task().checker->is_free(Local(before), through.segments));
+  EXPECT_TRUE(narrow.task().checker->is_free(Local(before), through.segments));
 }
 
 TEST(World, HasOneCheckerForEachVehicle) {

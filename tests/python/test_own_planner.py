@@ -52,17 +52,30 @@ def test_a_function_is_a_planner(yard):
     assert result.path == vp.plan(yard, grow, max_iterations=3000).path
 
 
-def test_its_frame_is_that_of_the_task(yard):
-    far = vp.Scenario((1e6, 2e6, 0), (1e6 + 20, 2e6, 0), bounds=(0, 3e6, 0, 3e6))
-    seen = []
+def test_a_task_far_away_answers_in_the_frame_of_the_scenario():
+    x, y = 4e6, 7e5
+    wall = [(x + 30, y - 5), (x + 34, y - 5), (x + 34, y + 5), (x + 30, y + 5)]
+    bounds = (x - 50, x + 50.25, y - 40, y + 40)
+    far = vp.Scenario((x, y, 0), (x + 20, y, 0), bounds=bounds, obstacles=[wall])
+    in_wall, beside_it = (x + 31, y, 0), (x + 5, y + 2, 0)
 
     def straight(task):
-        seen.append((task.start, task.goal))
-        return task.steer(task.start, task.goal)
+        assert np.array_equal(task.start, far.start) and np.array_equal(task.goal, far.goal)
+        assert task.bounds == bounds and task.scene == (x - 20, x + 50.25, y - 25, y + 25)
+        assert not task.is_free(in_wall) and task.is_free(beside_it)
+        assert np.array_equal(task.is_free([in_wall, beside_it]), [False, True])
+        assert not task.is_free(vp.Path(task.start, [(0, 30)])) and task.is_free(vp.Path(task.start, [(0, 20)]))
+        assert task.clearance(in_wall) == 0 and task.clearance(task.start) == pytest.approx(30 - 5.9)
+        assert np.array_equal(task.clearance([in_wall, beside_it], 1), [0, 1])
+        assert task.connect(task.start, in_wall) is None
+        assert np.array_equal(task.steer(task.start, in_wall).start, task.start)
+        way = task.connect(task.start, task.goal)
+        assert way.end == pytest.approx(task.goal) and task.cost(way) == pytest.approx(20)
+        return vp.Answer(way, tree=([task.start, task.goal], [-1, 0]))
 
     result = vp.plan(far, straight, max_iterations=1)
-    assert np.array_equal(seen[0][0], [0, 0, 0]) and np.array_equal(seen[0][1], [20, 0, 0])
-    assert result.path.start == pytest.approx([1e6, 2e6, 0])
+    assert np.array_equal(result.path.start, far.start) and result.path.end == pytest.approx(far.goal)
+    assert np.array_equal(result.tree[0], [far.start, far.goal])
 
 
 def test_the_judge_refuses_what_hits_a_wall(yard):

@@ -62,10 +62,10 @@ void expect_same_ground(const World& world, const World& anew, const Vehicle& ve
   for (int i = 0; i < 300; ++i) {
     const Pose pose{uniform(-2, 42, rng), uniform(-2, 26, rng), uniform(-3.1, 3.1, rng)};
     const Segment segment{uniform(-0.1, 0.1, rng), uniform(-8, 8, rng)};
-    ASSERT_EQ(checker->is_free(pose, segment), other->is_free(pose, segment));
-    ASSERT_EQ(checker->clearance(pose, 5), other->clearance(pose, 5));
-    ASSERT_EQ(checker->map_distance({pose.x, pose.y}).least,
-              other->map_distance({pose.x, pose.y}).least);
+    ASSERT_EQ(checker->is_free(Local(pose), segment), other->is_free(Local(pose), segment));
+    ASSERT_EQ(checker->clearance(Local(pose), 5), other->clearance(Local(pose), 5));
+    ASSERT_EQ(checker->map_distance(Local(Point{pose.x, pose.y})).least,
+              other->map_distance(Local(Point{pose.x, pose.y})).least);
   }
 }
 

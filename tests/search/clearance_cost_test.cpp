@@ -31,7 +31,7 @@ CostOptions options_of(const CostRule& rule) {
 }
 
 double price_of(const Problem& problem, const CostRule& rule, const Path& path, Looks looks) {
-  return search::clearance_cost(problem.task(), rule, path.start, path.segments, looks);
+  return search::clearance_cost(problem.task(), rule, Local(path.start), path.segments, looks);
 }
 
 /// The sum of midpoints, a millimetre each, without any short cut.
@@ -45,7 +45,8 @@ double slow_price_of(const Problem& problem, const CostRule& rule, const Path& p
     const double weight = segment.length > 0 ? rule.forward_weight : rule.reverse_weight;
     for (double i = 0.5; i < count; ++i) {
       const Pose there = advance(pose, part_of(segment, 0, length * i / count));
-      const double clearance = problem.task().checker->clearance(there, rule.clearance_distance);
+      const double clearance =
+          problem.task().checker->clearance(Local(there), rule.clearance_distance);
       sum += weight * length / count * (1 - clearance / rule.clearance_distance);
     }
     pose = advance(pose, segment);
@@ -170,8 +171,8 @@ TEST(ClearanceCost, EndsTheSumAboveTheCutoff) {
     const Problem problem = random_yard(path, rng);
     const double whole = price_of(problem, careful, path, Looks::search);
     const double cutoff = uniform(0, 1.5, rng) * whole;
-    const double cut = search::clearance_cost(problem.task(), careful, path.start, path.segments,
-                                              Looks::search, cutoff);
+    const double cut = search::clearance_cost(problem.task(), careful, Local(path.start),
+                                              path.segments, Looks::search, cutoff);
     if (whole <= cutoff) {
       EXPECT_EQ(cut, whole);
     } else {

@@ -33,7 +33,7 @@ TEST(Connector, NoWordCostsLessThanTheLeastCost) {
     const Problem problem = problem_of(from, {0, 0, 0}, {});
     Connector connector(problem.task(), random_rule(rng));
     const Gears gears{random_gear(rng), random_gear(rng)};
-    const double least = connector.least_cost(from, to, gears);
+    const double least = connector.least_cost(Local(from), Local(to), gears);
     for (const Piece& word : reeds_shepp_words(from, to, connector.radius())) {
       EXPECT_GE(connector.cost(word, gears), least - 1e-9);
     }
@@ -50,9 +50,12 @@ TEST(Connector, TheLeastCostIsReachedWhereOneGearDoes) {
   const Problem problem = problem_of({0, 0, 0}, {20, 5, 0.2}, {});
   Connector connector(problem.task(), {1.0, 1.5, 100.0, 0});
   const Pose from{0, 0, 0}, to{20, 5, 0.2};
-  EXPECT_NEAR(connector.least_cost(from, to, {1, 1}), dubins_length(from, to, 7.0), 1e-9);
-  EXPECT_NEAR(connector.least_cost(to, from), 1.5 * dubins_length(from, to, 7.0), 1e-9);
-  EXPECT_NEAR(connector.least_cost(from, to, {-1, 1}), 100 + dubins_length(from, to, 7.0), 1e-9);
+  EXPECT_NEAR(connector.least_cost(Local(from), Local(to), {1, 1}), dubins_length(from, to, 7.0),
+              1e-9);
+  EXPECT_NEAR(connector.least_cost(Local(to), Local(from)), 1.5 * dubins_length(from, to, 7.0),
+              1e-9);
+  EXPECT_NEAR(connector.least_cost(Local(from), Local(to), {-1, 1}),
+              100 + dubins_length(from, to, 7.0), 1e-9);
 }
 
 TEST(Connector, ACutoffHidesNoWordThatCostsLess) {
@@ -62,9 +65,10 @@ TEST(Connector, ACutoffHidesNoWordThatCostsLess) {
     const Problem problem = problem_of(from, {0, 0, 0}, {});
     Connector connector(problem.task(), random_rule(rng));
     const Gears gears{random_gear(rng), random_gear(rng)};
-    const double cost = connector.cost(*connector.steer(from, to, gears), gears);
+    const double cost = connector.cost(*connector.steer(Local(from), Local(to), gears), gears);
     const double cutoff = cost * uniform(0.5, 2.0, rng);
-    const double below = connector.cost(*connector.steer(from, to, gears, cutoff), gears);
+    const double below =
+        connector.cost(*connector.steer(Local(from), Local(to), gears, cutoff), gears);
     if (cost < cutoff) {
       EXPECT_NEAR(below, cost, 1e-5);  // among words that cost alike the one of fewer segments
     } else {
@@ -103,7 +107,7 @@ TEST(Connector, AContinuousPieceGoesOnFromWhatIsDrivenAroundIt) {
         return {gear, gear == 0 ? Driven::any : curvatures[rng() % 3]};
       };
       const Gears gears{beside(), beside()};
-      const std::optional<Piece> piece = connector.steer(from, to, gears);
+      const std::optional<Piece> piece = connector.steer(Local(from), Local(to), gears);
       if (!piece) return;
       ++found;
       EXPECT_TRUE(fits(gears.before, first_driven(*piece), steering));
@@ -125,7 +129,7 @@ TEST(Connector, WheelsAreTurnedAtNoStrokeOfAHairsBreadth) {
     const GearSign gear = chance(0.5, rng) ? 1 : -1;
     const Pose from = uniform_pose({-20, 20, -20, 20}, rng);
     const Pose to = advance(from, {sharpest, gear * uniform(0.1, 12, rng)});
-    const auto piece = connector.steer(from, to, {{-gear, 0.0}, {gear, -sharpest}});
+    const auto piece = connector.steer(Local(from), Local(to), {{-gear, 0.0}, {gear, -sharpest}});
     if (!piece) return;
     for (const Segment& segment : piece->view()) EXPECT_GT(std::abs(segment.length), 1e-12);
   });
@@ -156,7 +160,7 @@ TEST(Connector, AContinuousPieceIsCutWhereTheWheelsAreStraight) {
   Connector connector(task);
   for_each_case(8, 500, [&](Rng& rng) {
     const Pose to = uniform_pose({-20, 20, -20, 20}, rng);
-    const std::optional<Piece> piece = connector.steer({}, to);
+    const std::optional<Piece> piece = connector.steer({}, Local(to));
     ASSERT_TRUE(piece);
     const double s = nearest_cut(*piece, uniform(0, piece->length, rng), connector.radius());
     const Piece head = prefix(*piece, s);

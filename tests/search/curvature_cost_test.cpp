@@ -90,8 +90,8 @@ TEST(CurvatureCost, MakesAPieceGoOnAsItsNeighboursDo) {
     const Pose to = uniform_pose({-20, 20, -20, 20}, rng);
     const Driven left{1, 1 / radius};
     const Driven right{1, -1 / radius};
-    const Piece after_left = *connector.steer({}, to, {left, 0});
-    const Piece after_right = *connector.steer({}, to, {right, 0});
+    const Piece after_left = *connector.steer({}, Local(to), {left, 0});
+    const Piece after_right = *connector.steer({}, Local(to), {right, 0});
     EXPECT_LE(connector.cost(after_left, {left, 0}), connector.cost(after_right, {left, 0}));
     EXPECT_LE(connector.cost(after_right, {right, 0}), connector.cost(after_left, {right, 0}));
   });
@@ -127,7 +127,7 @@ TEST(CurvatureCost, OfARouteIsThatOfItsPath) {
     search::Connector connector(problem.task(), rule);
     search::Route route{{}, {}, 0.0};
     for (int i = 0; i < 4; ++i) {
-      const Pose via = uniform_pose({-20, 20, -20, 20}, rng);
+      const LocalPose via(uniform_pose({-20, 20, -20, 20}, rng));
       const std::size_t n = route.legs.size();
       const search::Gears gears = gears_around({rule.initial_gear, 0}, route, n, n);
       route.legs.push_back({*connector.steer(route.begin_of(n), via, gears), via});

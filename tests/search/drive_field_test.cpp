@@ -40,7 +40,7 @@ std::vector<Polygon> some_boxes(Rng& rng) {
 Pose free_pose(const CollisionChecker& checker, Rng& rng) {
   while (true) {
     const Pose pose = uniform_pose({-30, 30, -30, 30}, rng);
-    if (checker.is_free(pose)) return pose;
+    if (checker.is_free(Local(pose))) return pose;
   }
 }
 
@@ -50,7 +50,8 @@ Problem some_problem(Rng& rng, const Vehicle& vehicle = {}) {
     const Problem problem = problem_of(uniform_pose({-30, 30, -30, 30}, rng),
                                        uniform_pose({-30, 30, -30, 30}, rng), boxes, area, vehicle);
     const CollisionChecker& checker = *problem.task().checker;
-    if (checker.is_free(problem.start()) && checker.is_free(problem.goal())) return problem;
+    if (checker.is_free(problem.task().start) && checker.is_free(problem.task().goal))
+      return problem;
   }
 }
 
@@ -79,7 +80,7 @@ TEST(Room, IsAboutTheClearance) {
     Room room = finished(Room(problem.task(), area, 3.0));
     for (int i = 0; i < 50; ++i) {
       const Pose pose = free_pose(*problem.task().checker, rng);
-      const double clearance = problem.task().checker->clearance(pose, 3.0);
+      const double clearance = problem.task().checker->clearance(Local(pose), 3.0);
       EXPECT_NEAR(std::min(room_at(room, pose), 3.0), clearance,
                   3 * static_cast<double>(room.fineness()));
     }
@@ -99,7 +100,7 @@ TEST(Room, IsAboutTheClearanceFromTheCellsOfAMap) {
   Room room = finished(Room(problem.task(), area, 3.0));
   for_each_case(2, 200, [&](Rng& rng) {
     const Pose pose = free_pose(*problem.task().checker, rng);
-    const double clearance = problem.task().checker->clearance(pose, 3.0);
+    const double clearance = problem.task().checker->clearance(Local(pose), 3.0);
     EXPECT_NEAR(std::min(room_at(room, pose), 3.0), clearance,
                 3 * static_cast<double>(room.fineness()));
   });
@@ -185,14 +186,14 @@ TEST(DriveField, AWayToANodeIsDrivenAsItIsCounted) {
       EXPECT_NEAR(wrap_angle(end.heading - pose.heading), 0.0, 1e-9);
       Driven driven = 0;
       const double driving = drive_cost(fields.back.rule(), steps, driven);
-      const double near = fields.back.clearance_cost(problem.goal(), steps);
+      const double near = fields.back.clearance_cost(problem.task().goal, steps);
       const double counted = static_cast<double>(last.cost);
       EXPECT_NEAR(counted, driving + near, 0.5 * near + 0.02 * driving + 0.5);
       if (minds_gears_alone) {
         EXPECT_NEAR(counted, driving, 1e-4 * driving + 1e-4);
       }
       EXPECT_GE(counted * (1 + 1e-5) + 1e-3,
-                fields.back.least_cost(problem.goal(), end, {Driven(0), driven.gear}));
+                fields.back.least_cost(problem.task().goal, Local(end), {Driven(0), driven.gear}));
     }
   });
 }
@@ -207,7 +208,7 @@ TEST(DriveField, HardlyAnyStepIsBlocked) {
       const DriveField::Node& node = fields.from_goal.node(id);
       if (node.parent == DriveField::none) continue;
       const Pose from = fields.from_goal.pose(fields.from_goal.node(node.parent));
-      blocked += fields.back.is_free(from, fields.from_goal.step_to(node)) ? 0 : 1;
+      blocked += fields.back.is_free(Local(from), fields.from_goal.step_to(node)) ? 0 : 1;
     }
     EXPECT_LT(blocked, 0.02 * static_cast<double>(closed.size()));
   });

@@ -193,7 +193,7 @@ void expect_open_beside_a_drive(Rng& rng) {
   const auto try_box = [&](const Polygon& b) {
     const CollisionChecker checker(vehicle, {.bounds = wide_bounds, .obstacles = {b}},
                                    {.wanted = margin});
-    if (!checker.is_free(path.start, path.segments)) return false;
+    if (!checker.is_free(Local(path.start), path.segments)) return false;
     boxes.push_back(b);
     return true;
   };

@@ -36,8 +36,8 @@ Problem walled_in() {
 
 /// One call does not do all of the work.
 double settled(const GoalEstimate& estimate, const Pose& pose) {
-  for (int i = 0; i < 100; ++i) (void)estimate.length(pose);
-  return estimate.length(pose);
+  for (int i = 0; i < 100; ++i) (void)estimate.length(Local(pose));
+  return estimate.length(Local(pose));
 }
 
 double at_start(std::string_view name, const Problem& problem) {
@@ -88,7 +88,7 @@ TEST(GoalEstimate, OfFieldsIsInfiniteWhereTheGoalIsCutOff) {
   for (const char* const name : {"grid", "any-angle", "choi"}) {
     const GoalEstimate estimate = make_goal_estimate(name, problem.task());
     EXPECT_FALSE(std::isfinite(settled(estimate, {0, 0, 0}))) << name;
-    EXPECT_TRUE(std::isfinite(estimate.length({50, 3, 1}))) << name;
+    EXPECT_TRUE(std::isfinite(estimate.length(LocalPose({50, 3, 1})))) << name;
   }
 }
 
@@ -106,7 +106,8 @@ TEST(GoalEstimate, NamesWhatIsUnknown) {
   const GoalEstimate estimate = make_goal_estimate("table", problem.task(), &table);
   EXPECT_EQ(estimate.name, "table");
   EXPECT_FALSE(estimate.is_admissible);
-  EXPECT_EQ(estimate.length({12, 3, 1}), table.distance({12, 3, 1}, problem.goal(), 7.0));
+  EXPECT_EQ(estimate.length(LocalPose({12, 3, 1})),
+            table.distance({12, 3, 1}, problem.goal(), 7.0));
 }
 
 TEST(GoalEstimate, OfTwoIsTheLargerOne) {
@@ -115,7 +116,7 @@ TEST(GoalEstimate, OfTwoIsTheLargerOne) {
                                            make_goal_estimate("reeds-shepp", problem.task()));
   EXPECT_TRUE(both.is_admissible);
   EXPECT_EQ(both.name, "max-any-angle-reeds-shepp");
-  for (const Pose& pose : {Pose{0, 0, 0}, Pose{28, 1, 2}}) {
+  for (const auto& pose : {LocalPose({0, 0, 0}), LocalPose({28, 1, 2})}) {
     EXPECT_EQ(both.length(pose),
               std::max(make_goal_estimate("any-angle", problem.task()).length(pose),
                        make_goal_estimate("reeds-shepp", problem.task()).length(pose)));
@@ -156,7 +157,7 @@ TEST(GoalEstimateLaw, AdmissibleOnesAreNeverAboveAPath) {
       const GoalEstimate estimate = make_goal_estimate(name, problem.task());
       if (!estimate.is_admissible) continue;
       for (const PathPoint& sample : sampled(*result.path, length / 50)) {
-        const Pose local = to_local(*problem.world(), sample.pose);
+        const LocalPose local = to_local(*problem.world(), sample.pose);
         ASSERT_LE(estimate.length(local), (length - sample.s) * (1 + 1e-9) + 1e-4)
             << name << " at " << as_code(local);
         ++poses;
@@ -173,7 +174,7 @@ TEST(GoalEstimateLaw, IsTheSameInAMovedScenario) {
     scenario.start = {};
     const Problem here = make_problem(scenario);
     const Problem there = make_problem(moved_by(scenario, 3000, -70));
-    const Pose pose = uniform_pose(scenario.bounds, rng);
+    const LocalPose pose(uniform_pose(scenario.bounds, rng));
     for (const std::string_view name : search::goal_estimate_names()) {
       if (name == search::user_table) continue;
       EXPECT_LT(apart(make_goal_estimate(name, here.task()).length(pose),

@@ -75,7 +75,7 @@ Surroundings just_beside(const Path& path, const Vehicle& vehicle, const Margin&
     Surroundings more = around;
     (chance(0.1, rng) ? more.kerbs : more.obstacles).push_back(polygon);
     const CollisionChecker checker(vehicle, more, margin);
-    if (checker.is_free(path.start, path.segments)) around = std::move(more);
+    if (checker.is_free(Local(path.start), path.segments)) around = std::move(more);
   }
   for (int i = 0; i < 5 && chance(0.2, rng); ++i) {
     Surroundings more = around;
@@ -85,7 +85,7 @@ Surroundings just_beside(const Path& path, const Vehicle& vehicle, const Margin&
     more.map->resolution = 0.4;
     more.map->unknown_is_free = true;
     const CollisionChecker checker(vehicle, more, margin);
-    if (checker.is_free(path.start, path.segments)) around = std::move(more);
+    if (checker.is_free(Local(path.start), path.segments)) around = std::move(more);
   }
   return around;
 }
@@ -260,7 +260,7 @@ TEST(PoseCut, AsksForNoMoreThanAPathThroughAGate) {
     const std::vector<Polygon> walls{box(-0.1, gap, 0.1, 99), box(-0.1, -99, 0.1, -gap)};
     const Problem problem =
         problem_of(path.start, end_pose(path), walls, {-99, 99, -99, 99}, vehicle);
-    if (!problem.task().checker->is_free(path.start, path.segments)) return;
+    if (!problem.task().checker->is_free(Local(path.start), path.segments)) return;
     const double longest = length(path) * (chance(0.5, rng) ? 1 + 1e-9 : uniform(1, 1.3, rng));
     const double side = any_size(0.1, 0.7, rng) * vehicle.width;
     const auto boxes = boxes_of(problem.task(), side, longest);

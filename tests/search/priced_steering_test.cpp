@@ -85,7 +85,7 @@ void expect_no_dearer(const Pose& start, const Piece& word, const Pose& goal,
   const Problem problem = problem_of(start, goal, {});
   Connector connector(problem.task(), rule);
   const search::Gears gears{rule.initial_gear, 0};
-  const Piece piece = *connector.steer(start, goal, gears);
+  const Piece piece = *connector.steer(Local(start), Local(goal), gears);
   EXPECT_LE(connector.cost(piece, gears), connector.cost(word, gears) + 2e-4)
       << as_code(word.view()) << " to " << as_code(goal);
   EXPECT_TRUE(ends_within(end_of(start, piece), goal, {0.9e-6, 0.9e-6})) << as_code(word.view());
@@ -98,7 +98,7 @@ TEST(PricedSteering, CostsNoMoreThanTheWordThatMadeTheGoal) {
     for (int i = 0; i < 100; ++i) {
       const Piece word = rng() % 4 == 0 ? random_word(rng) : degenerate(random_word(rng), rng);
       const CostRule& rule = rules[rng() % std::size(rules)];
-      expect_no_dearer({}, word, typed(end_of({}, word)), rule);
+      expect_no_dearer({}, word, typed(end_of(Pose{}, word)), rule);
       const Pose start = uniform_pose({-300, 300, -300, 300}, rng);
       expect_no_dearer(start, word, moved(end_of(start, word), rng), rule);
       expect_no_dearer(start, word, end_of(start, word), rule);
@@ -146,7 +146,7 @@ TEST(PricedSteering, EndsOnTheWayButForRounding) {
       const Pose from = uniform_pose({-100, 100, -100, 100}, rng);
       const Pose exact = end_of(from, degenerate(random_word(rng), rng));
       const Pose to = rng() % 2 == 0 ? exact : moved(exact, rng);
-      const Pose end = end_of(from, *connector.steer(from, to));
+      const Pose end = end_of(from, *connector.steer(Local(from), Local(to)));
       EXPECT_TRUE(ends_within(end, to, {1e-9, 1e-11})) << as_code(from) << " to " << as_code(to);
     }
   });
@@ -158,13 +158,13 @@ TEST(PricedSteering, GoesOnAlongAWordThatWasCut) {
     const Piece word = piece_of(std::vector<Segment>{{1 / radius, uniform(1, 20, rng)},
                                                      {0, uniform(1, 200, rng)},
                                                      {-1 / radius, uniform(1, 20, rng)}});
-    const Problem problem = problem_of({}, end_of({}, word), {});
+    const Problem problem = problem_of({}, end_of(Pose{}, word), {});
     Connector connector(problem.task(), {1, 2, 20, 0});
     Pose pose;
     double cost = 0.0;
     for (int i = 1; i <= 50; ++i) {
-      const Pose next = end_of({}, search::prefix(word, word.length * i / 50));
-      const Piece piece = *connector.steer(pose, next);
+      const Pose next = end_of(Pose{}, search::prefix(word, word.length * i / 50));
+      const Piece piece = *connector.steer(Local(pose), Local(next));
       cost += connector.cost(piece, {1, 1});
       for (const Segment& segment : piece.view()) pose = advance(pose, segment);
       EXPECT_TRUE(ends_within(pose, next, {1e-9, 1e-11}));
@@ -205,16 +205,16 @@ TEST(Mended, LengthsComeBack) {
     const Piece word = random_word(rng);
     Piece off = word;
     for (std::size_t i = 0; i < off.count; ++i) off.segments[i].length *= uniform(0.9999, 1, rng);
-    const Pose to = end_of({}, word);
+    const Pose to = end_of(Pose{}, word);
     const std::optional<Piece> mended = steering::mended({}, to, off, steering::at_goal);
     if (!mended) return;  // what lacks a part may not come back; the word does not end elsewhere
-    EXPECT_TRUE(ends_within(end_of({}, *mended), to, steering::at_goal));
+    EXPECT_TRUE(ends_within(end_of(Pose{}, *mended), to, steering::at_goal));
   });
 }
 
 TEST(Mended, WhatWouldBeShorterThanNothingIsLeftOut) {
   const Piece word = piece_of(std::vector<Segment>{{0, 1e-4}, {1 / radius, 5}, {0, 3}});
-  const Pose to = end_of({}, piece_of(std::vector<Segment>{{1 / radius, 5}, {0, 3}}));
+  const Pose to = end_of(Pose{}, piece_of(std::vector<Segment>{{1 / radius, 5}, {0, 3}}));
   const std::optional<Piece> mended = steering::mended({}, to, word, steering::on_the_way);
   ASSERT_TRUE(mended);
   EXPECT_LE(mended->count, 3);
@@ -223,7 +223,7 @@ TEST(Mended, WhatWouldBeShorterThanNothingIsLeftOut) {
 
 TEST(Mended, EndsNowhereElse) {
   const Piece word = piece_of(std::vector<Segment>{{1 / radius, 5}});
-  const Pose end = end_of({}, word);
+  const Pose end = end_of(Pose{}, word);
   EXPECT_TRUE(steering::mended({}, {end.x, end.y, end.heading + 5e-7}, word, steering::at_goal));
   EXPECT_FALSE(steering::mended({}, {end.x, end.y, end.heading + 5e-6}, word, steering::at_goal));
 }

@@ -18,15 +18,15 @@ using search::Connector;
 using search::part_of;
 using search::Route;
 
-constexpr Bounds region{-30, 30, -30, 30};
+constexpr Local<Bounds> region(Bounds{-30, 30, -30, 30});
 
 Route random_route(Rng& rng) {
   const Problem problem = problem_of({0, 0, 0}, {1, 0, 0}, {});
   Connector connector(problem.task());
   Route route{uniform_pose(region, rng), {}, 0.0};
-  Pose at = route.start;
+  LocalPose at = route.start;
   for (int leg = 0; leg < 4; ++leg) {
-    const Pose next = uniform_pose(region, rng);
+    const LocalPose next = uniform_pose(region, rng);
     route.legs.push_back({*connector.steer(at, next), next});
     at = next;
   }
@@ -76,13 +76,13 @@ TEST(Route, APartGoesOnBehindASegmentOfNoLength) {
   piece.length = 5.0;
   EXPECT_EQ(search::prefix(piece, 3.0).length, 3.0);
   EXPECT_EQ(search::suffix(piece, 3.0).length, 2.0);
-  const Route route{{0, 0, 0}, {{piece, {5, 0, 0}}}, 5.0};
+  const Route route{{}, {{piece, LocalPose({5, 0, 0})}}, 5.0};
   EXPECT_EQ(part_of(route, 0.0, 3.0).length(), 3.0);
 }
 
 TEST(Route, AlikeIsWhatIsNearAndChangesGearAsOften) {
   const auto route_of = [](std::vector<Segment> segments) {
-    Route route{{0, 0, 0}, {}, 0.0};
+    Route route{{}, {}, 0.0};
     for (const Segment& segment : segments) {
       Piece piece;
       piece.segments[piece.count++] = segment;

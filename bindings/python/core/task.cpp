@@ -47,7 +47,8 @@ std::vector<Segment> segments_of(const py::handle& given) {
   return all;
 }
 
-TreeSnapshot tree_from(const py::handle& given) {
+/// The poses of a tree in the frame of the world, as an answer has them.
+TreeSnapshot tree_from(const py::handle& given, const World& world) {
   const auto pair = given.cast<std::pair<py::object, std::vector<std::int32_t>>>();
   const Poses poses(pair.first, "tree");
   if (poses.view().size() != pair.second.size()) {
@@ -58,18 +59,23 @@ TreeSnapshot tree_from(const py::handle& given) {
       throw InputError("tree", "expected parents before their children, -1 for the root");
     }
   }
-  return {{poses.view().begin(), poses.view().end()}, pair.second};
+  TreeSnapshot tree{.poses = {}, .parents = pair.second};
+  for (const Pose& pose : poses.view()) tree.poses.push_back(to_local(world, pose));
+  return tree;
 }
 
 py::object free_at(PlanningTask& self, const py::object& given) {
   const Poses poses(given, "poses");
   const CollisionChecker& checker = *self.task().checker;
-  if (poses.shape().empty()) return py::bool_(checker.is_free(poses.view().front()));
+  const World& world = *self.task().world;
+  if (poses.shape().empty()) {
+    return py::bool_(checker.is_free(to_local(world, poses.view().front())));
+  }
   py::array_t<bool> out(std::vector<py::ssize_t>(poses.shape().begin(), poses.shape().end()));
   bool* const values = out.mutable_data();
   unlocked(poses.view().size(), [&] {
     for (std::size_t i = 0; i < poses.view().size(); ++i) {
-      values[i] = checker.is_free(poses.view()[i]);
+      values[i] = checker.is_free(to_local(world, poses.view()[i]));
     }
   });
   return out;
@@ -78,21 +84,23 @@ py::object free_at(PlanningTask& self, const py::object& given) {
 py::object is_free(PlanningTask& self, const py::object& given) {
   if (!py::isinstance<Path>(given)) return free_at(self, given);
   const auto& path = given.cast<const Path&>();
-  return py::bool_(self.task().checker->is_free(path.start, path.segments));
+  return py::bool_(
+      self.task().checker->is_free(to_local(*self.task().world, path.start), path.segments));
 }
 
 py::object clearance(PlanningTask& self, const py::object& given, std::optional<double> limit) {
   const double most = limit.value_or(infinity);
   const Poses poses(given, "poses");
   const CollisionChecker& checker = *self.task().checker;
+  const World& world = *self.task().world;
   if (poses.shape().empty()) {
-    return py::float_(checker.clearance(poses.view().front(), most));
+    return py::float_(checker.clearance(to_local(world, poses.view().front()), most));
   }
   py::array_t<double> out = empty_array(poses.shape());
   double* const values = out.mutable_data();
   unlocked(poses.view().size(), [&] {
     for (std::size_t i = 0; i < poses.view().size(); ++i) {
-      values[i] = checker.clearance(poses.view()[i], most);
+      values[i] = checker.clearance(to_local(world, poses.view()[i]), most);
     }
   });
   return out;
@@ -100,7 +108,9 @@ py::object clearance(PlanningTask& self, const py::object& given, std::optional<
 
 std::optional<Path> steer(PlanningTask& self, const py::object& from, const py::object& to) {
   const Pose start = pose_from(from, "start");
-  const auto piece = self.connector().steer(start, pose_from(to, "goal"));
+  const World& world = *self.task().world;
+  const auto piece =
+      self.connector().steer(to_local(world, start), to_local(world, pose_from(to, "goal")));
   if (!piece) return std::nullopt;
   return path_of(start, *piece);
 }
@@ -108,8 +118,10 @@ std::optional<Path> steer(PlanningTask& self, const py::object& from, const py::
 std::optional<Path> connect(PlanningTask& self, const py::object& from, const py::object& to,
                             std::optional<double> cutoff) {
   const Pose start = pose_from(from, "start");
+  const World& world = *self.task().world;
   const auto edge =
-      self.connector().connect(start, pose_from(to, "goal"), {.cutoff = cutoff.value_or(infinity)});
+      self.connector().connect(to_local(world, start), to_local(world, pose_from(to, "goal")),
+                               {.cutoff = cutoff.value_or(infinity)});
   if (!edge) return std::nullopt;
   return path_of(start, edge->piece);
 }
@@ -119,15 +131,23 @@ double way_cost(PlanningTask& self, const py::object& given) {
   search::Driven driven = self.rule().initial_gear;
   double cost = search::drive_cost(self.rule(), segments, driven);
   if (self.rule().clearance_weight == 0.0) return cost;
-  const Pose start = py::isinstance<Path>(given) ? given.cast<const Path&>().start
-                     : py::len(given) == 0       ? self.task().start
-                                                 : given[py::int_(0)].cast<const Path&>().start;
-  return cost +
-         search::clearance_cost(self.task(), self.rule(), start, segments, search::Looks::search);
+  if (segments.empty()) return cost;
+  const Pose& start = py::isinstance<Path>(given) ? given.cast<const Path&>().start
+                                                  : given[py::int_(0)].cast<const Path&>().start;
+  return cost + search::clearance_cost(self.task(), self.rule(),
+                                       to_local(*self.task().world, start), segments,
+                                       search::Looks::search);
 }
 
-py::tuple bounds_tuple(const Bounds& b) {
-  return py::make_tuple(b.x_min, b.x_max, b.y_min, b.y_max);
+py::array_t<double> in_scenario(const PlanningTask& self, const LocalPose& pose) {
+  return array_of(to_scenario(*self.task().world, pose));
+}
+
+py::tuple in_scenario(const PlanningTask& self, const Local<Bounds>& box) {
+  const World& world = *self.task().world;
+  const Pose low = to_scenario(world, LocalPose({box.x_min, box.y_min, 0.0}));
+  const Pose high = to_scenario(world, LocalPose({box.x_max, box.y_max, 0.0}));
+  return py::make_tuple(low.x, high.x, low.y, high.y);
 }
 
 py::dict own_options(const PlanningTask& self) {
@@ -140,10 +160,10 @@ py::dict own_options(const PlanningTask& self) {
 
 void bind_task_data(py::class_<PlanningTask, std::shared_ptr<PlanningTask>>& task) {
   task.def_property_readonly(
-          "start", [](const PlanningTask& self) { return array_of(self.task().start); },
+          "start", [](const PlanningTask& self) { return in_scenario(self, self.task().start); },
           "[x, y, heading]; it is free.")
       .def_property_readonly(
-          "goal", [](const PlanningTask& self) { return array_of(self.task().goal); },
+          "goal", [](const PlanningTask& self) { return in_scenario(self, self.task().goal); },
           "[x, y, heading]; it is free.")
       .def_property_readonly(
           "vehicle", [](const PlanningTask& self) { return self.task().vehicle; }, "The vehicle.")
@@ -152,12 +172,14 @@ void bind_task_data(py::class_<PlanningTask, std::shared_ptr<PlanningTask>>& tas
           "Its turning radius [m].")
       .def_property_readonly(
           "bounds",
-          [](const PlanningTask& self) { return bounds_tuple(self.task().world->local().bounds); },
+          [](const PlanningTask& self) {
+            return in_scenario(self, sampling_region(self.task(), Region::bounds));
+          },
           "Where the rear axle may be: (x_min, x_max, y_min, y_max).")
       .def_property_readonly(
           "scene",
           [](const PlanningTask& self) {
-            return bounds_tuple(sampling_region(self.task(), Region::scene));
+            return in_scenario(self, sampling_region(self.task(), Region::scene));
           },
           "The box of start, goal and obstacles with 20 m around it, cut to the bounds.")
       .def_property_readonly(
@@ -191,7 +213,7 @@ PlannerAnswer answer_from(const py::handle& returned, PlanningTask& task) {
                        .iterations = task.budget().iterations(),
                        .reason = said.reason};
   for (const auto& [name, value] : said.counters) answer.counters.push_back({name, value});
-  if (!said.tree.is_none()) answer.tree = tree_from(said.tree);
+  if (!said.tree.is_none()) answer.tree = tree_from(said.tree, *task.task().world);
   if (said.path.is_none()) {
     const std::optional<PlanStatus> exhausted = task.budget().exhausted();
     answer.status = said.proven ? PlanStatus::no_path : exhausted.value_or(PlanStatus::stopped);
@@ -234,8 +256,7 @@ without a path: there is none. `reason`: why, one line. `counters`: what was cou
   py::class_<PlanningTask, std::shared_ptr<PlanningTask>> task(module, "Task",
                                                                R"(What a planner in Python is given.
 
-Poses are in the frame of the task, whose origin lies near the start. A planner returns a path from
-`start` to `goal`, a list of paths that go on from each other, None, or an `Answer`.)");
+All poses are in the scenario's frame. A planner returns a path from `start` to `goal`, a list of paths that go on from each other, None, or an `Answer`.)");
   bind_task_data(task);
   task.def(
           "next", [](PlanningTask& self) { return self.budget().next(); },

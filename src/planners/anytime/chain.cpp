@@ -40,8 +40,9 @@ Chain::Chain(const Task& task, Connector& connector, const Path& old, std::uint6
 
 /// The places of a path where one piece may end and the next one begin, its ends among them.
 std::vector<Chain::Via> Chain::vias_of(const Path& path) {
-  std::vector<Via> vias = {{path.start, 0.0, 0}};
-  Pose pose = path.start;
+  const LocalPose start(path.start);
+  std::vector<Via> vias = {{start, 0.0, 0}};
+  LocalPose pose = start;
   double s = 0.0;
   const Segment* before = nullptr;
   for (const Segment& segment : path.segments) {
@@ -88,7 +89,7 @@ std::optional<std::vector<Chain::Link>> Chain::links(std::span<const Via> vias,
   for (std::size_t i = 0; i + 1 < vias.size(); ++i) {
     const bool is_last = i + 2 == vias.size();
     const Driven after = is_last ? around.after : Driven(vias[i + 1].next);
-    const Pose& from = vias[i].pose;
+    const LocalPose& from = vias[i].pose;
     const std::optional<Piece> piece = connector_.steer(from, vias[i + 1].pose, {before, after});
     if (!piece) return std::nullopt;
     result.push_back({*piece, connector_.is_free(from, *piece)});
@@ -135,8 +136,8 @@ bool Chain::take_over() {
   for (std::size_t i = 0; i + 1 < vias_.size(); ++i) {
     const bool is_last = i + 2 == vias_.size();
     const bool is_old = !is_last && (i > 0 || task_.start == old_.start);
-    const Pose& from = vias_[i].pose;
-    const Pose& to = vias_[i + 1].pose;
+    const LocalPose& from = vias_[i].pose;
+    const LocalPose& to = vias_[i + 1].pose;
     std::optional<Piece> piece;
     if (is_old) piece = old_piece(vias_[i], vias_[i + 1], before);
     const Driven after = is_last ? ends.after : Driven(vias_[i + 1].next);
@@ -177,7 +178,7 @@ void Chain::span_legs(std::size_t first, std::size_t last) {
     cost += connector_.cost(legs_[i].piece, {before, after});
     before = last_driven(legs_[i].piece);
   }
-  const Pose& from = vias_[first].pose;
+  const LocalPose& from = vias_[first].pose;
   const std::optional<Piece> piece = connector_.steer(from, vias_[last].pose, gears, cost);
   if (!piece || !connector_.is_free(from, *piece)) return;
   const double gain = cost - connector_.cost(*piece, gears);
@@ -207,7 +208,7 @@ Chain::Via Chain::beside(double s, GearSign next) {
   const double reach = scale * connector_.radius();
   const Pose by{uniform(-reach, reach, rng_), uniform(-reach, reach, rng_),
                 uniform(-scale, scale, rng_)};
-  return {compose(pose_at(old_, s), by), s, next};
+  return {Local(compose(pose_at(old_, s), by)), s, next};
 }
 
 /// Moves an end of a leg that is not free, or makes a place in its middle.

@@ -43,7 +43,7 @@ class Chain {
  private:
   /// A place of the old path where the wheels are straight or the gear changes.
   struct Via {
-    Pose pose;
+    LocalPose pose;
     double s;       // on the old path [m]
     GearSign next;  // the gear driven from there, if it changes; else 0
   };

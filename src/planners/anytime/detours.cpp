@@ -29,7 +29,7 @@ constexpr double hopeless_detour = 8.0;        // over the old one, times the tr
 constexpr double least_gain_of_detour = 1e-3;  // [turning radii]
 
 // No path from focus to focus that is no longer than `length` leaves it.
-Bounds ellipse_box(const Pose& a, const Pose& b, double length, const Bounds& scene) {
+Bounds ellipse_box(const LocalPose& a, const LocalPose& b, double length, const Bounds& scene) {
   const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
   const double apart = std::hypot(dx, dy);
   const double minor = std::sqrt(std::max(length * length - apart * apart, 0.0)) / 2;
@@ -98,8 +98,8 @@ void Detours::begin() {
   if (!after_.legs.empty()) gears_.after = first_driven(after_.legs.front().piece);
   rule.initial_gear = gears_.before.gear;
   price(Connector(task_, rule), old_);
-  const Pose& first = old_.start;
-  const Pose& last = old_.legs.back().end;
+  const LocalPose& first = old_.start;
+  const LocalPose& last = old_.legs.back().end;
   if (backwards_) {
     std::swap(gears_.before, gears_.after);
     gears_.before.gear *= -1;
@@ -112,7 +112,7 @@ void Detours::begin() {
   make_guide(backwards_ ? last : first, backwards_ ? first : last);
 }
 
-void Detours::make_guide(const Pose& root, const Pose& target) {
+void Detours::make_guide(const LocalPose& root, const LocalPose& target) {
   const Bounds box = ellipse_box(root, target, detour_slack * old_.cost, scene_);
   if (scope_ == Scope::all) {
     guide_ = std::make_unique<GridDistance>(task_, box, guide_side, target, root);
@@ -150,7 +150,7 @@ bool Detours::offer() {
 // A way on the grid that is much longer than the stretch is no shorter path.
 bool Detours::is_hopeless() const {
   if (scope_ == Scope::all) return false;
-  const Pose& root = backwards_ ? old_.legs.back().end : old_.start;
+  const LocalPose& root = backwards_ ? old_.legs.back().end : old_.start;
   return !guide_->is_connected() || guide_->at(root.x, root.y) > grid_slack * old_.cost;
 }
 
@@ -184,8 +184,8 @@ bool Detours::step() {
 
 bool Detours::search() {
   if (!lattice_) {
-    const Pose& first = old_.start;
-    const Pose& last = old_.legs.back().end;
+    const LocalPose& first = old_.start;
+    const LocalPose& last = old_.legs.back().end;
     lattice_.emplace(backwards_ ? last : first, backwards_ ? first : last, gears_, options_,
                      *guide_, *connector_);
     lattice_->set_cutoff(detour_slack * old_.cost);

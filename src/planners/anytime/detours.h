@@ -41,7 +41,7 @@ class Detours {
   void choose();
   void begin();
   void end();
-  void make_guide(const Pose& root, const Pose& target);
+  void make_guide(const LocalPose& root, const LocalPose& target);
   [[nodiscard]] bool is_hopeless() const;
   bool search();
   Route put_in_place(const Route& way);

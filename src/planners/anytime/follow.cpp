@@ -31,7 +31,7 @@ Follower::Follower(const Task& task, const commands::WheelEnds& ends, commands::
 void Follower::cut(std::span<const Segment> way) {
   way_.clear();
   cuts_.clear();
-  Pose pose = task_.start;
+  LocalPose pose = task_.start;
   Driven before = ends_.before;
   for (std::size_t i = 0; i < way.size(); ++i) {
     const Segment& segment = way[i];
@@ -75,7 +75,8 @@ std::optional<std::vector<Segment>> Follower::drive() const {
 }
 
 /// How much of the commands runs into something; anything more than `most` if it is more.
-double Follower::blocked(std::span<const Segment> commands, Pose pose, Driven driven, double most) {
+double Follower::blocked(std::span<const Segment> commands, LocalPose pose, Driven driven,
+                         double most) {
   double sum = 0.0;
   for (const Segment& segment : wheels_.driven(commands, driven)) {
     ++checks_;
@@ -139,7 +140,7 @@ void Follower::measure(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     blocked_[i] = blocked(std::span(drive_).subspan(i, 1), poses_[i], driven_[i], never);
     Driven driven = driven_[i];
-    Pose pose = poses_[i];
+    LocalPose pose = poses_[i];
     const commands::Obeyed obeyed = wheels_.obey(drive_[i], driven);
     for (const Segment& segment : obeyed.view()) pose = advance(pose, segment);
     if (i + 1 == last && last < drive_.size()) break;  // what is behind them is as it was

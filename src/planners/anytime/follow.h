@@ -39,14 +39,14 @@ class Follower {
   /// Where a part of the way may end.
   struct Cut {
     std::size_t segment;  // the first one behind it
-    Pose pose;
+    LocalPose pose;
     std::optional<double> curvature;  // of the wheels there; none: any
   };
   /// How far the drive has come.
   struct Stage {
     std::size_t segment;   // of the way: the next one
     std::size_t commands;  // of the drive
-    Pose pose;
+    LocalPose pose;
     search::Driven driven;
   };
   /// A drive from a stage to a cut.
@@ -68,8 +68,8 @@ class Follower {
   void take(const Part& part);
   void measure(std::size_t first, std::size_t last);
   [[nodiscard]] Window any_window();
-  [[nodiscard]] double blocked(std::span<const Segment> commands, Pose pose, search::Driven driven,
-                               double most);
+  [[nodiscard]] double blocked(std::span<const Segment> commands, LocalPose pose,
+                               search::Driven driven, double most);
   void shake();
 
   const Task& task_;
@@ -87,7 +87,7 @@ class Follower {
   std::vector<Segment> drive_;
   // Of the whole drive: before each command and at the end, and how much of each runs into
   // something.
-  std::vector<Pose> poses_;
+  std::vector<LocalPose> poses_;
   std::vector<search::Driven> driven_;
   std::vector<double> blocked_;
   double left_ = 0.0;  // in all

@@ -33,7 +33,7 @@ int locks_for(const Connector& connector, double step, int most) {
 
 }  // namespace
 
-Lattice::Lattice(const Pose& root, const Pose& target, const Gears& gears,
+Lattice::Lattice(const LocalPose& root, const LocalPose& target, const Gears& gears,
                  const LatticeOptions& options, const Guide& guide, Connector& connector)
     : connector_(connector),
       guide_(guide),
@@ -121,7 +121,7 @@ void Lattice::open(const Node& node) {
 
 // Appends a step to the last leg of the route; a leg of continuous curvature ends where another
 // piece may begin.
-void Lattice::append(const Segment& step, const Pose& end) {
+void Lattice::append(const Segment& step, const LocalPose& end) {
   if (connector_.continuous() == nullptr) return drive_on(route_.legs, step, end);
   const bool may_begin =
       is_straight(step.curvature) ||
@@ -243,7 +243,7 @@ bool Lattice::waits_for_cheaper(Entry entry) {
   Node& node = nodes_[static_cast<std::size_t>(entry.node)];
   node.is_free = true;
   if (options_.overlooks_clearance) return false;
-  const Pose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
+  const LocalPose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
   const double near = connector_.clearance_cost(from, std::span(&node.segment, 1));
   node.cost_to_come += near;
   entry.rank += near;
@@ -260,7 +260,7 @@ bool Lattice::step() {
   const std::uint64_t key = key_of(node);
   if (is_closed(key)) return false;
   if (node.parent >= 0 && !node.is_free) {
-    const Pose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
+    const LocalPose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
     if (!connector_.is_free(from, node.segment)) return false;
     if (waits_for_cheaper(*entry)) return false;
   }

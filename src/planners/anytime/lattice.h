@@ -34,8 +34,8 @@ struct LatticeOptions {
 /// One search from `root` to `target`; what is driven before and after it are its gears.
 class Lattice {
  public:
-  Lattice(const Pose& root, const Pose& target, const Gears& gears, const LatticeOptions& options,
-          const Guide& guide, Connector& connector);
+  Lattice(const LocalPose& root, const LocalPose& target, const Gears& gears,
+          const LatticeOptions& options, const Guide& guide, Connector& connector);
 
   /// Expands one pose. True when a route was found that is cheaper than those before: `route`.
   [[nodiscard]] bool step();
@@ -49,7 +49,7 @@ class Lattice {
 
  private:
   struct Node {
-    Pose pose;
+    LocalPose pose;
     Segment segment;  // from the parent
     double cost_to_come;
     std::int32_t parent;
@@ -83,13 +83,13 @@ class Lattice {
   [[nodiscard]] bool is_closed(std::uint64_t key) const;
   void grow_table();
   [[nodiscard]] bool is_straight(double curvature) const;
-  void append(const Segment& step, const Pose& end);
+  void append(const Segment& step, const LocalPose& end);
   void build_route(std::int32_t node, const Piece& last);
 
   Connector& connector_;
   const Guide& guide_;
   LatticeOptions options_;
-  Pose target_;
+  LocalPose target_;
   Gears gears_;
   double cutoff_;
   double step_length_;

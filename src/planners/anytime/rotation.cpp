@@ -38,8 +38,8 @@ CostRule priced(CostRule rule, double price) {
 
 }  // namespace
 
-Rotation::Rotation(const Task& task, const CostRule& rule, const Pose& root, const Pose& target,
-                   const Gears& gears, const Guide& guide)
+Rotation::Rotation(const Task& task, const CostRule& rule, const LocalPose& root,
+                   const LocalPose& target, const Gears& gears, const Guide& guide)
     : root_(root),
       target_(target),
       gears_(gears),

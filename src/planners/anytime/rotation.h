@@ -18,7 +18,7 @@ class Rotation {
  public:
   /// `rule` is that of the direction of the search. All arguments but the poses and the rule
   /// outlive the rotation.
-  Rotation(const Task& task, const CostRule& rule, const Pose& root, const Pose& target,
+  Rotation(const Task& task, const CostRule& rule, const LocalPose& root, const LocalPose& target,
            const Gears& gears, const Guide& guide);
 
   /// Expands one pose. True when a route was found: `route`. Only routes that cost less than
@@ -43,8 +43,8 @@ class Rotation {
 
   bool begin_turn();
 
-  Pose root_;
-  Pose target_;
+  LocalPose root_;
+  LocalPose target_;
   Gears gears_;
   const Guide& guide_;
   std::vector<std::unique_ptr<Search>> searches_;

@@ -137,14 +137,14 @@ Shortener::Place Shortener::random_place() {
   return {leg, connector_.continuous() != nullptr ? nearest_cut(piece, s, connector_.radius()) : s};
 }
 
-Pose Shortener::pose_at(const Place& place) const {
+LocalPose Shortener::pose_at(const Place& place) const {
   const Leg& leg = route_.legs[place.leg];
   if (place.s == leg.piece.length) return leg.end;
   return end_of(route_.begin_of(place.leg), prefix(leg.piece, place.s));
 }
 
 // In the vehicle's own frame, at a random scale: what is left to gain shrinks as the route settles.
-Pose Shortener::perturbed(const Pose& pose) {
+LocalPose Shortener::perturbed(const LocalPose& pose) {
   const double scale = std::exp2(uniform(-10.0, -0.5, rng_));
   const double reach = scale * connector_.radius();
   const Pose local{uniform(-reach, reach, rng_), uniform(-reach, reach, rng_),
@@ -171,7 +171,7 @@ Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const
 }
 
 // Finds what being near things adds to the cost of the trial. False if that takes up the gain.
-bool Shortener::stays_cheaper(Pose from, double gain) {
+bool Shortener::stays_cheaper(LocalPose from, double gain) {
   if (connector_.rule().clearance_weight == 0.0) return true;
   for (Leg& leg : trial_) {
     leg.clearance_cost = connector_.clearance_cost(from, leg.piece.view(), gain);
@@ -189,7 +189,7 @@ bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
   if (gain < least_gain) return false;
   for (const Leg& leg : fresh) {
     const bool is_first = &leg == trial_.data();
-    const Pose& from = is_first ? route_.begin_of(old.first) : (&leg - 1)->end;
+    const LocalPose& from = is_first ? route_.begin_of(old.first) : (&leg - 1)->end;
     if (!connector_.is_free(from, leg.piece)) return false;
   }
   if (!stays_cheaper(route_.begin_of(old.first), gain)) return false;
@@ -222,8 +222,8 @@ bool Shortener::shortcut() {
   Place b = random_place();
   if (b.leg < a.leg || (b.leg == a.leg && b.s < a.s)) std::swap(a, b);
   if (a.leg == b.leg) return false;
-  const Pose from = pose_at(a);
-  const Pose to = pose_at(b);
+  const LocalPose from = pose_at(a);
+  const LocalPose to = pose_at(b);
   const Piece head = prefix(route_.legs[a.leg].piece, a.s);
   const Piece tail = suffix(route_.legs[b.leg].piece, b.s);
   const Stretch old = stretch(a.leg, b.leg + 1);
@@ -245,7 +245,7 @@ bool Shortener::drop_via() {
   const std::size_t legs = route_.legs.size();
   if (legs < 2) return false;
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
-  const Pose& to = route_.legs[i + 1].end;
+  const LocalPose& to = route_.legs[i + 1].end;
   const Stretch old = stretch(i, i + 2);
   const std::optional<Piece> piece = connector_.steer(route_.begin_of(i), to, old.gears, old.cost);
   if (!piece) return false;
@@ -255,9 +255,9 @@ bool Shortener::drop_via() {
 
 // Drives the stretch by way of another pose. Where the curvature is continuous, the gear changes
 // there if `cusp` is the gear driven then.
-bool Shortener::replace_by_way_of(const Pose& via, const Stretch& old, GearSign cusp) {
-  const Pose& from = route_.begin_of(old.first);
-  const Pose& to = route_.legs[old.last - 1].end;
+bool Shortener::replace_by_way_of(const LocalPose& via, const Stretch& old, GearSign cusp) {
+  const LocalPose& from = route_.begin_of(old.first);
+  const LocalPose& to = route_.legs[old.last - 1].end;
   double left = old.cost;
   if (!connector_.rule().is_length()) {
     left -= connector_.least_cost(via, to, {0, old.gears.after});
@@ -282,7 +282,7 @@ bool Shortener::move_via() {
   const std::size_t legs = route_.legs.size();
   if (legs < 2) return move_place();
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
-  const Pose via = perturbed(route_.legs[i].end);
+  const LocalPose via = perturbed(route_.legs[i].end);
   const GearSign before = last_driven(route_.legs[i].piece).gear;
   const GearSign after = first_driven(route_.legs[i + 1].piece).gear;
   return replace_by_way_of(via, stretch(i, i + 2), after == -before ? after : 0);
@@ -291,7 +291,7 @@ bool Shortener::move_via() {
 // Makes a via pose beside a place of the route.
 bool Shortener::move_place() {
   const Place place = random_place();
-  const Pose via = perturbed(pose_at(place));
+  const LocalPose via = perturbed(pose_at(place));
   return replace_by_way_of(via, stretch(place.leg, place.leg + 1), 0);
 }
 

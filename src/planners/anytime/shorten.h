@@ -63,25 +63,25 @@ class Shortener {
   void move_window();
   void next_window();
   [[nodiscard]] Place random_place();
-  [[nodiscard]] Pose pose_at(const Place& place) const;
-  [[nodiscard]] Pose perturbed(const Pose& pose);
+  [[nodiscard]] LocalPose pose_at(const Place& place) const;
+  [[nodiscard]] LocalPose perturbed(const LocalPose& pose);
   bool shortcut();
   bool drop_via();
   bool move_via();
   bool move_place();
   [[nodiscard]] double cost_of_legs(std::span<const Leg> legs, const Gears& gears) const;
   [[nodiscard]] Stretch stretch(std::size_t first, std::size_t last) const;
-  bool replace_by_way_of(const Pose& via, const Stretch& old, GearSign cusp);
-  [[nodiscard]] bool stays_cheaper(Pose from, double gain);
+  bool replace_by_way_of(const LocalPose& via, const Stretch& old, GearSign cusp);
+  [[nodiscard]] bool stays_cheaper(LocalPose from, double gain);
   bool replace(const Stretch& old, std::span<const Leg> fresh);
   /// Puts the trial in the place of the stretch.
   void exchange(Route& route, const Stretch& old) const;
 
   Connector& connector_;
   std::function<double(const Route&)> measure_;
-  Route route_;   // or the window of it
-  Pose start_;    // of the whole route
-  Gears beside_;  // what is driven before and after it
+  Route route_;      // or the window of it
+  LocalPose start_;  // of the whole route
+  Gears beside_;     // what is driven before and after it
   // The legs before the window, and those after it, the last one first.
   std::vector<Leg> passed_;
   std::vector<Leg> ahead_;

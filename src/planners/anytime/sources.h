@@ -52,8 +52,8 @@ class Ladder {
 
   const Task& task_;
   Bounds scene_;
-  Pose from_;
-  Pose to_;
+  LocalPose from_;
+  LocalPose to_;
   Root root_;
   bool is_far_;                        // over a site of which only a strip is looked at
   CostRule rule_;                      // of the route

@@ -43,7 +43,7 @@ Piece piece_of(std::span<const Segment> segments) {
 Route cut_at_changes(const Route& route) {
   Route result{route.start, {}, 0.0};
   for (std::size_t i = 0; i < route.legs.size(); ++i) {
-    Pose from = route.begin_of(i);
+    LocalPose from = route.begin_of(i);
     std::span<const Segment> rest = route.legs[i].piece.view();
     while (!rest.empty()) {
       const auto changes = [&](const Segment& s) { return gear_of(s) != gear_of(rest.front()); };
@@ -111,7 +111,7 @@ void Lengthener::consider(std::size_t first, std::size_t last, const std::vector
   trial.legs.insert(next, legs.begin(), legs.end());
   trial = cut_at_changes(trial);
   if (missing(trial, least_) > wanted_) return;
-  Pose from = route_.begin_of(first);
+  LocalPose from = route_.begin_of(first);
   for (const Leg& leg : legs) {
     if (!connector_.is_free(from, leg.piece)) return;
     from = leg.end;
@@ -128,7 +128,7 @@ void Lengthener::try_without(const LegStroke& stroke) {
       const std::size_t first = stroke.first - before;
       const std::size_t last = stroke.last + after;
       const Gears gears = gears_around(beside_, route_, first, last);
-      const Pose& to = route_.legs[last - 1].end;
+      const LocalPose& to = route_.legs[last - 1].end;
       const std::optional<Piece> piece = connector_.steer(route_.begin_of(first), to, gears);
       if (piece && piece->count > 0) consider(first, last, {{*piece, to}});
     }
@@ -144,7 +144,7 @@ void Lengthener::try_later(std::size_t cusp, double by) {
   const double curvature_after = search::first_driven(after.piece).curvature;
   for (const double curvature : {curvature_before, curvature_after, 0.0}) {
     const Segment on{curvature, by * gear_of(before)};
-    const Pose via = advance(before.end, on);
+    const LocalPose via = advance(before.end, on);
     if (is_near(curvature, curvature_before) && is_near(curvature, curvature_after)) {
       const Piece there = piece_of({&on, 1});
       consider(cusp, cusp, {{there, via}, {reversed(there), before.end}});
@@ -158,7 +158,7 @@ void Lengthener::try_later(std::size_t cusp, double by) {
         const std::optional<Piece> there =
             connector_.steer(route_.begin_of(first), via, {gears.before, gear_of(after)});
         if (!there || there->count == 0) continue;
-        const Pose& to = route_.legs[last - 1].end;
+        const LocalPose& to = route_.legs[last - 1].end;
         const std::optional<Piece> back =
             connector_.steer(via, to, {search::last_driven(*there), gears.after});
         if (back && back->count > 0) consider(first, last, {{*there, via}, {*back, to}});
@@ -201,9 +201,9 @@ search::Route with_strokes(search::Connector& connector, const search::Gears& be
   return Lengthener(connector, beside, std::move(route), least).lengthened();
 }
 
-search::Route legs_along(const Path& path, const Pose& goal) {
-  Route route{path.start, {}, 0.0};
-  Pose pose = path.start;
+search::Route legs_along(const Path& path, const LocalPose& goal) {
+  Route route{Local(path.start), {}, 0.0};
+  LocalPose pose = route.start;
   std::span<const Segment> rest = path.segments;
   while (!rest.empty()) {
     const Piece piece = piece_of(rest.first(std::min(segments_of_short_leg, rest.size())));

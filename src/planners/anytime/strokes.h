@@ -16,6 +16,6 @@ namespace vandplan::anytime {
                                          search::Route route, double least);
 
 /// The path as a route of short legs, which can be steered anew one by one; it ends at `goal`.
-[[nodiscard]] search::Route legs_along(const Path& path, const Pose& goal);
+[[nodiscard]] search::Route legs_along(const Path& path, const LocalPose& goal);
 
 }  // namespace vandplan::anytime

@@ -46,7 +46,7 @@ bool Strung::sees(std::size_t from, std::size_t to) {
   const Point& a = way_[from];
   const Point& b = way_[to];
   const double distance = std::hypot(b.x - a.x, b.y - a.y);
-  return connector_.is_free({a.x, a.y, heading_of(a, b)}, Segment{0.0, distance});
+  return connector_.is_free(Local(Pose{a.x, a.y, heading_of(a, b)}), Segment{0.0, distance});
 }
 
 // By steps that double, then by halving; the next place where nothing is seen.
@@ -77,9 +77,9 @@ void Strung::turn_corners() {
     const Point& corner = way_[bends_[i]];
     const double in = heading_of(way_[bends_[i - 1]], corner);
     const double out = heading_of(corner, way_[bends_[i + 1]]);
-    const Pose pose{corner.x, corner.y, wrap_angle(in + wrap_angle(out - in) / 2)};
+    const LocalPose pose({corner.x, corner.y, wrap_angle(in + wrap_angle(out - in) / 2)});
     for (const double aside : {0.0, 0.5, -0.5, 1.0, -1.0}) {
-      const Pose there = compose(pose, {0.0, aside * task_.vehicle.width, 0.0});
+      const LocalPose there = compose(pose, {0.0, aside * task_.vehicle.width, 0.0});
       if (!connector_.is_free(there)) continue;
       corners_.push_back(there);
       break;
@@ -88,7 +88,7 @@ void Strung::turn_corners() {
   corners_.push_back(task_.goal);
 }
 
-const Pose& Strung::here() const {
+const LocalPose& Strung::here() const {
   return route_.legs.empty() ? route_.start : route_.legs.back().end;
 }
 
@@ -101,14 +101,14 @@ Gears Strung::gears_of_leg() const {
 }
 
 // A leg that costs more turns around on its way.
-double Strung::dearest_leg(const Pose& corner) const {
+double Strung::dearest_leg(const LocalPose& corner) const {
   const double apart = std::hypot(corner.x - here().x, corner.y - here().y);
   return leg_factor * apart + leg_slack * connector_.radius();
 }
 
 // Straight to the corner; where that is not free, a search finds out.
 void Strung::begin_leg() {
-  const Pose& corner = corners_[next_];
+  const LocalPose& corner = corners_[next_];
   const Gears gears = gears_of_leg();
   const double dearest = dearest_leg(corner);
   if (const auto direct = connector_.connect(here(), corner, {.cutoff = dearest, .gears = gears})) {

@@ -18,7 +18,7 @@ namespace vandplan::anytime {
 /// As far as it is on open ground.
 class Beeline final : public Guide {
  public:
-  explicit Beeline(const Pose& target) : target_(target) {}
+  explicit Beeline(const LocalPose& target) : target_(target) {}
   bool step() override { return false; }
   [[nodiscard]] bool is_connected() const noexcept override { return true; }
   [[nodiscard]] double at(double x, double y) const noexcept override {
@@ -26,7 +26,7 @@ class Beeline final : public Guide {
   }
 
  private:
-  Pose target_;
+  LocalPose target_;
 };
 
 /// A route along a way of points from the task's start to its goal. Work goes with its length.
@@ -51,16 +51,16 @@ class Strung {
   void begin_leg();
   bool search_leg();
   void reach_corner();
-  [[nodiscard]] double dearest_leg(const Pose& corner) const;
+  [[nodiscard]] double dearest_leg(const LocalPose& corner) const;
   [[nodiscard]] Gears gears_of_leg() const;
-  [[nodiscard]] const Pose& here() const;
+  [[nodiscard]] const LocalPose& here() const;
 
   const Task& task_;
   Connector& connector_;
   std::vector<Point> way_;
   std::size_t least_places_;              // of the way from bend to bend
   std::vector<std::size_t> bends_ = {0};  // places on the way that are in sight of each other
-  std::vector<Pose> corners_;             // the poses there, but for the start
+  std::vector<LocalPose> corners_;        // the poses there, but for the start
   std::size_t next_ = 0;                  // of the corners: where the leg leads to
   int left_out_ = 0;                      // corners in a row
   std::optional<Beeline> guide_;          // the corners of a leg are in sight of each other

@@ -167,7 +167,7 @@ bool Survey::step() {
   return false;
 }
 
-std::size_t Survey::bin_of(const Pose& pose, GearSign gear) const {
+std::size_t Survey::bin_of(const LocalPose& pose, GearSign gear) const {
   const double turned = (pose.heading / (2 * std::numbers::pi) + 0.5) * bin_headings;
   const auto column = static_cast<std::int64_t>(std::max(0.0, (pose.x - box_.x_min) / bin_));
   const auto row = static_cast<std::int64_t>(std::max(0.0, (pose.y - box_.y_min) / bin_));
@@ -176,7 +176,7 @@ std::size_t Survey::bin_of(const Pose& pose, GearSign gear) const {
   return static_cast<std::size_t>((place * bin_headings + heading) * 2 + (gear < 0 ? 1 : 0));
 }
 
-Survey::Branch Survey::branch(const DriveField& field, const Pose& root, std::int32_t node) {
+Survey::Branch Survey::branch(const DriveField& field, const LocalPose& root, std::int32_t node) {
   Branch result;
   for (; field.node(node).parent != DriveField::none; node = field.node(node).parent) {
     result.nodes.push_back(field.node(node));

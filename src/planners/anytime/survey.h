@@ -48,7 +48,7 @@ class Survey {
   /// The steps from a root to a node of its field.
   struct Branch {
     std::vector<DriveField::Node> nodes;
-    std::vector<Pose> poses;  // exact: of the root, and after each step
+    std::vector<LocalPose> poses;  // exact: of the root, and after each step
   };
 
   [[nodiscard]] bool prepare();
@@ -58,14 +58,15 @@ class Survey {
   void go_forth();
   [[nodiscard]] bool go_on();
   [[nodiscard]] bool lead_through(std::int32_t node);
-  [[nodiscard]] static Branch branch(const DriveField& field, const Pose& root, std::int32_t node);
+  [[nodiscard]] static Branch branch(const DriveField& field, const LocalPose& root,
+                                     std::int32_t node);
   [[nodiscard]] bool join(const Branch& head, const Branch& tail);
   [[nodiscard]] Gears gears_around(const Branch& head, std::size_t heads, const Branch& tail,
                                    std::size_t tails) const;
   void put_together(const Branch& head, std::size_t heads, const Piece& joint, const Branch& tail,
                     std::size_t tails);
   [[nodiscard]] bool is_free() const;
-  [[nodiscard]] std::size_t bin_of(const Pose& pose, GearSign gear) const;
+  [[nodiscard]] std::size_t bin_of(const LocalPose& pose, GearSign gear) const;
   void end();
 
   const Task& task_;

@@ -29,7 +29,7 @@ struct Stroke {
 
 class Tidier {
  public:
-  Tidier(Connector& connector, const Pose& start, Segments segments)
+  Tidier(Connector& connector, const LocalPose& start, Segments segments)
       : connector_(connector),
         start_(start),
         segments_(merged(segments)),
@@ -41,15 +41,15 @@ class Tidier {
 
  private:
   [[nodiscard]] double cost(const Segments& segments) const;
-  [[nodiscard]] Pose pose_before(std::size_t i) const;
-  [[nodiscard]] bool is_free(Pose from, std::span<const Segment> segments);
+  [[nodiscard]] LocalPose pose_before(std::size_t i) const;
+  [[nodiscard]] bool is_free(LocalPose from, std::span<const Segment> segments);
   [[nodiscard]] bool drop(std::size_t first, std::size_t last, double limit);
   [[nodiscard]] std::vector<Stroke> strokes() const;
   [[nodiscard]] std::optional<Segments> driven_on(std::size_t cusp, double by);
   [[nodiscard]] bool lengthen(const std::vector<Stroke>& all, std::size_t k, double least);
 
   Connector& connector_;
-  Pose start_;
+  LocalPose start_;
   Segments segments_;
   double crumb_;
 };
@@ -60,13 +60,13 @@ double Tidier::cost(const Segments& segments) const {
          connector_.clearance_cost(start_, segments);
 }
 
-Pose Tidier::pose_before(std::size_t i) const {
-  Pose pose = start_;
+LocalPose Tidier::pose_before(std::size_t i) const {
+  LocalPose pose = start_;
   for (const Segment& segment : std::span(segments_).first(i)) pose = advance(pose, segment);
   return pose;
 }
 
-bool Tidier::is_free(Pose from, std::span<const Segment> segments) {
+bool Tidier::is_free(LocalPose from, std::span<const Segment> segments) {
   for (const Segment& segment : segments) {
     if (!connector_.is_free(from, segment)) return false;
     from = advance(from, segment);
@@ -82,7 +82,7 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
   const auto at = [&](std::size_t i) { return segments_.begin() + static_cast<std::ptrdiff_t>(i); };
   Segments rest(at(low), at(first));
   rest.insert(rest.end(), at(last), at(high));
-  const Pose from = pose_before(low);
+  const LocalPose from = pose_before(low);
   const std::optional<Segments> mended =
       steering::mended(from, pose_before(high), merged(rest), steering::on_the_way);
   if (!mended) return false;
@@ -129,7 +129,7 @@ std::vector<Stroke> Tidier::strokes() const {
 // along the curvature on either side or straight ahead, whichever is cheapest.
 std::optional<Segments> Tidier::driven_on(std::size_t cusp, double by) {
   const Segment& before = segments_[cusp - 1];
-  const Pose pose = pose_before(cusp);
+  const LocalPose pose = pose_before(cusp);
   std::optional<Segments> best;
   for (const double curvature : {before.curvature, segments_[cusp].curvature, 0.0}) {
     const Segment on{curvature, std::copysign(by, before.length)};
@@ -185,8 +185,8 @@ OptionInfo min_stroke_option() {
           .most = 100.0};
 }
 
-std::vector<Segment> tidied(Connector& connector, const Pose& start, std::vector<Segment> segments,
-                            double min_stroke) {
+std::vector<Segment> tidied(Connector& connector, const LocalPose& start,
+                            std::vector<Segment> segments, double min_stroke) {
   Tidier tidier(connector, start, std::move(segments));
   tidier.drop_crumbs();
   if (min_stroke > 0.0) tidier.lengthen_strokes(min_stroke);

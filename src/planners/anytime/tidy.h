@@ -17,7 +17,7 @@ namespace vandplan::anytime {
 /// costs at most a ten thousandth more, but for what strokes of `min_stroke` [m] need. Crumbs
 /// are left out where the others can make up for them. Then a stroke before or after a gear change
 /// that is shorter than `min_stroke` is left out or driven on, if there is room for it.
-[[nodiscard]] std::vector<Segment> tidied(search::Connector& connector, const Pose& start,
+[[nodiscard]] std::vector<Segment> tidied(search::Connector& connector, const LocalPose& start,
                                           std::vector<Segment> segments, double min_stroke);
 
 }  // namespace vandplan::anytime

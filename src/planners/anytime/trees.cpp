@@ -31,27 +31,27 @@ TwoTrees::TwoTrees(const Task& task, const Bounds& region, Connector& connector,
 
 // Half of them from the region, half from around the middle between the roots, at several scales:
 // most ways around are as far away as the roots are from each other.
-Pose TwoTrees::sample_far() {
+LocalPose TwoTrees::sample_far() {
   if (uniform01(rng_) < 0.5) return uniform_pose(region_, rng_);
-  const Pose& a = sides_[0].tree.pose(0);
-  const Pose& b = sides_[1].tree.pose(0);
+  const LocalPose& a = sides_[0].tree.pose(0);
+  const LocalPose& b = sides_[1].tree.pose(0);
   const double apart = std::max(std::hypot(a.x - b.x, a.y - b.y), connector_.radius());
   const double reach = apart * std::exp2(uniform(-1.0, 1.5, rng_));
   const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
-  return {(a.x + b.x) / 2 + pose.x, (a.y + b.y) / 2 + pose.y, pose.heading};
+  return Local(Pose{(a.x + b.x) / 2 + pose.x, (a.y + b.y) / 2 + pose.y, pose.heading});
 }
 
 // Around one of the two roots, at every scale: narrow places are there.
-Pose TwoTrees::sample_near() {
+LocalPose TwoTrees::sample_near() {
   const std::size_t side = uniform01(rng_) < 0.5 ? 0 : 1;
-  const Pose& root = sides_[side].tree.pose(0);
+  const LocalPose& root = sides_[side].tree.pose(0);
   const double reach = connector_.radius() * std::exp2(uniform(-2.0, 2.5, rng_));
   const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
-  return {root.x + pose.x, root.y + pose.y, pose.heading};
+  return Local(Pose{root.x + pose.x, root.y + pose.y, pose.heading});
 }
 
 // The nodes that are nearest by a rough measure, in order of their exact length.
-void TwoTrees::rank(const Tree& tree, const Pose& target) {
+void TwoTrees::rank(const Tree& tree, const LocalPose& target) {
   struct Candidate {
     float rank;
     NodeId id;
@@ -84,17 +84,17 @@ void TwoTrees::rank(const Tree& tree, const Pose& target) {
   });
 }
 
-NodeId TwoTrees::add(Side& side, NodeId parent, const Piece& piece, const Pose& end) {
+NodeId TwoTrees::add(Side& side, NodeId parent, const Piece& piece, const LocalPose& end) {
   side.pieces.push_back(piece);
   return side.tree.add(end, parent, side.tree.cost_to_come(parent) + piece.length);
 }
 
 // Drives from the nearest node towards the target as far as it is free; -1 when that is nowhere.
-NodeId TwoTrees::extend(Side& side, const Pose& target) {
+NodeId TwoTrees::extend(Side& side, const LocalPose& target) {
   rank(side.tree, target);
   if (nearest_.empty()) return -1;
   const auto [from, piece] = nearest_.front();
-  const Pose& pose = side.tree.pose(from);
+  const LocalPose& pose = side.tree.pose(from);
   if (connector_.is_free(pose, piece)) return add(side, from, piece, target);
   const Piece part = connector_.free_prefix(pose, piece);
   if (part.length < least_extension * connector_.radius()) return -1;
@@ -105,7 +105,7 @@ NodeId TwoTrees::extend(Side& side, const Pose& target) {
 bool TwoTrees::connect(std::size_t from_side, NodeId node) {
   Side& own = sides_[from_side];
   Side& other = sides_[1 - from_side];
-  const Pose target = own.tree.pose(node);
+  const LocalPose target = own.tree.pose(node);
   rank(other.tree, target);
   for (std::size_t i = 0; i < std::min<std::size_t>(connect_tries, nearest_.size()); ++i) {
     const auto& [from, piece] = nearest_[i];
@@ -137,7 +137,7 @@ void TwoTrees::join(NodeId from_start, NodeId from_goal, const Piece& bridge) {
 }
 
 // The edge to the target from one of the two nodes that are nearest by Euclid, if it is free.
-std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const Pose& target) {
+std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const LocalPose& target) {
   std::array<NodeId, 2> ids{-1, -1};
   std::array<float, 2> distances{infinity, infinity};
   const auto x = static_cast<float>(target.x);
@@ -164,7 +164,7 @@ std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const Pose& targ
 
 // A sample that both trees reach joins them; one that one of them reaches becomes its node.
 bool TwoTrees::step_far() {
-  const Pose target = sample_far();
+  const LocalPose target = sample_far();
   const std::optional<Edge> from_start = reach(sides_[0].tree, target);
   const std::optional<Edge> from_goal = reach(sides_[1].tree, target);
   if (from_start) {
@@ -180,7 +180,7 @@ bool TwoTrees::step_far() {
 bool TwoTrees::step_near() {
   const std::size_t side = turn_;
   turn_ = 1 - turn_;
-  const Pose target = sample_near();
+  const LocalPose target = sample_near();
   const NodeId node = extend(sides_[side], target);
   if (node < 0) return false;
   if (connect(side, node)) return true;
@@ -188,7 +188,7 @@ bool TwoTrees::step_near() {
   // The edge of the other tree that came nearest: drive it as far as it is free.
   Side& other = sides_[1 - side];
   const auto [from, piece] = nearest_.front();
-  const Pose& pose = other.tree.pose(from);
+  const LocalPose& pose = other.tree.pose(from);
   const Piece part = connector_.free_prefix(pose, piece);
   if (part.length >= least_extension * connector_.radius())
     add(other, from, part, end_of(pose, part));

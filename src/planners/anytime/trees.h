@@ -43,19 +43,19 @@ class TwoTrees {
     Piece piece;
   };
 
-  [[nodiscard]] Pose sample_far();
-  [[nodiscard]] Pose sample_near();
+  [[nodiscard]] LocalPose sample_far();
+  [[nodiscard]] LocalPose sample_near();
   [[nodiscard]] bool step_far();
   [[nodiscard]] bool step_near();
-  [[nodiscard]] std::optional<Edge> reach(const Tree& tree, const Pose& target);
-  void rank(const Tree& tree, const Pose& target);
-  NodeId extend(Side& side, const Pose& target);
+  [[nodiscard]] std::optional<Edge> reach(const Tree& tree, const LocalPose& target);
+  void rank(const Tree& tree, const LocalPose& target);
+  NodeId extend(Side& side, const LocalPose& target);
   [[nodiscard]] bool connect(std::size_t from_side, NodeId node);
-  NodeId add(Side& side, NodeId parent, const Piece& piece, const Pose& end);
+  NodeId add(Side& side, NodeId parent, const Piece& piece, const LocalPose& end);
   void join(NodeId from_start, NodeId from_goal, const Piece& bridge);
 
   Connector& connector_;
-  Bounds region_;
+  Local<Bounds> region_;
   double far_share_;
   Rng rng_;
   std::array<Side, 2> sides_;

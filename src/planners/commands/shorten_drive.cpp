@@ -86,7 +86,8 @@ void DriveShortener::drive(std::vector<double> near) {
 double DriveShortener::near_cost(const RigState& from, std::span<const Segment> segments,
                                  double cutoff) const {
   if (measure_) return 0.0;
-  return search::rig_clearance_cost(task_, rule_, from, segments, search::Looks::search, cutoff);
+  return search::rig_clearance_cost(task_, rule_, Local(from), segments, search::Looks::search,
+                                    cutoff);
 }
 
 /// Small ones more often than large ones.
@@ -219,7 +220,7 @@ bool DriveShortener::replace(const Window& window, double limit) {
     if (!is_cheap()) return false;
   }
   checks_ += static_cast<std::int64_t>(trial_.size());
-  if (!task_.checker->rig_is_free(driving_.states[window.first], segments_)) return false;
+  if (!task_.checker->rig_is_free(Local(driving_.states[window.first]), segments_)) return false;
   if (!looks_at_near(window, left_for_near(window, limit))) return false;
   const auto [first, last] = window;
   if (measure_ || task_.vehicle.trailer || !goes_on_) {
@@ -247,7 +248,7 @@ bool DriveShortener::settle(std::vector<Segment> whole, std::vector<double> near
   if (!closer_.close(from, whole, to, ends_)) return false;
   const std::vector<Segment> driven = wheels_.driven(whole, ends_.before);
   if (measure_ && !(measure_(driven) < limit)) return false;
-  if (!task_.checker->rig_is_free(from, driven)) return false;
+  if (!task_.checker->rig_is_free(Local(from), driven)) return false;
   const double cost = cost_;
   Driving as_ever = driving_;
   std::swap(commands_, whole);

@@ -101,7 +101,7 @@ Follower::Follower(const Task& task, std::span<const Segment> way)
     RigState next = advance(task.vehicle, state, part);
     const double fold = largest_hitch_angle(task.vehicle, state.hitch_angle, part);
     const bool folds = fold > task.vehicle.max_hitch_angle;
-    is_free_.push_back(is_forward && !folds && task.checker->rig_is_free(state, part));
+    is_free_.push_back(is_forward && !folds && task.checker->rig_is_free(Local(state), part));
     if (!is_forward) next.hitch_angle = 0.0;
     if (folds && is_forward) {
       next.hitch_angle = std::copysign(fold_kept * task.vehicle.max_hitch_angle, next.hitch_angle);
@@ -140,12 +140,13 @@ std::optional<std::vector<Segment>> Follower::search(const Parts& parts, std::in
                                                      Budget& budget) const {
   const auto [first, last] = parts;
   Task task = task_;
-  task.start = states_[first].pose;
-  task.goal = states_[last].pose;
+  task.start = Local(states_[first].pose);
+  task.goal = Local(states_[last].pose);
   task.hitch_angles = {states_[first].hitch_angle, states_[last].hitch_angle};
   task.curvatures = {curvatures_[first], curvatures_[last]};
   if (task.steering != Steering::reeds_shepp) task.steering = Steering::continuous;
-  if (!task.checker->rig_is_free(states_[first]) || !task.checker->rig_is_free(states_[last])) {
+  if (!task.checker->rig_is_free(Local(states_[first])) ||
+      !task.checker->rig_is_free(Local(states_[last]))) {
     return std::nullopt;
   }
   const search::CostRule rule = search::cost_rule(driver_style);

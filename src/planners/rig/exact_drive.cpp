@@ -18,7 +18,7 @@ std::optional<std::vector<Segment>> ExactDrive::along(std::span<const Segment> s
   if (!closer_.close(from, commands, to, ends_)) return std::nullopt;
   commands = wheels_.tidied(commands, ends_.before);
   if (!closer_.close(from, commands, to, ends_)) return std::nullopt;
-  if (!task_.checker->rig_is_free(from, wheels_.driven(commands, ends_.before))) {
+  if (!task_.checker->rig_is_free(Local(from), wheels_.driven(commands, ends_.before))) {
     return std::nullopt;
   }
   return commands;

@@ -140,7 +140,7 @@ std::int64_t RigSearch::nodes() const {
 int RigSearch::level_at(const RigState& state) const {
   if (fineness_.levels <= 1) return 0;
   double least = task_.vehicle.width;
-  const double room = task_.checker->rig_clearance(state, least, least);
+  const double room = task_.checker->rig_clearance(Local(state), least, least);
   int level = 0;
   for (; room < least && level + 1 < fineness_.levels; least /= 2) ++level;
   return level;
@@ -322,7 +322,7 @@ bool RigSearch::is_in_sight(const Pose& from, const Pose& to) {
   ++checks_;
   const double dx = to.x - from.x, dy = to.y - from.y;
   const Segment line{0.0, std::sqrt(dx * dx + dy * dy)};
-  return task_.checker->is_free({from.x, from.y, base::atan_2(dy, dx)}, line);
+  return task_.checker->is_free(Local(Pose{from.x, from.y, base::atan_2(dy, dx)}), line);
 }
 
 /// [6] Now and then: does exact steering lead to the state that the other search came to last, or
@@ -353,7 +353,7 @@ void RigSearch::join(std::int32_t forward, std::int32_t backward,
 
 bool RigSearch::is_free(const RigState& from, std::span<const Segment> segments) {
   checks_ += static_cast<std::int64_t>(segments.size());
-  return task_.checker->rig_is_free(from, segments);
+  return task_.checker->rig_is_free(Local(from), segments);
 }
 
 std::optional<std::vector<Segment>> RigSearch::take_found() {

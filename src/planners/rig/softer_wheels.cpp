@@ -30,7 +30,8 @@ std::optional<std::vector<Segment>> obeyed(const Task& task, std::vector<Segment
   const RigState from{task.start, task.hitch_angles.start};
   const RigState to{task.goal, task.hitch_angles.goal};
   if (!closer.close(from, chain, to, ends)) return std::nullopt;
-  if (!task.checker->rig_is_free(from, wheels.driven(chain, ends.before))) return std::nullopt;
+  if (!task.checker->rig_is_free(Local(from), wheels.driven(chain, ends.before)))
+    return std::nullopt;
   return chain;
 }
 

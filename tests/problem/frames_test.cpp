@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Does the compiler refuse a pose of the scenario's frame where a local one is meant?
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "support/problems.h"
+#include "vandplan/goal_estimate.h"
+#include "vandplan/path_check.h"
+#include "vandplan/rig.h"
+#include "vandplan/roadmap.h"
+#include "vandplan/search.h"
+
+namespace vandplan {
+namespace {
+
+using search::Connector;
+using search::GoalEstimate;
+using search::Tree;
+
+using Segments = std::span<const Segment>;
+
+// Local values are as large as others, and cost as little to copy.
+static_assert(sizeof(LocalPose) == sizeof(Pose) && std::is_trivially_copyable_v<LocalPose>);
+
+static_assert(std::is_convertible_v<LocalPose, Pose>);
+static_assert(!std::is_convertible_v<Pose, LocalPose> && std::is_constructible_v<LocalPose, Pose>);
+
+// What each door takes: as a pose P, a state of a rig R, a point Q or a box B.
+template <class P>
+concept PoseToCheck = requires(const CollisionChecker& checker, const P& p) {
+  checker.is_free(p);
+};
+template <class P>
+concept ArcToCheck = requires(const CollisionChecker& checker, const P& p) {
+  checker.is_free(p, Segment{});
+};
+template <class P>
+concept WayToCheck = requires(const CollisionChecker& checker, const P& p) {
+  checker.is_free(p, Segments{});
+};
+template <class P>
+concept PoseToMeasure = requires(const CollisionChecker& checker, const P& p) {
+  checker.clearance(p, 1.0);
+};
+template <class R>
+concept RigToCheck = requires(const CollisionChecker& checker, const R& r) {
+  checker.rig_is_free(r);
+};
+template <class R>
+concept RigArcToCheck = requires(const CollisionChecker& checker, const R& r) {
+  checker.rig_is_free(r, Segment{});
+};
+template <class R>
+concept RigWayToCheck = requires(const CollisionChecker& checker, const R& r) {
+  checker.rig_is_free(r, Segments{});
+};
+template <class R>
+concept RigToMeasure = requires(const CollisionChecker& checker, const R& r) {
+  checker.rig_clearance(r, 1.0);
+};
+template <class Q>
+concept PointToLookAt = requires(const CollisionChecker& checker, const Q& q) {
+  checker.map_is_within(q, 1.0);
+};
+template <class Q>
+concept PointToMeasure = requires(const CollisionChecker& checker, const Q& q) {
+  checker.map_distance(q);
+};
+template <class Q>
+concept CentreOfRamp = requires(const Q& q) {
+  MarginRamp{q, 0.0, 1.0};
+};
+template <class P>
+concept EndOfTask = std::is_assignable_v<decltype(Task::start)&, P> &&
+    std::is_assignable_v<decltype(Task::goal)&, P>;
+template <class P>
+concept EndOfRoute = requires(const Roadmap& roadmap, const P& p, const LocalPose& local) {
+  roadmap.route(p, local);
+}
+|| requires(const Roadmap& roadmap, const P& p, const LocalPose& local) {
+  roadmap.route(local, p);
+};
+template <class B>
+concept RegionOfRoadmap = std::is_assignable_v<decltype(RoadmapOptions::region)&, B>;
+template <class P>
+concept PoseToEstimate = std::is_invocable_v<decltype(GoalEstimate::length)&, P> ||
+    std::is_invocable_v<decltype(RouteOptions::estimate)&, P>;
+template <class P>
+concept EndToConnect = requires(Connector& connector, const P& p, const LocalPose& local) {
+  connector.connect(p, local);
+}
+|| requires(Connector& connector, const P& p, const LocalPose& local) {
+  connector.connect(local, p);
+};
+template <class P>
+concept EndToSteer = requires(Connector& connector, const P& p, const LocalPose& local) {
+  connector.steer(p, local);
+}
+|| requires(Connector& connector, const P& p, const LocalPose& local) {
+  connector.steer(local, p);
+};
+template <class P>
+concept EndToPrice = requires(Connector& connector, const P& p, const LocalPose& local) {
+  connector.least_cost(p, local);
+}
+|| requires(Connector& connector, const P& p, const LocalPose& local) {
+  connector.least_cost(local, p);
+};
+template <class P>
+concept BeginOfPiece = requires(Connector& connector, const P& p) {
+  connector.is_free(p, Piece{});
+}
+|| requires(Connector& connector, const P& p) { connector.free_prefix(p, Piece{}); }
+|| requires(Connector& connector, const P& p) { connector.is_free(p, Segment{}); };
+template <class P>
+concept PoseToConnect = requires(Connector& connector, const P& p) {
+  connector.is_free(p);
+};
+template <class P>
+concept BeginToPrice = requires(const Connector& connector, const P& p) {
+  connector.clearance_cost(p, Segments{});
+}
+|| requires(const Task& task, const P& p) {
+  search::clearance_cost(task, {}, p, Segments{}, search::Looks::search);
+};
+template <class R>
+concept RigToPrice = requires(const Task& task, const R& r) {
+  search::rig_clearance_cost(task, {}, r, Segments{}, search::Looks::search);
+};
+template <class P>
+concept Node = std::is_constructible_v<Tree, P, std::size_t> || requires(Tree& tree, const P& p) {
+  tree.add(p, 0, 0.0);
+};
+template <class P>
+concept FromScenario = requires(const World& world, const P& p) {
+  to_local(world, p);
+};
+template <class P>
+concept FromWorld = requires(const World& world, const P& p) {
+  to_scenario(world, p);
+};
+
+template <class P>
+concept EveryPose =
+    PoseToCheck<P> && ArcToCheck<P> && WayToCheck<P> && PoseToMeasure<P> && EndOfTask<P> &&
+    EndOfRoute<P> && PoseToEstimate<P> && EndToConnect<P> && EndToSteer<P> && EndToPrice<P> &&
+    BeginOfPiece<P> && PoseToConnect<P> && BeginToPrice<P> && Node<P> && FromWorld<P>;
+static_assert(EveryPose<LocalPose>);
+static_assert(!PoseToCheck<Pose> && !ArcToCheck<Pose> && !WayToCheck<Pose>);
+static_assert(!PoseToMeasure<Pose> && !EndOfTask<Pose> && !EndOfRoute<Pose>);
+static_assert(!PoseToEstimate<Pose> && !EndToConnect<Pose> && !EndToSteer<Pose>);
+static_assert(!EndToPrice<Pose> && !BeginOfPiece<Pose> && !PoseToConnect<Pose>);
+static_assert(!BeginToPrice<Pose> && !Node<Pose>);
+
+template <class R>
+concept EveryRig =
+    RigToCheck<R> && RigArcToCheck<R> && RigWayToCheck<R> && RigToMeasure<R> && RigToPrice<R>;
+static_assert(EveryRig<Local<RigState>>);
+static_assert(!RigToCheck<RigState> && !RigArcToCheck<RigState> && !RigWayToCheck<RigState>);
+static_assert(!RigToMeasure<RigState> && !RigToPrice<RigState>);
+
+static_assert(PointToLookAt<Local<Point>> && PointToMeasure<Local<Point>>);
+static_assert(CentreOfRamp<Local<Point>> && RegionOfRoadmap<Local<Bounds>>);
+static_assert(!PointToLookAt<Point> && !PointToMeasure<Point>);
+static_assert(!CentreOfRamp<Point> && !RegionOfRoadmap<Bounds>);
+
+// Nobody moves a pose twice.
+static_assert(FromScenario<Pose> && !FromScenario<LocalPose>);
+static_assert(!FromWorld<Pose>);
+
+// What is driven from a local pose is local.
+static_assert(std::is_same_v<decltype(advance(LocalPose(), Segment{})), LocalPose>);
+static_assert(std::is_same_v<decltype(advance(Pose(), Segment{})), Pose>);
+static_assert(std::is_same_v<decltype(compose(LocalPose(), Pose())), LocalPose>);
+static_assert(std::is_same_v<decltype(search::end_of(LocalPose(), Piece{})), LocalPose>);
+
+/// A wall 16 m ahead of a start that is far from the scenario's origin.
+Scenario far_yard() {
+  return {.bounds = {3'999'950.0, 4'000'050.0, -70'050.0, -69'950.0},
+          .start = {4'000'000.0, -70'000.0, 0.0},
+          .goal = {4'000'000.0, -69'980.0, 0.0},
+          .obstacles = {box(4'000'020.0, -70'010.0, 4'000'024.0, -69'990.0)}};
+}
+
+const Pose in_wall{4'000'021.0, -70'000.0, 0.0};
+const Pose beside_it{4'000'010.0, -70'000.0, 0.0};
+
+TEST(Frames, APoseInAWallFarAwayIsOccupiedAtEveryDoor) {
+  const Problem problem = make_problem(far_yard());
+  const World& world = *problem.world();
+  const CollisionChecker& checker = *world.checker(problem.vehicle());
+  Connector connector(problem.task());
+  for (const Pose& pose : {in_wall, beside_it}) {
+    const bool is_free = pose == beside_it;
+    const LocalPose local = to_local(world, pose);
+    EXPECT_EQ(checker.is_free(local), is_free);
+    EXPECT_EQ(checker.is_free(local, Segment{0.0, 0.5}), is_free);
+    EXPECT_EQ(checker.clearance(local, 10.0) > 0.0, is_free);
+    EXPECT_EQ(checker.rig_is_free(Local(RigState{local})), is_free);
+    EXPECT_EQ(checker.rig_clearance(Local(RigState{local}), 10.0) > 0.0, is_free);
+    EXPECT_EQ(connector.is_free(local), is_free);
+    EXPECT_EQ(connector.connect(local, local).has_value(), is_free);
+    EXPECT_EQ(to_scenario(world, local), pose);
+  }
+  EXPECT_FALSE(connector.connect(to_local(world, beside_it), to_local(world, in_wall)));
+}
+
+TEST(Frames, AMapFarAwayHasItsObstaclesWhereTheyAre) {
+  Scenario scenario = far_yard();
+  scenario.obstacles = {};
+  std::vector<Cell> cells(10'000, Cell::free);
+  cells[100 * 40 + 80] = Cell::occupied;  // 20.25 m ahead of the start, 0.25 m to the left
+  scenario.map = OccupancyGrid{.origin = {3'999'980.0, -70'020.0, 0.0},
+                               .resolution = 0.5,
+                               .columns = 100,
+                               .rows = 100,
+                               .cells = std::make_shared<const std::vector<Cell>>(cells)};
+  const Problem problem = make_problem(scenario);
+  const LocalPose at = to_local(*problem.world(), {4'000'020.25, -69'999.75, 0.0});
+  const Local<Point> there(Point{at.x, at.y});
+  const Local<Point> elsewhere(Point{at.x - 10.0, at.y});
+  EXPECT_TRUE(problem.task().checker->map_is_within(there, 0.1));
+  EXPECT_FALSE(problem.task().checker->map_is_within(elsewhere, 0.1));
+  EXPECT_LE(problem.task().checker->map_distance(there).least, 0.0);
+  EXPECT_GT(problem.task().checker->map_distance(elsewhere).least, 5.0);
+}
+
+TEST(Frames, ARoadmapKnowsAWayBetweenPosesThatWereMadeLocal) {
+  const Problem problem = make_problem(far_yard());
+  const World& world = *problem.world();
+  const Roadmap roadmap = build_roadmap(world, problem.vehicle(), {.nodes = 300});
+  const auto route =
+      roadmap.route(to_local(world, problem.start()), to_local(world, problem.goal())).route;
+  ASSERT_TRUE(route);
+  EXPECT_EQ(to_scenario(world, route->poses.back()), problem.goal());
+  const PathCheck check =
+      check_path(problem, {to_scenario(world, route->poses.front()), route->segments});
+  EXPECT_TRUE(check.valid) << check.reason;
+}
+
+}  // namespace
+}  // namespace vandplan
