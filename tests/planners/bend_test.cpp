@@ -283,6 +283,28 @@ TEST(DriveShortener, DropsCrumbs) {
   }
 }
 
+TEST(WithoutCrumbs, LeavesThemOutOfWhatIsDriven) {
+  for (const Steering steering : {Steering::continuous_between_stops, Steering::continuous}) {
+    const commands::Wheels wheels(Vehicle{}, steering);
+    const std::vector<std::vector<Segment>> crumbly = {
+        {{0, 10}, {2e-5, 0.001}, {0, 27}, {0.05, 9}, {0, 20}},  // a turn by nothing
+        {{0.1, 12}, {0.1002, 6}, {-0.05, 9}, {0, 15}},
+    };
+    for (const std::vector<Segment>& commands : crumbly) {
+      const Path path{{0, 0, 0}, wheels.driven(commands, {})};
+      ASSERT_GT(crumbs(path.segments), 0);
+      const Problem problem = problem_along(path);
+      const Task task = task_of(problem, {}, steering);
+      const CostRule rule{.reverse_weight = 2, .gear_change_cost = 5};
+      const std::vector<Segment> tidied = commands::without_crumbs(task, rule, path.segments);
+      EXPECT_EQ(crumbs(tidied), 0);
+      expect_same_pose(end_of({task.start, tidied}), task.goal, 1e-9);
+      EXPECT_LE(price_of(tidied), 1.0001 * price_of(path.segments));
+      EXPECT_EQ(commands::without_crumbs(task, rule, tidied), tidied);
+    }
+  }
+}
+
 // Where everything else is dearer a crumb stays.
 TEST(DriveShortener, LeavesACrumbWhereItIsWorthIt) {
   const std::vector<Segment> commands = {{0.1, 8}, {0, 7}, {0.1, 0.05}, {-0.05, -6}};

@@ -498,7 +498,7 @@ std::optional<Drivable> Run::drivable(const std::vector<Segment>& raw) const {
   const bool is_continuous = task_.steering != Steering::reeds_shepp;
   const bool is_route = fastest_ && !pricing_.is_time();
   const double stroke = is_route ? std::max(min_stroke_, shortest_stroke) : min_stroke_;
-  if (stroke == 0.0 && !is_bent && (is_continuous || rule_.is_length())) return std::nullopt;
+  if (stroke == 0.0 && !is_bent && rule_.is_length()) return std::nullopt;
   Connector connector(task_, rule_);
   Drivable drivable{raw, 0.0};
   if (!is_continuous) {
@@ -509,6 +509,10 @@ std::optional<Drivable> Run::drivable(const std::vector<Segment>& raw) const {
     drivable.segments =
         path_of(with_strokes(connector, gears_at_ends(task_, rule_), legs, stroke)).segments;
   }
+  if (is_continuous && !rule_.is_length() && !is_optimal()) {
+    drivable.segments = commands::without_crumbs(task_, rule_, std::move(drivable.segments));
+  }
+  if (stroke == 0.0 && !is_bent && drivable.segments == raw) return std::nullopt;
   drivable.cost =
       pricing_.cost(drivable.segments, connector.clearance_cost(task_.start, drivable.segments));
   return drivable;

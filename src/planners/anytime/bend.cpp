@@ -50,15 +50,10 @@ std::int64_t Bender::checks() const {
 
 /// True if a challenger drives along the segments now.
 bool Bender::drive_along(std::span<const Segment> segments) {
-  std::vector<Segment> drive = wheels_.commands(segments, ends_);
-  commands::hold_curvatures(drive, task_.vehicle.min_turning_radius);
-  const RigState from{task_.start, task_.hitch_angles.start};
-  const RigState to{task_.goal, task_.hitch_angles.goal};
-  if (drive.empty() || !closer_.close(from, drive, to, ends_)) return false;
+  const auto drive = commands::commands_along(task_, segments, closer_);
   ++checks_;
-  if (!task_.checker->is_free(task_.start, wheels_.driven(drive, ends_.before))) return false;
-  add(drive);
-  return true;
+  if (drive) add(*drive);
+  return drive.has_value();
 }
 
 /// How little a challenger promises: by how much it is dearer than the best drive, times the trials

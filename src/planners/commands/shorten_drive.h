@@ -6,6 +6,7 @@
 // Method: docs/algorithms/trailers.md.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -105,5 +106,16 @@ class DriveShortener {
   double progress_cost_ = 0.0;
   std::int64_t checks_ = 0;
 };
+
+/// Commands that lead along the segments from the start of the task to its goal; nothing if none
+/// are found, or if what they drive is not free.
+[[nodiscard]] std::optional<std::vector<Segment>> commands_along(const Task& task,
+                                                                 std::span<const Segment> segments,
+                                                                 Closer& closer);
+
+/// The segments of a free drive of continuous curvature, with fewer crumbs if some can be left out
+/// (`drop_crumbs`).
+[[nodiscard]] std::vector<Segment> without_crumbs(const Task& task, const search::CostRule& rule,
+                                                  std::vector<Segment> segments);
 
 }  // namespace vandplan::commands
