@@ -126,19 +126,15 @@ std::optional<Route> Smoother::chained(Connector& connector) {
 
 /// [4] The old path as commands, if what they drive is free.
 void Smoother::bend() {
-  const commands::Wheels wheels(task_.vehicle, task_.steering);
-  std::vector<Segment> chain = wheels.commands(old_.segments, commands::wheel_ends(task_));
-  commands::hold_curvatures(chain, task_.vehicle.min_turning_radius);
-  if (chain.empty()) return;
-  const auto free = rig::obeyed(task_, std::move(chain));
-  if (!free) return;
+  const auto commands = commands::commands_along(task_, old_.segments);
+  if (!commands) return;
   DriveShortener::Measure measure;
   if (wishes_.are_of_whole_path()) {
     measure = [this](std::span<const Segment> segments) {
       return wishes_.price(segments, Looks::search);
     };
   }
-  drive_.emplace(task_, wishes_.rule(), *free, stream_seed(seed_, 2), std::move(measure));
+  drive_.emplace(task_, wishes_.rule(), *commands, stream_seed(seed_, 2), std::move(measure));
 }
 
 /// [5] Shortens the route and bends the old path in turns.
@@ -208,9 +204,11 @@ void expect_finite(const Path& path) {
 /// Whether an option of the run that planned a path counts when the path is smoothed.
 bool counts(const Planner& planner, const Setting& setting) {
   if (!honours(planner, setting.name)) return false;
+  const auto common = std::ranges::find(common_options(), setting.name, &CommonOption::name);
+  if (common != common_options().end() && common->is_of_budget) return false;
   PlanOptions options;
   set_option(options, planner, setting.name, setting.value);
-  return options.budget == BudgetOptions{} && options.steering != Steering::reeds_shepp;
+  return options.steering != Steering::reeds_shepp;
 }
 
 }  // namespace

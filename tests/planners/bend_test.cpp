@@ -301,6 +301,10 @@ TEST(WithoutCrumbs, LeavesThemOutOfWhatIsDriven) {
       expect_same_pose(end_of({task.start, tidied}), task.goal, 1e-9);
       EXPECT_LE(price_of(tidied), 1.0001 * price_of(path.segments));
       EXPECT_EQ(commands::without_crumbs(task, rule, tidied), tidied);
+      const double longest = 100;  // no stroke is that long: none may get shorter
+      const std::vector<Segment> held =
+          commands::without_crumbs(task, rule, path.segments, longest);
+      EXPECT_GE(length(held), length(path.segments));
     }
   }
 }

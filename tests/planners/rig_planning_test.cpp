@@ -50,6 +50,15 @@ TEST(RigPlanning, BacksIntoADock) {
   EXPECT_LE(result.cost, result.anytime.front().cost);
 }
 
+TEST(RigPlanning, KeepsWhatTheLastIterationFinds) {
+  const Problem problem = make_problem(dock());
+  const PlanResult all = plan(problem, with_iterations(3000));
+  ASSERT_EQ(all.status, PlanStatus::solved);
+  const auto first = static_cast<int>(all.anytime.front().iteration);
+  EXPECT_EQ(plan(problem, with_iterations(first)).status, PlanStatus::solved);
+  EXPECT_EQ(plan(problem, with_iterations(first - 1)).status, PlanStatus::iteration_limit);
+}
+
 TEST(RigPlanning, RepeatsBitForBitAndDependsOnTheSeed) {
   const Problem problem = make_problem(dock());
   const PlanResult first = plan(problem, with_iterations(cases(1000), 3));

@@ -141,7 +141,8 @@ class Run {
   double noted_cost_ = std::numeric_limits<double>::infinity();  // of the best route,
   std::int64_t noted_at_ = 0;                                    // when it last fell a good deal
   std::optional<Fastest> fastest_;                               // where time is a part of the cost
-  std::vector<Segment> segments_;                                // of the best route, in the end
+  std::vector<Segment> raw_;       // the best route that was made drivable last,
+  std::vector<Segment> segments_;  // and what it became
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0;
   std::int64_t rounds_with_route_ = 0;
@@ -510,7 +511,7 @@ std::optional<Drivable> Run::drivable(const std::vector<Segment>& raw) const {
         path_of(with_strokes(connector, gears_at_ends(task_, rule_), legs, stroke)).segments;
   }
   if (is_continuous && !rule_.is_length() && !is_optimal()) {
-    drivable.segments = commands::without_crumbs(task_, rule_, std::move(drivable.segments));
+    drivable.segments = commands::without_crumbs(task_, rule_, drivable.segments, stroke);
   }
   if (stroke == 0.0 && !is_bent && drivable.segments == raw) return std::nullopt;
   drivable.cost =
@@ -520,7 +521,10 @@ std::optional<Drivable> Run::drivable(const std::vector<Segment>& raw) const {
 
 void Run::make_drivable() {
   if (!best_) return;
-  segments_ = raw_segments();
+  std::vector<Segment> raw = raw_segments();
+  if (raw == raw_) return;  // it was made drivable before
+  raw_ = raw;
+  segments_ = std::move(raw);
   std::optional<Drivable> neat = drivable(segments_);
   if (!neat) return;
   const double slack = pricing_.is_time() ? no_time : neat_slack;

@@ -50,7 +50,7 @@ std::int64_t Bender::checks() const {
 
 /// True if a challenger drives along the segments now.
 bool Bender::drive_along(std::span<const Segment> segments) {
-  const auto drive = commands::commands_along(task_, segments, closer_);
+  const auto drive = commands::commands_along(task_, segments);
   ++checks_;
   if (drive) add(*drive);
   return drive.has_value();

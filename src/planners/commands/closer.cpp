@@ -306,4 +306,23 @@ bool Closer::close(const RigState& from, std::span<Segment> commands, const RigS
   return false;
 }
 
+std::optional<std::vector<Segment>> obeyed(const Task& task, std::vector<Segment> commands) {
+  const WheelEnds ends = wheel_ends(task);
+  const RigState from{task.start, task.hitch_angles.start};
+  const RigState to{task.goal, task.hitch_angles.goal};
+  if (!Closer(task.vehicle, task.steering).close(from, commands, to, ends)) return std::nullopt;
+  const Wheels wheels(task.vehicle, task.steering);
+  const bool is_free = task.checker->rig_is_free(Local(from), wheels.driven(commands, ends.before));
+  return is_free ? std::optional(std::move(commands)) : std::nullopt;
+}
+
+std::optional<std::vector<Segment>> commands_along(const Task& task,
+                                                   std::span<const Segment> segments) {
+  const Wheels wheels(task.vehicle, task.steering);
+  std::vector<Segment> commands = wheels.commands(segments, wheel_ends(task));
+  hold_curvatures(commands, task.vehicle.min_turning_radius);
+  if (commands.empty()) return std::nullopt;
+  return obeyed(task, std::move(commands));
+}
+
 }  // namespace vandplan::commands

@@ -6,10 +6,12 @@
 // Method: docs/algorithms/trailers.md.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "planners/commands/wheels.h"
+#include "vandplan/problem.h"
 #include "vandplan/rig.h"
 
 namespace vandplan::commands {
@@ -74,5 +76,13 @@ class Closer {
   std::vector<Place> between_;           // its segments
   std::vector<Column> columns_;
 };
+
+/// Commands of a free drive of the task, near those given; nothing if none are found.
+[[nodiscard]] std::optional<std::vector<Segment>> obeyed(const Task& task,
+                                                         std::vector<Segment> commands);
+
+/// Commands of a free drive of the task along the segments; nothing if none are found.
+[[nodiscard]] std::optional<std::vector<Segment>> commands_along(const Task& task,
+                                                                 std::span<const Segment> segments);
 
 }  // namespace vandplan::commands

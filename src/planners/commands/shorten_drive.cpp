@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
+
+#include "planners/commands/short_strokes.h"
 
 namespace vandplan::commands {
 namespace {
@@ -369,36 +372,29 @@ void DriveShortener::drop_crumbs() {
   }
 }
 
-std::optional<std::vector<Segment>> commands_along(const Task& task,
-                                                   std::span<const Segment> segments,
-                                                   Closer& closer) {
-  const Wheels wheels(task.vehicle, task.steering);
-  const WheelEnds ends = wheel_ends(task);
-  std::vector<Segment> commands = wheels.commands(segments, ends);
-  hold_curvatures(commands, task.vehicle.min_turning_radius);
-  const Local<RigState> from(RigState{task.start, task.hitch_angles.start});
-  const RigState to{task.goal, task.hitch_angles.goal};
-  if (commands.empty() || !closer.close(from, commands, to, ends)) return std::nullopt;
-  if (!task.checker->rig_is_free(from, wheels.driven(commands, ends.before))) return std::nullopt;
-  return commands;
-}
-
 std::vector<Segment> without_crumbs(const Task& task, const search::CostRule& rule,
-                                    std::vector<Segment> segments) {
+                                    const std::vector<Segment>& segments, double min_stroke) {
   const double crumb = crumb_length(task.vehicle.min_turning_radius);
   const auto crumbs = [&](std::span<const Segment> driven) {
-    return std::ranges::count_if(driven,
-                                 [&](const Segment& s) { return std::abs(s.length) < crumb; });
+    return std::count_if(driven.begin(), driven.end(),
+                         [&](const Segment& s) { return std::abs(s.length) < crumb; });
   };
-  const auto before = crumbs(segments);
-  if (before == 0) return segments;
-  Closer closer(task.vehicle, task.steering);
-  const std::optional<std::vector<Segment>> commands = commands_along(task, segments, closer);
+  if (crumbs(segments) == 0) return segments;
+  const std::optional<std::vector<Segment>> commands = commands_along(task, segments);
   if (!commands) return segments;
   DriveShortener drive(task, rule, *commands, 0);
   drive.drop_crumbs();
   std::vector<Segment> tidied = drive.segments();
-  return crumbs(tidied) < before ? tidied : segments;
+  const auto cost = [&](std::span<const Segment> driven) {
+    search::Driven before = rule.initial_gear;
+    const RigState start{task.start, task.hitch_angles.start};
+    return search::drive_cost(rule, driven, before) +
+           search::rig_clearance_cost(task, rule, Local(start), driven, search::Looks::search);
+  };
+  const bool is_better = crumbs(tidied) < crumbs(segments) &&
+                         cost(tidied) <= (1 + crumb_slack) * cost(segments) &&
+                         price_of_lack(tidied, min_stroke) <= price_of_lack(segments, min_stroke);
+  return is_better ? tidied : segments;
 }
 
 }  // namespace vandplan::commands

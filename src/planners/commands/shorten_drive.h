@@ -6,7 +6,6 @@
 // Method: docs/algorithms/trailers.md.
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -107,15 +106,11 @@ class DriveShortener {
   std::int64_t checks_ = 0;
 };
 
-/// Commands that lead along the segments from the start of the task to its goal; nothing if none
-/// are found, or if what they drive is not free.
-[[nodiscard]] std::optional<std::vector<Segment>> commands_along(const Task& task,
-                                                                 std::span<const Segment> segments,
-                                                                 Closer& closer);
-
 /// The segments of a free drive of continuous curvature, with fewer crumbs if some can be left out
-/// (`drop_crumbs`).
+/// (`DriveShortener::drop_crumbs`) so that the drive costs at most 1e-4 more and no stroke that is
+/// shorter than `min_stroke` [m] gets shorter; else the segments themselves.
 [[nodiscard]] std::vector<Segment> without_crumbs(const Task& task, const search::CostRule& rule,
-                                                  std::vector<Segment> segments);
+                                                  const std::vector<Segment>& segments,
+                                                  double min_stroke = 0.0);
 
 }  // namespace vandplan::commands

@@ -288,12 +288,13 @@ void Run::shorten(DriveShortener& drive, std::size_t task) {
   checks_ += drive.checks();
 }
 
-/// A drive that the wheels of a task obey: shortened with those, and with softer ones.
+/// A drive that the wheels of a task obey: shortened with those, and with softer ones. It is kept
+/// even if the budget is spent.
 void Run::take(std::vector<Segment> commands, std::size_t with) {
-  for (std::size_t i = with; i < tasks_.size() && !budget_.exhausted(); ++i) {
+  for (std::size_t i = with; i < tasks_.size() && (i == with || !budget_.exhausted()); ++i) {
     const Task& task = tasks_[i];
     std::optional<std::vector<Segment>> chain = commands;
-    if (i != with) chain = obeyed(task, std::move(commands));
+    if (i != with) chain = commands::obeyed(task, std::move(commands));
     if (!chain) return;
     DriveShortener drive(task, pricing_.rule(), *chain,
                          stream_seed(options_.budget.seed, shortened_++), measure());
@@ -309,7 +310,7 @@ void Run::widen(const std::vector<Segment>& commands) {
   while (!drive.is_stalled() && budget_.next()) {
     ++trials_;
     if (!drive.step()) continue;
-    std::optional<std::vector<Segment>> chain = obeyed(task_, drive.commands());
+    std::optional<std::vector<Segment>> chain = commands::obeyed(task_, drive.commands());
     if (!chain) continue;
     take(*std::move(chain), 0);
     break;

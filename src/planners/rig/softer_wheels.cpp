@@ -23,16 +23,4 @@ std::deque<Task> with_softer_wheels(const Task& task) {
   return tasks;
 }
 
-std::optional<std::vector<Segment>> obeyed(const Task& task, std::vector<Segment> chain) {
-  const commands::Wheels wheels(task.vehicle, task.steering);
-  const commands::WheelEnds ends = commands::wheel_ends(task);
-  commands::Closer closer(task.vehicle, task.steering);
-  const RigState from{task.start, task.hitch_angles.start};
-  const RigState to{task.goal, task.hitch_angles.goal};
-  if (!closer.close(from, chain, to, ends)) return std::nullopt;
-  if (!task.checker->rig_is_free(Local(from), wheels.driven(chain, ends.before)))
-    return std::nullopt;
-  return chain;
-}
-
 }  // namespace vandplan::rig

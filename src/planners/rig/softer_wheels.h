@@ -18,9 +18,4 @@ namespace vandplan::rig {
 /// the task alone if its curvature may jump anywhere.
 [[nodiscard]] std::deque<Task> with_softer_wheels(const Task& task);
 
-/// Commands of a free drive of the task, near those that other wheels obeyed; none if there are
-/// none.
-[[nodiscard]] std::optional<std::vector<Segment>> obeyed(const Task& task,
-                                                         std::vector<Segment> commands);
-
 }  // namespace vandplan::rig
