@@ -63,6 +63,7 @@ Run smoothed(const Problem& problem, const ResultRecord& record, SmoothMethod me
   run.after.options = run.smoothed.options;
   run.after.result = run.smoothed.result;
   run.after.claims = {};
+  run.after.stated = {};
   return run;
 }
 

@@ -206,6 +206,7 @@ struct CommonOption {
   std::string_view summary;                           ///< meaning, unit and range
   std::string (*get)(const PlanOptions&);             ///< as JSON: a number, string or null
   void (*set)(PlanOptions&, std::string_view value);  ///< from text; throws InputError
+  bool is_of_budget = false;                          ///< a field of `PlanOptions::budget`
 };
 
 /// All of them: "seed", "time_limit", "reverse_weight", ...

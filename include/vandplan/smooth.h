@@ -26,8 +26,8 @@ enum class SmoothMethod : std::uint8_t {
 
 /// The options of smoothing that hold unless others are set: those of the run that planned the path
 /// (`stored`), above those that the scenario wants. The budget of that run does not count. Nor does
-/// a stored steering of reeds-shepp: the run allowed jumps of the curvature, and smoothing takes
-/// them out. Throws InputError naming the option whose value is no good.
+/// a stored steering of reeds-shepp: the run allowed jumps of the curvature, which smoothing takes
+/// out where there is no trailer. Throws InputError naming the option whose value is no good.
 [[nodiscard]] PlanOptions smooth_options(std::span<const Setting> scenario,
                                          std::span<const Setting> stored);
 
@@ -50,9 +50,10 @@ struct Smoothed {
                               const PlanOptions& options = {});
 
 /// The planner that `smooth` runs: it keeps to the way of one path from the problem's start to its
-/// goal. It steers between stops unless a steering is set. A path that is nearer than a millimetre
-/// to something may count as blocked. It finds none where a way beside the path is needed that it
-/// does not see; `no_path` proves nothing then. It is not among `planners()`.
+/// goal. Unless a steering is set it steers between stops, and with a trailer as reeds-shepp. A
+/// path that is nearer than a millimetre to something may count as blocked. It finds none where a
+/// way beside the path is needed that it does not see; `no_path` proves nothing then. It is not
+/// among `planners()`.
 [[nodiscard]] Planner smoother(const Path& path, SmoothMethod method);
 
 }  // namespace vandplan

@@ -99,7 +99,9 @@ constexpr CommonOption option(std::string_view name, std::string_view summary) {
 
 template <auto field>
 constexpr CommonOption budget(std::string_view name, std::string_view summary) {
-  return option<&PlanOptions::budget, field>(name, summary);
+  CommonOption of_budget = option<&PlanOptions::budget, field>(name, summary);
+  of_budget.is_of_budget = true;
+  return of_budget;
 }
 
 template <auto field>

@@ -72,6 +72,7 @@ TEST(DriveBehindTractor, LeadsARigThroughStreets) {
   ASSERT_TRUE(drive);
   expect_free_drive_to_goal(problem.task(), *drive);
   EXPECT_GT(length(*drive), 300);
+  if (is_sanitized) return;  // it is no short one in so few iterations
   EXPECT_LT(length(*drive), 400);
 }
 
