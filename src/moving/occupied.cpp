@@ -65,7 +65,12 @@ void Occupied::add(const Box& box) {
   Box low = box;
   Box high = box;
   const bool is_one_place = last - first <= 1 && driven <= limits_.finest;
-  if (is_one_place || (moved > driven && moved > limits_.finest)) {
+  const bool is_instant = !(span.begin < time && time < span.end);  // an obstacle may jump
+  if (is_instant && is_one_place) {
+    mark(first, last, {span.begin, is_for_ever ? forever : span.end});
+    return;
+  }
+  if (!is_instant && (is_one_place || (moved > driven && moved > limits_.finest))) {
     low.span.end = high.span.begin = time;
   } else if (last - first > 1) {
     low.last = high.first = first + (last - first) / 2;

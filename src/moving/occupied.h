@@ -30,8 +30,8 @@ struct BoxLimits {
 
 /// The way cut into rows, and for each row when something that moves may be in the way of a vehicle
 /// that is anywhere in it. What is free here is proven free; what is occupied is nearer than the
-/// margin at some place of the row within that time, give or take two tenths of a metre. Nothing is
-/// known of a row before the vehicle can be in it, and after it can.
+/// margin at some place of the row within that time, give or take four times `BoxLimits::finest`.
+/// Nothing is known of a row before the vehicle can be in it, and after it can.
 class Occupied {
  public:
   /// `stations` increase from 0 to the length of the way; row i lies between stations i and i + 1.

@@ -324,13 +324,21 @@ class Writer {
   double t_ = 0.0;
 };
 
-/// The fastest drive, begun as much later as it must to meet nothing.
-std::optional<SpeedProfile> begun_later(const Course& course, const SpeedProfile& fastest,
-                                        const Traffic& traffic) {
-  constexpr double longest = 500;  // [s]
-  const double latest = std::min(end_of_motion(traffic.moving) + time_step, longest);
+/// The fastest drive, begun as much later as it must to meet nothing. One try counts as
+/// `states_of_try` states.
+Yielding begun_later(const Course& course, const SpeedProfile& fastest, const Traffic& traffic) {
+  constexpr double longest_wait = 500;  // [s]
+  constexpr std::int64_t states_of_try = 100;
+  const double latest = std::min({end_of_motion(traffic.moving) + time_step, longest_wait,
+                                  traffic.longest - fastest.duration});
   const double curvature = traffic.start_curvature;
+  Yielding yielding;
   for (double wait = time_step; wait <= latest && !is_interrupted(traffic); wait += time_step) {
+    if (yielding.states >= traffic.most_states) {
+      yielding.is_cut_off = true;
+      return yielding;
+    }
+    yielding.states += states_of_try;
     SpeedProfile speeds = fastest;
     for (SpeedKnot& knot : speeds.knots) knot.t += wait;
     for (Stop& stop : speeds.stops) stop.t += wait;
@@ -338,9 +346,11 @@ std::optional<SpeedProfile> begun_later(const Course& course, const SpeedProfile
     speeds.stops.insert(speeds.stops.begin(), {0.0, 0.0, wait, curvature, curvature});
     speeds.duration += wait;
     speeds.standing += wait;
-    if (!first_meeting(course, speeds, traffic.moving, traffic.margin)) return speeds;
+    if (first_meeting(course, speeds, traffic.moving, traffic.margin)) continue;
+    yielding.speeds = std::move(speeds);
+    return yielding;
   }
-  return std::nullopt;
+  return yielding;
 }
 
 }  // namespace
@@ -357,7 +367,8 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
   if (fastest.knots.back().s <= 0.0) return yielding;
   if (fastest.duration > traffic.longest || traffic.most_states <= 0) return yielding;
   if (vehicle.limits.max_jerk && traffic.start_speed == 0.0) {
-    yielding.speeds = begun_later(course, fastest, traffic);
+    yielding = begun_later(course, fastest, traffic);
+    yielding.met = met;
     return yielding;
   }
   const Encounters encounters(course, traffic.moving, traffic.margin);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "moving/encounters.h"
@@ -14,16 +15,17 @@ std::string proof_of_none(const Task& task, double margin) {
   const auto [first_angle, last_angle] = task.hitch_angles;
   const RigState start{task.start, first_angle}, goal{task.goal, last_angle};
   const Path none{task.start, {}};
+  constexpr double any = std::numeric_limits<double>::infinity();
   const moving::Encounters encounters({none, task.vehicle}, task.moving, margin);
   for (std::size_t i = 0; i < encounters.size(); ++i) {
     const std::optional<double> leaves = encounters.leaves(i);
     const std::string name = "moving[" + std::to_string(i) + "]";
     const bool is_there = leaves.value_or(0.0) >= 0.0;
-    if (is_there && encounters.gap(i, start, 0.0, 0.0) <= 0.0) {
+    if (is_there && encounters.gap(i, start, 0.0, any) <= 0.0) {
       return name + " is where the start is, or nearer to it than the margin";
     }
     const double rest = std::max(encounters.rests(i), 0.0);
-    if (!leaves && encounters.gap(i, goal, rest, 0.0) <= 0.0) {
+    if (!leaves && encounters.gap(i, goal, rest, any) <= 0.0) {
       return name + " stays where the goal is, or nearer to it than the margin";
     }
   }

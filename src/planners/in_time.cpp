@@ -70,7 +70,9 @@ class Run {
     Source& first = sources_.emplace_back(Source{.ghosts = {}, .task = std::move(alone)});
     if (is_goal_the_start()) {
       consider(first, {}, false);
-      return finished({});
+      PlannerAnswer answer = finished({});
+      if (!best_) answer.reason = "the goal is the start, and something that moves comes there";
+      return answer;
     }
     // 1. The sources go on in turn, and each path they find gets its times.
     while (!budget_.exhausted() && !is_settled() && step()) {
@@ -273,7 +275,10 @@ class Run {
     source.is_hasty = is_hasty && yielding.met.has_value();
     const bool may_be_better =
         yielding.is_cut_off || (!yielding.speeds && traffic.longest < longest_of(path_cost));
-    source.is_cut_off = !is_hasty && may_be_better && states_for(source) < most_states_of_all;
+    // A detour that does not win has one careful search: there are many detours.
+    const bool may_go_on = !source.detour || &source == best_source_;
+    source.is_cut_off =
+        may_go_on && !is_hasty && may_be_better && states_for(source) < most_states_of_all;
     source.retry_at = source.spent + 4 * (budget_.iterations() - before);
     if (yielding.met && cost > source.fastest_cost + worth_a_way_around) {
       go_around(source, *yielding.met);

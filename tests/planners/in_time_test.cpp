@@ -122,6 +122,56 @@ TEST(Yielding, AVehicleWithALimitOfJerkBeginsLater) {
   EXPECT_GT(found.speeds->standing, 0);
 }
 
+TEST(Yielding, BeginsNoLaterThanIsOfInterest) {
+  Vehicle vehicle;
+  vehicle.limits.max_jerk = 1.0;
+  const SpeedProfile best = *yielding(ahead, {crossing()}, vehicle).speeds;
+  const std::vector<MovingObstacle> moving = {crossing()};
+  moving::Traffic traffic{.moving = moving, .longest = best.duration - 0.01};
+  const moving::Yielding shorter = moving::yielding_speeds(ahead, vehicle, traffic);
+  EXPECT_FALSE(shorter.speeds);
+  EXPECT_GT(shorter.states, 0);
+  traffic.longest = best.duration + 0.01;
+  EXPECT_TRUE(moving::yielding_speeds(ahead, vehicle, traffic).speeds);
+  traffic.most_states = shorter.states / 2;
+  const moving::Yielding cut_off = moving::yielding_speeds(ahead, vehicle, traffic);
+  EXPECT_FALSE(cut_off.speeds);
+  EXPECT_TRUE(cut_off.is_cut_off);
+}
+
+// Two neighbouring numbers have none between them.
+TEST(Yielding, AnObstacleMayJump) {
+  const double t = 4.0;
+  const MovingObstacle jumps{
+      .outline = car, .trajectory = {{t, {60, 5, 0}}, {std::nextafter(t, 5.0), {60, -5, 0}}}};
+  const Path path{{0, 0, 0}, {{0, 80}}};
+  const moving::Yielding found = yielding(path, {crossing(), jumps});
+  ASSERT_TRUE(found.speeds);
+  EXPECT_TRUE(judged(path, *found.speeds, {crossing(), jumps}).valid);
+}
+
+TEST(InTime, AnObstacleWhoseCircleTouchesTheStartIsNotThere) {
+  // 2 m ahead of the truck; the circle around the outline reaches just to it.
+  const MovingObstacle stands{.outline = box(-3, -4, 3, 4), .trajectory = {{0, {10.9, 0, 0}}}};
+  const Problem problem =
+      with_moving(make_problem(world_of({.bounds = wide_bounds}), {}, {0, 0, 0}, {-20, 0, 0}),
+                  std::vector{stands});
+  PlanOptions options;
+  options.budget.max_iterations = 1000;
+  const PlanResult result = plan(problem, options);
+  EXPECT_EQ(result.status, PlanStatus::solved) << result.reason;
+}
+
+TEST(InTime, SaysWhyTheVehicleCannotStayWhereItIs) {
+  const Problem problem =
+      with_moving(make_problem(world_of({.bounds = wide_bounds}), {}, {15, 0, 0}, {15, 0, 0}),
+                  std::vector{crossing()});
+  PlanOptions options;
+  options.budget.max_iterations = 100;
+  EXPECT_EQ(plan(problem, options).reason,
+            "the goal is the start, and something that moves comes there");
+}
+
 TEST(YieldingLaw, WhatIsFoundIsGoodInTheEyesOfTheJudge) {
   int found = 0;
   for_each_case(1, 150, [&](Rng& rng) {
@@ -227,7 +277,7 @@ TEST(PlanInTime, WaitsOrGoesRoundAndRepeatsBitForBit) {
 }
 
 TEST(PlanInTime, DoesTheSameAtFirstWhateverTheBudget) {
-  const Problem problem = street_among({crossing()});
+  const Problem problem = street_among(std::vector{crossing()});
   PlanOptions options;
   options.budget.max_iterations = 1000;
   const PlanResult few = plan(problem, options);
