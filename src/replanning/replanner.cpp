@@ -380,7 +380,7 @@ class Replanner::Impl {
   void keep() {
     answer_.outcome = out_.outcome = TickOutcome::kept;
     answer_.is_safe = out_.is_safe = true;
-    if (answer_.reaches_goal) answer_.reason = out_.reason = "";
+    answer_.reason = out_.reason = answer_.reaches_goal ? "" : reason_of_no_way();
   }
 
   void stop_or_brake(double t, const CutDrive& rest) {

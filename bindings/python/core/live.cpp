@@ -129,7 +129,8 @@ or "none" (nothing safe was found, it brakes as hard as it may).)");
       "is_safe", [](const ReplanAnswer& a) { return a.is_safe; },
       "Judged: the rest of the drive touches nothing and nobody, as far as is known.");
   property(
-      "reason", [](const ReplanAnswer& a) { return a.reason; }, "Why it is not safe; or empty.");
+      "reason", [](const ReplanAnswer& a) { return a.reason; },
+      "Why it is not safe, or does not reach the goal; or empty.");
   answer
       .def_property_readonly("drive", &answered_drive,
                              "A `SpeedProfile` that begins at `begin`; None before the first tick.")

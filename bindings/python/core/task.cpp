@@ -132,8 +132,8 @@ double way_cost(PlanningTask& self, const py::object& given) {
   double cost = search::drive_cost(self.rule(), segments, driven);
   if (self.rule().clearance_weight == 0.0) return cost;
   if (segments.empty()) return cost;
-  const Pose& start = py::isinstance<Path>(given) ? given.cast<const Path&>().start
-                                                  : given[py::int_(0)].cast<const Path&>().start;
+  const py::object first = py::isinstance<Path>(given) ? given : py::object(given[py::int_(0)]);
+  const Pose start = first.cast<const Path&>().start;
   return cost + search::clearance_cost(self.task(), self.rule(),
                                        to_local(*self.task().world, start), segments,
                                        search::Looks::search);
