@@ -141,9 +141,9 @@ TEST(Yielding, BeginsNoLaterThanIsOfInterest) {
 
 // Two neighbouring numbers have none between them.
 TEST(Yielding, AnObstacleMayJump) {
-  const double t = 4.0;
+  const double t = 40.0;
   const MovingObstacle jumps{
-      .outline = car, .trajectory = {{t, {60, 5, 0}}, {std::nextafter(t, 5.0), {60, -5, 0}}}};
+      .outline = car, .trajectory = {{t, {60, 5, 0}}, {std::nextafter(t, 50.0), {60, -5, 0}}}};
   const Path path{{0, 0, 0}, {{0, 80}}};
   const moving::Yielding found = yielding(path, {crossing(), jumps});
   ASSERT_TRUE(found.speeds);
