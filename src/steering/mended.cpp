@@ -45,9 +45,10 @@ struct Driven {
 };
 
 /// How the end of the chain moves for each metre that segment `i` gets longer: along the heading
-/// there, and around the circle of the segment's end.
+/// there, and around the circle of the segment's end. A clothoid stays as it is.
 Vector slope(const Chain& chain, const Driven& driven, std::size_t i) {
   const Segment& segment = chain.segments[i];
+  if (segment.curvature_rate != 0.0) return {};
   const Pose& at = driven.poses[i + 1];
   const Pose& end = driven.poses[chain.count];
   const double gear = segment.length < 0.0 ? -1.0 : 1.0;

@@ -35,7 +35,7 @@ inline constexpr Closing on_the_way{1e-11, 1e-13};
 
 /// The piece with its lengths changed a little so that it ends at `to`, as nearly as they can; a
 /// segment that this makes shorter than nothing is left out. None if it still ends farther away
-/// than `closing` allows. Segments are arcs and lines.
+/// than `closing` allows. Clothoids stay as they are.
 [[nodiscard]] std::optional<Piece> mended(const Pose& from, const Pose& to, const Piece& piece,
                                           const Closing& closing);
 

@@ -283,48 +283,6 @@ TEST(DriveShortener, DropsCrumbs) {
   }
 }
 
-TEST(WithoutCrumbs, LeavesThemOutOfWhatIsDriven) {
-  for (const Steering steering : {Steering::continuous_between_stops, Steering::continuous}) {
-    const commands::Wheels wheels(Vehicle{}, steering);
-    const std::vector<std::vector<Segment>> crumbly = {
-        {{0, 10}, {2e-5, 0.001}, {0, 27}, {0.05, 9}, {0, 20}},  // a turn by nothing
-        {{0.1, 12}, {0.1002, 6}, {-0.05, -9}, {0, -15}},
-    };
-    for (const std::vector<Segment>& commands : crumbly) {
-      SCOPED_TRACE(std::string(name_of(steering)) + ", " + std::to_string(commands.size()));
-      const Path path{{0, 0, 0}, wheels.driven(commands, {0, 0.0})};
-      ASSERT_GT(crumbs(path.segments), 0);
-      const Problem problem = problem_along(path);
-      const Task task = task_of(problem, {}, steering);
-      const CostRule rule{.reverse_weight = 2, .gear_change_cost = 5};
-      const std::vector<Segment> tidied = commands::without_crumbs(task, rule, path.segments);
-      // Where it begins straight on, a turn of the wheels by nothing may be left at the start.
-      EXPECT_LE(crumbs(tidied), steering == Steering::continuous ? 1 : 0);
-      EXPECT_LT(crumbs(tidied), crumbs(path.segments));
-      expect_same_pose(end_of({task.start, tidied}), task.goal, 1e-9);
-      EXPECT_LE(length(tidied), 1.0001 * length(path.segments));
-    }
-  }
-}
-
-TEST(WithoutCrumbs, MakesNoStrokeShorterThatIsTooShort) {
-  const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
-  const Path path{
-      {0, 0, 0},
-      wheels.driven(std::vector<Segment>{{0.1, 12}, {0.1002, 6}, {0.02, 3}, {0, -15}}, {})};
-  const Problem problem = problem_along(path);
-  const Task task = task_of(problem, {}, Steering::continuous_between_stops);
-  const CostRule rule{.reverse_weight = 2, .gear_change_cost = 5};
-  const auto forward = [&](double min_stroke) {
-    const auto tidied = commands::without_crumbs(task, rule, path.segments, min_stroke);
-    double sum = 0.0;
-    for (const Segment& segment : tidied) sum += std::max(segment.length, 0.0);
-    return sum;
-  };
-  EXPECT_LT(forward(0.0), 20.5);
-  EXPECT_GE(forward(21.0), 21.0 - 1e-9);
-}
-
 // Where everything else is dearer a crumb stays.
 TEST(DriveShortener, LeavesACrumbWhereItIsWorthIt) {
   const std::vector<Segment> commands = {{0.1, 8}, {0, 7}, {0.1, 0.05}, {-0.05, -6}};

@@ -71,6 +71,50 @@ TEST(Tidied, LeavesCrumbsOut) {
   }
 }
 
+// Wheels that are turned a little and back again. The curvature stays continuous.
+TEST(Tidied, LeavesTurnsOfTheWheelsByNothingOut) {
+  constexpr double rate = 0.1;
+  const auto turn = [](double curvature, double length) {
+    const double way = curvature / rate;
+    return std::vector<Segment>{{0, way, rate}, {curvature, length - way}, {curvature, way, -rate}};
+  };
+  const std::vector<Segment> nothing = {{0, 0.03, 0.05}, {0.0015, 0.03, -0.05}};
+  const std::vector<Segment> curve = turn(0.12, 9);
+  const std::vector<Segment> other = turn(0.08, 12);
+  std::vector<std::vector<Segment>> crumbly(3);
+  const auto add = [](std::vector<Segment>& path, const std::vector<Segment>& more) {
+    path.insert(path.end(), more.begin(), more.end());
+  };
+  for (std::size_t at = 0; at < crumbly.size(); ++at) {  // at the begin, on the way, at the end
+    std::vector<Segment>& path = crumbly[at];
+    if (at == 0) add(path, nothing);
+    add(path, {{0, 10}});
+    add(path, curve);
+    add(path, {{0, 4}});
+    if (at == 1) add(path, nothing);
+    add(path, {{0, 5}});
+    add(path, other);
+    add(path, {{0, 8}});
+    if (at == 2) add(path, nothing);
+  }
+  for (const std::vector<Segment>& segments : crumbly) {
+    const Path path{{}, segments};
+    const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
+    const std::vector<Segment> tidy = tidied(problem, path, 0);
+    EXPECT_LT(tidy.size(), segments.size());
+    EXPECT_GT(shortest(tidy), 0.1);
+    EXPECT_LE(cost_of(priced, tidy), cost_of(priced, segments) * (1 + 1e-4));
+    const PathCheck check = check_path(problem, {{}, tidy}, {.steering = Steering::continuous});
+    EXPECT_TRUE(check.valid) << check.reason << as_code(tidy);
+  }
+}
+
+// A turn of the wheels that goes on otherwise than before is no crumb to be left out.
+TEST(Tidied, LeavesAContinuousCurvatureContinuous) {
+  const Path path{{}, {{0, 10}, {0, 0.02, 0.1}, {0.002, 9}, {0.002, 0.02, -0.1}, {0, 10}}};
+  EXPECT_EQ(tidied(problem_of_path({.bounds = wide_bounds}, path), path, 0), path.segments);
+}
+
 TEST(Tidied, LeavesATidyPathAlone) {
   const Path path{{}, {{k, 8}, {0, 12}, {-k, 6}, {-k, -4}, {0, -9}}};
   EXPECT_EQ(tidied(problem_of_path({.bounds = wide_bounds}, path), path, 0.5), path.segments);

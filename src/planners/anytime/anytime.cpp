@@ -16,6 +16,7 @@
 #include "planners/anytime/shares.h"
 #include "planners/anytime/strokes.h"
 #include "planners/anytime/tidy.h"
+#include "planners/commands/short_strokes.h"
 #include "planners/pricing.h"
 #include "planners/rig/rig_planner.h"
 #include "planners/shared_options.h"
@@ -511,7 +512,11 @@ std::optional<Drivable> Run::drivable(const std::vector<Segment>& raw) const {
         path_of(with_strokes(connector, gears_at_ends(task_, rule_), legs, stroke)).segments;
   }
   if (is_continuous && !rule_.is_length() && !is_optimal()) {
-    drivable.segments = commands::without_crumbs(task_, rule_, drivable.segments, stroke);
+    std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments, 0.0);
+    const auto lack = [&](std::span<const Segment> s) {
+      return commands::price_of_lack(s, stroke);
+    };
+    if (lack(neat) <= lack(drivable.segments)) drivable.segments = std::move(neat);
   }
   if (stroke == 0.0 && !is_bent && drivable.segments == raw) return std::nullopt;
   drivable.cost =

@@ -17,6 +17,7 @@ using search::Connector, search::Driven, search::gear_of;
 
 constexpr double tidy_slack = 1e-4;  // of the cost: 1 cm of 100 m, less than any search leaves
 constexpr std::size_t reach = 3;     // segments on either side that make up for one left out
+constexpr std::size_t reach_of_clothoids = 7;  // the same where clothoids lie between them
 
 using Segments = std::vector<Segment>;
 
@@ -33,6 +34,8 @@ class Tidier {
       : connector_(connector),
         start_(start),
         segments_(merged(segments)),
+        has_clothoids_(std::ranges::any_of(
+            segments_, [](const Segment& segment) { return segment.curvature_rate != 0.0; })),
         crumb_(commands::crumb_length(connector.radius())) {}
 
   void drop_crumbs();
@@ -44,6 +47,7 @@ class Tidier {
   [[nodiscard]] LocalPose pose_before(std::size_t i) const;
   [[nodiscard]] bool is_free(LocalPose from, std::span<const Segment> segments);
   [[nodiscard]] bool drop(std::size_t first, std::size_t last, double limit);
+  [[nodiscard]] std::size_t end_of_crumbs(std::size_t first) const;
   [[nodiscard]] std::vector<Stroke> strokes() const;
   [[nodiscard]] std::optional<Segments> driven_on(std::size_t cusp, double by);
   [[nodiscard]] bool lengthen(const std::vector<Stroke>& all, std::size_t k, double least);
@@ -51,6 +55,7 @@ class Tidier {
   Connector& connector_;
   LocalPose start_;
   Segments segments_;
+  bool has_clothoids_;
   double crumb_;
 };
 
@@ -77,8 +82,16 @@ bool Tidier::is_free(LocalPose from, std::span<const Segment> segments) {
 // Leaves the segments [first, last) out, if their neighbours can make up for them: the same poses
 // on either side, free, and no dearer in all than the limit.
 bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
-  const std::size_t low = first - std::min(first, reach);
-  const std::size_t high = std::min(segments_.size(), last + reach);
+  std::size_t low = first - std::min(first, has_clothoids_ ? reach_of_clothoids : reach);
+  std::size_t high =
+      std::min(segments_.size(), last + (has_clothoids_ ? reach_of_clothoids : reach));
+  while (high - last + first - low > steering::most_mended) {
+    if (first - low > high - last) {
+      ++low;
+    } else {
+      --high;
+    }
+  }
   const auto at = [&](std::size_t i) { return segments_.begin() + static_cast<std::ptrdiff_t>(i); };
   Segments rest(at(low), at(first));
   rest.insert(rest.end(), at(last), at(high));
@@ -96,6 +109,21 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
   return true;
 }
 
+/// The end of the crumbs from `first` on without which the curvature goes on as with them; `first`
+/// if there are none. Where there are no clothoids it may jump.
+std::size_t Tidier::end_of_crumbs(std::size_t first) const {
+  constexpr double same = 1e-12;  // [1/m]
+  if (!has_clothoids_) return first + 1;
+  const auto gear = gear_of(segments_[first]);
+  for (std::size_t i = first; i < segments_.size(); ++i) {
+    const Segment& segment = segments_[i];
+    if (std::abs(segment.length) >= crumb_ || gear_of(segment) != gear) break;
+    const double after = curvature_at(segment, std::abs(segment.length));
+    if (std::abs(after - segments_[first].curvature) <= same) return i + 1;
+  }
+  return first;
+}
+
 // The shortest one first, until none can go.
 void Tidier::drop_crumbs() {
   const double limit = (1 + tidy_slack) * cost(segments_);
@@ -108,8 +136,10 @@ void Tidier::drop_crumbs() {
     std::stable_sort(crumbs.begin(), crumbs.end(), [&](std::size_t a, std::size_t b) {
       return std::abs(segments_[a].length) < std::abs(segments_[b].length);
     });
-    dropped = std::any_of(crumbs.begin(), crumbs.end(),
-                          [&](std::size_t i) { return drop(i, i + 1, limit); });
+    dropped = std::any_of(crumbs.begin(), crumbs.end(), [&](std::size_t i) {
+      const std::size_t end = end_of_crumbs(i);
+      return end > i && drop(i, end, limit);
+    });
   }
 }
 

@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <utility>
-
-#include "planners/commands/short_strokes.h"
 
 namespace vandplan::commands {
 namespace {
@@ -370,31 +367,6 @@ void DriveShortener::drop_crumbs() {
     dropped = std::ranges::any_of(
         crumbs, [&](const auto& shortest) { return drop(shortest.second, limit); });
   }
-}
-
-std::vector<Segment> without_crumbs(const Task& task, const search::CostRule& rule,
-                                    const std::vector<Segment>& segments, double min_stroke) {
-  const double crumb = crumb_length(task.vehicle.min_turning_radius);
-  const auto crumbs = [&](std::span<const Segment> driven) {
-    return std::count_if(driven.begin(), driven.end(),
-                         [&](const Segment& s) { return std::abs(s.length) < crumb; });
-  };
-  if (crumbs(segments) == 0) return segments;
-  const std::optional<std::vector<Segment>> commands = commands_along(task, segments);
-  if (!commands) return segments;
-  DriveShortener drive(task, rule, *commands, 0);
-  drive.drop_crumbs();
-  std::vector<Segment> tidied = drive.segments();
-  const auto cost = [&](std::span<const Segment> driven) {
-    search::Driven before = rule.initial_gear;
-    const RigState start{task.start, task.hitch_angles.start};
-    return search::drive_cost(rule, driven, before) +
-           search::rig_clearance_cost(task, rule, Local(start), driven, search::Looks::search);
-  };
-  const bool is_better = crumbs(tidied) < crumbs(segments) &&
-                         cost(tidied) <= (1 + crumb_slack) * cost(segments) &&
-                         price_of_lack(tidied, min_stroke) <= price_of_lack(segments, min_stroke);
-  return is_better ? tidied : segments;
 }
 
 }  // namespace vandplan::commands

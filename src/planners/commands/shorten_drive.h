@@ -106,11 +106,4 @@ class DriveShortener {
   std::int64_t checks_ = 0;
 };
 
-/// The segments of a free drive of continuous curvature, with fewer crumbs if some can be left out
-/// (`DriveShortener::drop_crumbs`) so that the drive costs at most 1e-4 more and no stroke that is
-/// shorter than `min_stroke` [m] gets shorter; else the segments themselves.
-[[nodiscard]] std::vector<Segment> without_crumbs(const Task& task, const search::CostRule& rule,
-                                                  const std::vector<Segment>& segments,
-                                                  double min_stroke = 0.0);
-
 }  // namespace vandplan::commands
