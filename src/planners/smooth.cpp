@@ -248,6 +248,11 @@ PlanOptions smooth_options(std::span<const Setting> scenario, std::span<const Se
   std::copy_if(stored.begin(), stored.end(), std::back_inserter(of_run),
                [&](const Setting& setting) { return counts(planner, setting); });
   set_honoured(options, planner, of_run);
+  // Version 0.2.0 stored prices beside the time, which did not count.
+  const auto is_time = [](const Setting& s) { return s.name == "cost" && s.value == "time"; };
+  if (std::any_of(of_run.begin(), of_run.end(), is_time)) {
+    options.cost = {.initial_gear = options.cost.initial_gear, .measure = CostMeasure::time};
+  }
   return options;
 }
 

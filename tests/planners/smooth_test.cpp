@@ -335,6 +335,15 @@ TEST(SmoothOptions, TakeNoBudgetOfTheRun) {
   EXPECT_EQ(smooth_options({}, stored).budget, BudgetOptions{});
 }
 
+TEST(SmoothOptions, OfARunByTimeHaveNoPrices) {
+  const std::vector<Setting> stored = {
+      {"cost", "time"}, {"reverse_weight", "2"}, {"gear_change_cost", "5"}};
+  const PlanOptions options = smooth_options({}, stored);
+  EXPECT_EQ(options.cost.measure, CostMeasure::time);
+  EXPECT_NO_THROW((void)complete(smoother({}, {}), options));
+  EXPECT_THROW((void)complete(smoother({}, {}), smooth_options(stored, {})), InputError);
+}
+
 TEST(SmoothOptions, TakeJumpsOfTheCurvatureOut) {
   const Settings arcs = {{"steering", "reeds-shepp"}};
   const auto steering_of = [](const PlanOptions& options) {
