@@ -37,9 +37,11 @@ async function found(page) {
   const path = '!vandplanPage.dirty && vandplanPage.result?.path';
   for (let asked = 1; asked < 10; ++asked) {
     if (await page.until(path, 10).then(() => true, () => false)) return;
-    await page.value('vandplanPage.result?.status === "time_limit" && vandplanPage.changed("ends")');
+    await page.value('!vandplanPage.dirty && vandplanPage.changed("ends")');
   }
-  await page.until(path);
+  await page.until(path).catch(async (error) => {
+    throw new Error(`${error.message}\nthe page says ${await page.value('JSON.stringify([vandplanPage.dirty, vandplanPage.result?.status, vandplanPage.result?.reason])')}`);
+  });
 }
 /** What a browser shows after a while, for those who look at it. */
 const whenLookedAt = (ms) => (pictures ? pause(ms) : undefined);
