@@ -32,8 +32,10 @@ double cost_of(const CostRule& rule, std::span<const Segment> segments) {
   return drive_cost(rule, segments, driven);
 }
 
-std::vector<Segment> tidied(const Problem& problem, const Path& path, double min_stroke) {
-  Connector connector(problem.task(), priced);
+std::vector<Segment> tidied(const Problem& problem, const Path& path, double min_stroke,
+                            Steering steering = Steering::reeds_shepp) {
+  const Task task = task_of(problem, {}, steering);
+  Connector connector(task, priced);
   return anytime::tidied(connector, Local(path.start), path.segments, min_stroke);
 }
 
@@ -55,20 +57,23 @@ std::vector<double> strokes(std::span<const Segment> segments) {
   return result;
 }
 
+void expect_no_crumbs(const std::vector<Segment>& crumbly, Steering steering) {
+  const Path path{{}, crumbly};
+  const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
+  const std::vector<Segment> tidy = tidied(problem, path, 0, steering);
+  EXPECT_LT(tidy.size(), crumbly.size());
+  EXPECT_GT(shortest(tidy), 0.1);
+  EXPECT_LE(cost_of(priced, tidy), cost_of(priced, crumbly) * (1 + 1e-4));
+  const PathCheck check = check_path(problem, {{}, tidy}, {.steering = steering});
+  EXPECT_TRUE(check.valid) << check.reason << as_code(tidy);
+}
+
 TEST(Tidied, LeavesCrumbsOut) {
   const std::vector<std::vector<Segment>> crumbly = {
       {{k, 8}, {-k, 1e-4}, {0, 12}, {k, 2e-3}, {-k, 6}},
       {{0, 5}, {k, 1e-3}, {0, 5}, {-k, 7}, {0, 3}},
       {{k, 8}, {0, 4}, {-k, 1e-3}, {-k, -3}, {0, -5}, {k, 1e-4}, {k, 9}, {0, 2}}};
-  for (const std::vector<Segment>& segments : crumbly) {
-    const Path path{{}, segments};
-    const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
-    const std::vector<Segment> tidy = tidied(problem, path, 0);
-    EXPECT_LT(tidy.size(), segments.size());
-    EXPECT_GT(shortest(tidy), 0.1);
-    EXPECT_LE(cost_of(priced, tidy), cost_of(priced, segments) * (1 + 1e-4));
-    EXPECT_TRUE(check_path(problem, {{}, tidy}).valid) << as_code(tidy);
-  }
+  for (const auto& segments : crumbly) expect_no_crumbs(segments, Steering::reeds_shepp);
 }
 
 // Wheels that are turned a little and back again. The curvature stays continuous.
@@ -97,22 +102,23 @@ TEST(Tidied, LeavesTurnsOfTheWheelsByNothingOut) {
     add(path, {{0, 8}});
     if (at == 2) add(path, nothing);
   }
-  for (const std::vector<Segment>& segments : crumbly) {
-    const Path path{{}, segments};
-    const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
-    const std::vector<Segment> tidy = tidied(problem, path, 0);
-    EXPECT_LT(tidy.size(), segments.size());
-    EXPECT_GT(shortest(tidy), 0.1);
-    EXPECT_LE(cost_of(priced, tidy), cost_of(priced, segments) * (1 + 1e-4));
-    const PathCheck check = check_path(problem, {{}, tidy}, {.steering = Steering::continuous});
-    EXPECT_TRUE(check.valid) << check.reason << as_code(tidy);
-  }
+  for (const auto& segments : crumbly) expect_no_crumbs(segments, Steering::continuous);
 }
 
 // A turn of the wheels that goes on otherwise than before is no crumb to be left out.
 TEST(Tidied, LeavesAContinuousCurvatureContinuous) {
   const Path path{{}, {{0, 10}, {0, 0.02, 0.1}, {0.002, 9}, {0.002, 0.02, -0.1}, {0, 10}}};
-  EXPECT_EQ(tidied(problem_of_path({.bounds = wide_bounds}, path), path, 0), path.segments);
+  const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
+  EXPECT_EQ(tidied(problem, path, 0, Steering::continuous), path.segments);
+}
+
+// Without the short stroke the wheels would have to turn at once while the vehicle rolls.
+TEST(Tidied, KeepsAStrokeAtWhichTheWheelsTurn) {
+  const Path path{{}, {{0.1, 8}, {-0.05, -0.05}, {0, 6}}};
+  const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
+  const Steering steering = Steering::continuous_between_stops;
+  const std::vector<Segment> tidy = tidied(problem, path, 0, steering);
+  EXPECT_TRUE(check_path(problem, {{}, tidy}, {.steering = steering}).valid) << as_code(tidy);
 }
 
 TEST(Tidied, LeavesATidyPathAlone) {

@@ -142,8 +142,8 @@ class Run {
   double noted_cost_ = std::numeric_limits<double>::infinity();  // of the best route,
   std::int64_t noted_at_ = 0;                                    // when it last fell a good deal
   std::optional<Fastest> fastest_;                               // where time is a part of the cost
-  std::vector<Segment> raw_;       // the best route that was made drivable last,
-  std::vector<Segment> segments_;  // and what it became
+  std::vector<Segment> raw_;       // the raw segments that `segments_` were made from
+  std::vector<Segment> segments_;  // the drivable segments of the best route
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0;
   std::int64_t rounds_with_route_ = 0;

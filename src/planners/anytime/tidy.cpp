@@ -34,8 +34,7 @@ class Tidier {
       : connector_(connector),
         start_(start),
         segments_(merged(segments)),
-        has_clothoids_(std::ranges::any_of(
-            segments_, [](const Segment& segment) { return segment.curvature_rate != 0.0; })),
+        is_continuous_(connector.continuous() != nullptr),
         crumb_(commands::crumb_length(connector.radius())) {}
 
   void drop_crumbs();
@@ -55,7 +54,7 @@ class Tidier {
   Connector& connector_;
   LocalPose start_;
   Segments segments_;
-  bool has_clothoids_;
+  bool is_continuous_;
   double crumb_;
 };
 
@@ -82,9 +81,9 @@ bool Tidier::is_free(LocalPose from, std::span<const Segment> segments) {
 // Leaves the segments [first, last) out, if their neighbours can make up for them: the same poses
 // on either side, free, and no dearer in all than the limit.
 bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
-  std::size_t low = first - std::min(first, has_clothoids_ ? reach_of_clothoids : reach);
+  std::size_t low = first - std::min(first, is_continuous_ ? reach_of_clothoids : reach);
   std::size_t high =
-      std::min(segments_.size(), last + (has_clothoids_ ? reach_of_clothoids : reach));
+      std::min(segments_.size(), last + (is_continuous_ ? reach_of_clothoids : reach));
   while (high - last + first - low > steering::most_mended) {
     if (first - low > high - last) {
       ++low;
@@ -96,9 +95,12 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
   Segments rest(at(low), at(first));
   rest.insert(rest.end(), at(last), at(high));
   const LocalPose from = pose_before(low);
+  rest = merged(rest);
   const std::optional<Segments> mended =
-      steering::mended(from, pose_before(high), merged(rest), steering::on_the_way);
+      steering::mended(from, pose_before(high), rest, steering::on_the_way);
   if (!mended) return false;
+  // Without a whole stroke the curvature could jump.
+  if (is_continuous_ && mended->size() != rest.size()) return false;
   Segments trial(segments_.begin(), at(low));
   trial.insert(trial.end(), mended->begin(), mended->end());
   trial.insert(trial.end(), at(high), segments_.end());
@@ -109,17 +111,20 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
   return true;
 }
 
-/// The end of the crumbs from `first` on without which the curvature goes on as with them; `first`
-/// if there are none. Where there are no clothoids it may jump.
+/// Index behind the crumbs that begin at `first` and can be left out together; `first` if there are
+/// none. Where the curvature is continuous, it must be the same before them and behind them.
 std::size_t Tidier::end_of_crumbs(std::size_t first) const {
   constexpr double same = 1e-12;  // [1/m]
-  if (!has_clothoids_) return first + 1;
+  if (!is_continuous_) return first + 1;
+  const auto last_curvature = [](const Segment& s) { return curvature_at(s, std::abs(s.length)); };
   const auto gear = gear_of(segments_[first]);
+  const double before =
+      first > 0 ? last_curvature(segments_[first - 1]) : segments_[first].curvature;
   for (std::size_t i = first; i < segments_.size(); ++i) {
-    const Segment& segment = segments_[i];
-    if (std::abs(segment.length) >= crumb_ || gear_of(segment) != gear) break;
-    const double after = curvature_at(segment, std::abs(segment.length));
-    if (std::abs(after - segments_[first].curvature) <= same) return i + 1;
+    if (std::abs(segments_[i].length) >= crumb_ || gear_of(segments_[i]) != gear) break;
+    const double after =
+        i + 1 < segments_.size() ? segments_[i + 1].curvature : last_curvature(segments_[i]);
+    if (std::abs(after - before) <= same) return i + 1;
   }
   return first;
 }
