@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "base/hash.h"
@@ -108,7 +109,7 @@ void check(const Campaign& campaign) {
   }
   check_settings(campaign);
   const auto takes_table = [&](const Planner& planner) {
-    return options_of(campaign, planner).table != nullptr;
+    return options_of(campaign, planner, {}).table != nullptr;
   };
   if (campaign.table && std::ranges::none_of(campaign.planners, takes_table)) {
     throw InputError("table", "no planner of these has estimate=table");
@@ -153,17 +154,21 @@ class RunList {
 
  private:
   void add(const Turn& turn, Region region, std::size_t planner, bool profile) {
-    const auto [known, is_new] = options_.try_emplace({planner, region});
-    if (is_new) known->second = options_for(campaign_.planners[planner], region, profile);
-    const std::string& name = campaign_.scenarios[turn.scenario].scenario.scenario.name;
+    const Scenario& scenario = campaign_.scenarios[turn.scenario].scenario.scenario;
+    const auto [known, is_new] = options_.try_emplace({planner, turn.scenario, region});
+    if (is_new) {
+      PlanOptions options = options_of(campaign_, campaign_.planners[planner], scenario.vehicle);
+      known->second = options_for(campaign_.planners[planner], std::move(options), region, profile);
+    }
+    const std::string& name = scenario.name;
     RunSpec run{turn.scenario, turn.goal,
                 planner,       region,
                 known->second, run_seed(campaign_.seed, name, turn.goal, turn.repeat)};
     if (shard_.holds(run)) runs_.push_back(std::move(run));
   }
 
-  SharedOptions options_for(const Planner& planner, Region region, bool profile) const {
-    PlanOptions options = options_of(campaign_, planner);
+  static SharedOptions options_for(const Planner& planner, PlanOptions options, Region region,
+                                   bool profile) {
     if (takes_region(planner)) options.planner.set("region", std::string(name_of(region)));
     if (profile) {
       options.planner.set("profile", true);
@@ -174,7 +179,8 @@ class RunList {
 
   const Campaign& campaign_;
   ShardFilter shard_;
-  std::map<std::pair<std::size_t, Region>, SharedOptions> options_;  // by planner and region
+  // By planner, scenario and region.
+  std::map<std::tuple<std::size_t, std::size_t, Region>, SharedOptions> options_;
   std::vector<RunSpec> runs_;
 };
 
@@ -217,13 +223,17 @@ std::vector<RunSpec> runs_of(const Campaign& campaign) {
   return runs.take();
 }
 
-PlanOptions options_of(const Campaign& campaign, const Planner& planner) {
+PlanOptions options_of(const Campaign& campaign, const Planner& planner, const Vehicle& vehicle) {
   PlanOptions options;
   set_option(options, planner, "style", "shortest");
   set_honoured(options, planner, campaign.settings);
   if (asks_for_table(planner, options)) options.table = campaign.table;
   options.budget.processor_time = options.budget.threads == 1;
-  return complete(planner, options);
+  return complete(planner, options, vehicle);
+}
+
+BudgetOptions budget_of(const Campaign& campaign, const Planner& planner) {
+  return options_of(campaign, planner, {}).budget;
 }
 
 std::string explain_runs(const Campaign& campaign) {

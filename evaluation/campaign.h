@@ -30,9 +30,16 @@ struct RunSpec {
 /// InputError when something is out of range.
 [[nodiscard]] std::vector<RunSpec> runs_of(const Campaign& campaign);
 
-/// The complete options of a planner's runs in a campaign, but for seed, region and profile: those
-/// settings that it honours. Throws InputError naming the option whose value is no good.
-[[nodiscard]] PlanOptions options_of(const Campaign& campaign, const Planner& planner);
+/// The complete options of a planner's runs with a vehicle in a campaign, but for seed, region and
+/// profile: those settings that it honours. Prices and steering depend on the vehicle. Throws
+/// InputError naming the option whose value is no good, or when the planner cannot plan for the
+/// vehicle.
+[[nodiscard]] PlanOptions options_of(const Campaign& campaign, const Planner& planner,
+                                     const Vehicle& vehicle);
+
+/// The limits of a planner's runs in a campaign, the same for all vehicles. Throws InputError as
+/// `options_of` does.
+[[nodiscard]] BudgetOptions budget_of(const Campaign& campaign, const Planner& planner);
 
 /// The seed of a repeat; the same for every planner and region, so that runs can be paired. It
 /// depends on what is named here only: a part of a campaign has the seeds of the whole.

@@ -32,34 +32,59 @@ Limits limits_of(const PlanOptions& options) {
 struct Choice {
   std::size_t environment = 0;
   Limits limits = {};
-  std::vector<Planner> planners = {};               // whose properties the store does not know
-  std::map<std::string, std::string> options = {};  // by planner; of others those of the last run
-  Current files = {};                               // of others what they held at the last run
+  std::vector<Planner> planners = {};  // whose properties the store does not know
+  // Options of the planner's runs of a stored scenario; by default those of the last run.
+  std::map<std::pair<std::string, std::size_t>, ComparableOptions> options = {};
+  Current files = {};  // of others what they held at the last run
 };
 
 // The text of options that many runs share is made once.
-class ComparableOptions {
+class OptionTexts {
  public:
-  const std::string& of(const RunRecord& run) {
+  const ComparableOptions& of(const RunRecord& run) {
     const auto [known, is_new] = known_.try_emplace(run.options.identity());
-    if (is_new) known->second = comparable_options(run);
+    if (is_new) known->second = comparable_options(*run.options);
     return known->second;
   }
 
  private:
-  std::map<const void*, std::string> known_;
+  std::map<const void*, ComparableOptions> known_;
 };
 
-void keep_comparable(const Choice& choice, std::vector<RunRecord>& runs) {
+// For each scenario the index of the first one with an equal vehicle.
+std::vector<std::size_t> vehicles_of(const std::vector<ScenarioFile>& scenarios) {
+  std::vector<std::size_t> vehicles;
+  for (const ScenarioFile& scenario : scenarios) {
+    const auto has_same = [&](const ScenarioFile& other) {
+      return other.scenario.vehicle == scenario.scenario.vehicle;
+    };
+    const auto first = std::ranges::find_if(scenarios, has_same);
+    vehicles.push_back(static_cast<std::size_t>(first - scenarios.begin()));
+  }
+  return vehicles;
+}
+
+void keep_comparable(const Choice& choice, const std::vector<ScenarioFile>& scenarios,
+                     std::vector<RunRecord>& runs) {
   std::erase_if(runs, [&](const RunRecord& run) {
     return run.environment != choice.environment || limits_of(*run.options) != choice.limits;
   });
-  ComparableOptions comparable;
-  std::map<std::string, const std::string*> options;
-  for (const RunRecord& run : runs) options[run.planner] = &comparable.of(run);
-  for (const auto& [planner, wanted] : choice.options) options[planner] = &wanted;
-  std::erase_if(
-      runs, [&](const RunRecord& run) { return comparable.of(run) != *options.at(run.planner); });
+  const std::vector<std::size_t> vehicles = vehicles_of(scenarios);
+  OptionTexts texts;
+  std::map<std::string, std::string> of_planner;
+  std::map<std::pair<std::string, std::size_t>, std::string> of_vehicle;
+  const auto want = [&](const std::string& planner, std::size_t scenario,
+                        const ComparableOptions& options) {
+    of_planner[planner] = options.of_planner;
+    of_vehicle[{planner, vehicles[scenario]}] = options.of_vehicle;
+  };
+  for (const RunRecord& run : runs) want(run.planner, run.scenario, texts.of(run));
+  for (const auto& [key, options] : choice.options) want(key.first, key.second, options);
+  std::erase_if(runs, [&](const RunRecord& run) {
+    const ComparableOptions& options = texts.of(run);
+    return options.of_planner != of_planner.at(run.planner) ||
+           options.of_vehicle != of_vehicle.at({run.planner, vehicles[run.scenario]});
+  });
 }
 
 // The paths that a report shows.
@@ -92,7 +117,7 @@ Report make_report(Store& store, std::vector<RunRecord> runs, const Choice& choi
                 [&](const Session& session) { return session.environment != choice.environment; });
   report.runs = std::move(runs);
   const std::size_t all = report.runs.size();
-  keep_comparable(choice, report.runs);
+  keep_comparable(choice, report.scenarios, report.runs);
   keep_current(choice, report.files, report.runs);
   report.left_out = static_cast<int>(all - report.runs.size());
   if (report.runs.empty()) throw InputError("report", "there is no run to tell of");
@@ -123,13 +148,15 @@ Report make_report(Store& store) {
 
 Report make_report(Store& store, const Campaign& campaign) {
   Choice choice{.environment = store.index_of(this_environment()), .planners = campaign.planners};
-  for (const Planner& planner : campaign.planners) {
-    const PlanOptions options = options_of(campaign, planner);
-    choice.limits = limits_of(options);
-    choice.options[planner.name] = comparable_options(options);
+  for (const auto& [scenario, file] : campaign.scenarios) {
+    const std::size_t index = store.index_of(stored(scenario, file));
+    choice.files[file] = index;
+    for (const Planner& planner : campaign.planners) {
+      const PlanOptions options = options_of(campaign, planner, scenario.scenario.vehicle);
+      choice.limits = limits_of(options);
+      choice.options[{planner.name, index}] = comparable_options(options);
+    }
   }
-  for (const auto& [scenario, file] : campaign.scenarios)
-    choice.files[file] = store.index_of(stored(scenario, file));
   return make_report(store, store.runs_without_segments(), choice);
 }
 

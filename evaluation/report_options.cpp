@@ -3,7 +3,9 @@
 #include "evaluation/report_options.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 
 #include "evaluation/options_json.h"
 
@@ -25,22 +27,53 @@ Values comparable_values(const PlanOptions& options) {
   return values;
 }
 
+/// The value; all of them in one text if there are several, as vehicles differ.
+std::string joined_values(const std::vector<std::string>& values) {
+  if (values.size() == 1) return values.front();
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == values.size() ? " or " : ", ") + values[i];
+  std::erase(text, '"');
+  return "\"" + text + ", by the vehicle\"";
+}
+
+std::map<std::string, Values> values_by_planner(const std::vector<RunRecord>& runs) {
+  using Found = std::vector<std::pair<std::string, std::vector<std::string>>>;
+  std::map<std::string, Found> found;
+  std::set<const void*> seen;
+  for (const RunRecord& run : runs) {
+    if (!seen.insert(run.options.identity()).second) continue;
+    Found& all = found[run.planner];
+    for (const auto& [name, value] : comparable_values(*run.options)) {
+      auto option = std::ranges::find(all, name, &Found::value_type::first);
+      if (option == all.end()) option = all.insert(all.end(), {name, {}});
+      if (std::ranges::find(option->second, value) == option->second.end())
+        option->second.push_back(value);
+    }
+  }
+  std::map<std::string, Values> joined;
+  for (const auto& [planner, options] : found) {
+    for (const auto& [name, values] : options)
+      joined[planner].emplace_back(name, joined_values(values));
+  }
+  return joined;
+}
+
 }  // namespace
 
-std::string comparable_options(const PlanOptions& options) {
-  std::string text;
-  for (const auto& [name, value] : comparable_values(options)) text += name + "=" + value + "\n";
+ComparableOptions comparable_options(const PlanOptions& options) {
+  constexpr std::array by_vehicle = {"gear_change_cost", "curvature_change_cost",
+                                     "clearance_distance", "steering"};
+  ComparableOptions text;
+  for (const auto& [name, value] : comparable_values(options)) {
+    const bool is_by_vehicle = std::ranges::find(by_vehicle, name) != by_vehicle.end();
+    (is_by_vehicle ? text.of_vehicle : text.of_planner) += name + "=" + value + "\n";
+  }
   return text;
 }
 
-std::string comparable_options(const RunRecord& run) { return comparable_options(*run.options); }
-
 ReportOptions options_of(const std::vector<RunRecord>& runs) {
-  std::map<std::string, Values> of_planner;
-  for (const RunRecord& run : runs) {
-    if (of_planner.contains(run.planner)) continue;
-    of_planner[run.planner] = comparable_values(*run.options);
-  }
+  const std::map<std::string, Values> of_planner = values_by_planner(runs);
   std::vector<std::string> names;  // in order of appearance
   std::map<std::string, std::map<std::string, std::vector<std::string>>> planners;
   for (const auto& [planner, values] : of_planner) {

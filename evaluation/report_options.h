@@ -13,7 +13,8 @@ namespace vandplan::evaluation {
 
 /// The options of the runs of a comparison, but for seed, region and profile. Values are JSON.
 struct ReportOptions {
-  /// Those that are the same for every planner that has them.
+  /// Those that are the same for every planner that has them. Values that differ between vehicles
+  /// are joined in one text, "2.5 or 5, by the vehicle".
   std::vector<std::pair<std::string, std::string>> shared;
   /// The others: a value, and the planners that have it.
   struct Own {
@@ -26,9 +27,13 @@ struct ReportOptions {
 
 [[nodiscard]] ReportOptions options_of(const std::vector<RunRecord>& runs);
 
-/// The options of a run in which runs of one planner must be equal to be told of together: all but
-/// seed, region and profile.
-[[nodiscard]] std::string comparable_options(const RunRecord& run);
-[[nodiscard]] std::string comparable_options(const PlanOptions& options);
+/// The options of a run, but for seed, region and profile, as text: only runs with equal options
+/// are told of together.
+struct ComparableOptions {
+  std::string of_planner;  ///< equal in all runs of a planner
+  std::string of_vehicle;  ///< equal in all runs of a planner with equal vehicles
+};
+
+[[nodiscard]] ComparableOptions comparable_options(const PlanOptions& options);
 
 }  // namespace vandplan::evaluation

@@ -155,10 +155,11 @@ void warm_up(const Campaign& campaign, const std::vector<Job>& jobs,
              const std::atomic<bool>* stop) {
   if (jobs.empty()) return;
   for (const Planner& planner : campaign.planners) {
-    PlanOptions options = options_of(campaign, planner);
+    const Problem& problem = *jobs.front().problem;
+    PlanOptions options = options_of(campaign, planner, problem.vehicle());
     options.budget.stop = stop;
     options.budget.max_iterations = 20;
-    static_cast<void>(plan(*jobs.front().problem, planner, options));
+    static_cast<void>(plan(problem, planner, options));
   }
 }
 
@@ -166,7 +167,7 @@ void check_jobs(const Campaign& campaign, int jobs) {
   if (jobs < 1) throw InputError("jobs", "must be at least 1");
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   const auto is_timed = [&](const Planner& planner) {
-    return options_of(campaign, planner).budget.time_limit.has_value();
+    return budget_of(campaign, planner).time_limit.has_value();
   };
   if (jobs > cores && std::ranges::any_of(campaign.planners, is_timed)) {
     throw InputError("jobs", fmt::format("{} runs at once on {} cores would take each other's "

@@ -34,13 +34,24 @@ Json scenarios_json(const Campaign& campaign) {
   return scenarios;
 }
 
+// Options that differ from those of an earlier scenario, as the vehicle differs, name the scenario.
+void add_options(const Campaign& campaign, const Planner& planner, const Scenario& scenario,
+                 Json& json) {
+  for (const auto& [name, text] : option_values(options_of(campaign, planner, scenario.vehicle))) {
+    const Json value = Json::parse(text);
+    const std::string key = name + " of " + planner.name;
+    if (!json.contains(key)) json[key] = value;
+    if (json[key] != value) json[key + " in " + scenario.name] = value;
+  }
+}
+
 }  // namespace
 
 std::string text_of(const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.of); }
 
 bool is_repeatable(const Campaign& campaign) {
   return std::ranges::none_of(campaign.planners, [&](const Planner& planner) {
-    return options_of(campaign, planner).budget.time_limit.has_value();
+    return budget_of(campaign, planner).time_limit.has_value();
   });
 }
 
@@ -81,8 +92,8 @@ StoredShard stored_shard(const Campaign& campaign, int runs) {
   json["planners"] = Json::array();
   for (const Planner& planner : campaign.planners) json["planners"].push_back(planner.name);
   for (const Planner& planner : campaign.planners) {
-    for (const auto& [name, value] : option_values(options_of(campaign, planner)))
-      json[name + " of " + planner.name] = Json::parse(value);
+    for (const auto& [scenario, file] : campaign.scenarios)
+      add_options(campaign, planner, scenario.scenario, json);
   }
   return {*campaign.shard, runs, json.dump()};
 }

@@ -91,7 +91,7 @@ void run_ours(Run& run, const std::string& site, const ScenarioProblems& read, b
   options.budget = budget;
   const Planner& planner = default_planner();
   ResultRecord record{.scenario = read.file.scenario.name, .planner = planner.name};
-  record.options = complete(planner, options);
+  record.options = complete(planner, options, problem.vehicle());
   record.result = plan(problem, planner, options);
   const PlanResult& result = record.result;
   if (!result.path) return;

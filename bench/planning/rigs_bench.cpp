@@ -140,9 +140,10 @@ int run(int argc, char** argv) {
   for (int i = 0; i < std::atoi(argv[2]); ++i) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
     const Case one = any_case(kind == "open", seed);
-    const double first[] = {first_of(one, shortest_style, seconds / 4),
-                            first_of(one, driver_style, seconds / 4),
-                            first_of(one, one.cost, seconds / 4)};
+    const double first[] = {
+        first_of(one, shortest_style, seconds / 4),
+        first_of(one, prices_of(Style::driver, one.problem.vehicle()), seconds / 4),
+        first_of(one, one.cost, seconds / 4)};
     const double cost = cost_of(one, seconds, 1, Steering::reeds_shepp);
     double best = cost;
     for (int k = 0; k < runs; ++k) {

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "vandplan/input_error.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan::evaluation {
 namespace {
@@ -167,6 +168,21 @@ TEST(Campaign, SteersAsItsSettingsSayAndOtherwiseInTheShortestStyle) {
   for (const RunSpec& run : runs_of(campaign)) {
     EXPECT_EQ(run.options->steering,
               run.planner == 0 ? Steering::reeds_shepp : Steering::continuous);
+  }
+}
+
+TEST(Campaign, GivesADriversPricesAndSteeringThatFitTheVehicleOfTheScenario) {
+  Campaign campaign = small_campaign();
+  campaign.planners = {planner_named("anytime")};
+  Vehicle& robot = campaign.scenarios[0].scenario.scenario.vehicle;
+  robot.min_turning_radius = 1.0;
+  Vehicle& rig = campaign.scenarios[1].scenario.scenario.vehicle;
+  rig = vehicle_named("tractor-semitrailer");
+  campaign.settings = {{"style", "driver"}};
+  for (const RunSpec& run : runs_of(campaign)) {
+    const Vehicle& vehicle = run.scenario == 0 ? robot : rig;
+    EXPECT_EQ(run.options->cost, prices_of(Style::driver, vehicle));
+    EXPECT_EQ(run.options->steering, complete(default_planner(), {}, vehicle).steering);
   }
 }
 

@@ -334,6 +334,29 @@ TEST(Report, SaysWhichOptionsDiffer) {
             std::string::npos);
 }
 
+TEST(Report, TellsOfAllVehiclesWhosePricesDiffer) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "runs.sqlite");
+  Campaign campaign{.planners = {planner_named("anytime")}, .regions = {Region::bounds}};
+  campaign.repeats = 1;
+  campaign.scenarios = {{open_ground("truck"), "truck.yaml"}, {open_ground("robot"), "robot.yaml"}};
+  campaign.scenarios[1].scenario.scenario.vehicle.min_turning_radius = 3.5;
+  campaign.settings = {{"style", "driver"}};
+  limit(campaign, 30);
+  run_campaign(campaign, store, {});
+  for (const Report& report : {make_report(store), make_report(store, campaign)}) {
+    EXPECT_EQ(report.runs.size(), 2U);
+    EXPECT_EQ(report.left_out, 0);
+    EXPECT_EQ(shared_value(report, "gear_change_cost"), "\"5 or 2.5, by the vehicle\"");
+    EXPECT_EQ(shared_value(report, "reverse_weight"), "2");
+  }
+  // A setting of its own makes other runs of one planner, whatever the vehicle.
+  campaign.scenarios.pop_back();
+  campaign.settings.push_back({"margin", "0.2"});
+  run_campaign(campaign, store, {});
+  EXPECT_EQ(make_report(store).left_out, 2);
+}
+
 TEST(Report, OfNothingIsRefused) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
