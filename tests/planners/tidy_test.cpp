@@ -112,11 +112,14 @@ TEST(Tidied, LeavesAContinuousCurvatureContinuous) {
   EXPECT_EQ(tidied(problem, path, 0, Steering::continuous), path.segments);
 }
 
-// Without the short stroke the wheels would have to turn at once while the vehicle rolls.
+// Without the short stroke the wheels would have to turn at once while the vehicle rolls; its
+// neighbours could make up for its length.
 TEST(Tidied, KeepsAStrokeAtWhichTheWheelsTurn) {
-  const Path path{{}, {{0.1, 8}, {-0.05, -0.05}, {0, 6}}};
+  const Path path{{},
+                  {{0, 6}, {0, 1, 0.1}, {0.1, 8}, {0.1, -0.05}, {0, 6}, {0, 1, -0.1}, {-0.1, 6}}};
   const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
   const Steering steering = Steering::continuous_between_stops;
+  ASSERT_TRUE(check_path(problem, path, {.steering = steering}).valid);
   const std::vector<Segment> tidy = tidied(problem, path, 0, steering);
   EXPECT_TRUE(check_path(problem, {{}, tidy}, {.steering = steering}).valid) << as_code(tidy);
 }
