@@ -42,9 +42,9 @@ struct Smoothed {
 };
 
 /// Smooths a path, which is in the scenario's frame. If the judge passes the path that was given,
-/// the result is never worse by these options: it costs no more, and the strokes are no shorter
-/// than `min_stroke` where they were not. Throws InputError as `plan` does, also where something
-/// moves, and naming "path" for one with a number that is not finite.
+/// the result is never worse by these options: it costs no more, and strokes that are shorter than
+/// `min_stroke` become no shorter, all together. Throws InputError as `plan` does, also where
+/// something moves, and naming "path" for one with a number that is not finite.
 [[nodiscard]] Smoothed smooth(const Problem& problem, const Path& path,
                               SmoothMethod method = SmoothMethod::optimised,
                               const PlanOptions& options = {});

@@ -42,9 +42,12 @@ class Wishes {
   [[nodiscard]] const CostRule& rule() const { return pricing_.rule(); }
   /// Whether a path costs something else than its segments one by one.
   [[nodiscard]] bool are_of_whole_path() const { return pricing_.is_time() || min_stroke_ > 0.0; }
+  [[nodiscard]] double cost(std::span<const Segment> segments, Looks looks) const {
+    return pricing_.cost(segments, looks);
+  }
   /// Cost of a path, and more where strokes are too short.
   [[nodiscard]] double price(std::span<const Segment> segments, Looks looks) const {
-    return pricing_.cost(segments, looks) + lack(segments);
+    return cost(segments, looks) + lack(segments);
   }
   [[nodiscard]] double lack(std::span<const Segment> segments) const {
     return min_stroke_ > 0.0 ? price_of_lack(segments, min_stroke_) : 0.0;
@@ -267,14 +270,18 @@ Smoothed smooth(const Problem& problem, const Path& path, SmoothMethod method,
   PathCheck given = check_path(problem, path, {.clearance = clearance, .steering = steering});
   const Task task = task_of(problem, clearance, steering);
   const Wishes wishes(task, smoothed.options);
-  const double price = wishes.price(path.segments, Looks::answer);
-  smoothed.given_cost = price - wishes.lack(path.segments);
+  smoothed.given_cost = wishes.cost(path.segments, Looks::answer);
+  const double lack = wishes.lack(path.segments);
   // [6] Never worse than the path that was given.
   smoothed.given_fault = given.reason;
   if (!given.valid) return smoothed;
   PlanResult& result = smoothed.result;
-  const bool is_better = result.path && wishes.price(result.path->segments, Looks::answer) < price;
-  if (is_better) return smoothed;
+  if (result.path) {
+    const double more_cost =
+        wishes.cost(result.path->segments, Looks::answer) - smoothed.given_cost;
+    const double more_lack = wishes.lack(result.path->segments) - lack;
+    if (more_cost <= 0.0 && more_lack <= 0.0 && more_cost + more_lack < 0.0) return smoothed;
+  }
   smoothed.is_given = true;
   result.status = PlanStatus::solved;
   result.reason.clear();

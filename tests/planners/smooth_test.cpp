@@ -171,6 +171,16 @@ PlanOptions random_options(Rng& rng) {
   return options;
 }
 
+double shortest_stroke(const std::vector<Segment>& segments) {
+  double least = 1e9, length = 0.0;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    length += std::abs(segments[i].length);
+    if (i + 1 < segments.size() && segments[i].length * segments[i + 1].length > 0) continue;
+    least = std::min(least, std::exchange(length, 0.0));
+  }
+  return least;
+}
+
 /// Smooths a path that was planned with options, by what is stored of these. True if it got better.
 bool expect_no_worse(const Problem& problem, const PlanOptions& options, SmoothMethod method) {
   const PlanResult planned = plan(problem, options);
@@ -274,6 +284,35 @@ TEST(SmoothDoor, MendsAPathThatTurnsTooSharply) {
   }
 }
 
+// Backwards into a slot, after a first stroke that is shorter than is asked for.
+TEST(SmoothDoor, LengthensNoStrokeAtAPrice) {
+  Scenario scenario;
+  scenario.vehicle = {.wheelbase = 2.8, .width = 1.942, .min_turning_radius = 3.0};
+  scenario.vehicle.front_overhang = scenario.vehicle.rear_overhang = 0.95;
+  scenario.bounds = {-15, 15, -5, 30};
+  scenario.start = {-5.37, 9.73, 2.606};
+  scenario.goal = {-0.55, 15.2, -1.79};
+  scenario.obstacles = {{{-16.4, 19.7}, {-1.81, 16.4}, {-2.83, 11.9}, {-17.5, 15.1}},
+                        {{1.12, 15.8}, {15.8, 12.5}, {14.7, 7.9}, {0.1, 11.2}}};
+  const Problem problem = make_problem(scenario);
+  int lacking = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    PlanOptions options{.budget = {.max_iterations = 3000, .seed = seed}};
+    const PlanResult planned = plan(problem, options);
+    ASSERT_TRUE(planned.path);
+    options.planner.set("min_stroke", 1.0);
+    if (shortest_stroke(planned.path->segments) < 1) ++lacking;
+    options.budget.max_iterations = 5000;
+    const PlanResult smoothed =
+        smooth(problem, *planned.path, SmoothMethod::optimised, options).result;
+    ASSERT_TRUE(smoothed.path);
+    EXPECT_LE(smoothed.cost, planned.cost);
+    EXPECT_GE(shortest_stroke(smoothed.path->segments),
+              std::min(1.0, shortest_stroke(planned.path->segments)) - 1e-9);
+  }
+  EXPECT_GT(lacking, 0);
+}
+
 TEST(SmoothDoor, MakesStrokesAsLongAsIsAskedFor) {
   const Path path{{0, 0, 0}, {{0, 10}, {0, -0.2}, {0, 0.2}, {0, 20}}};
   const Problem problem = problem_of(path.start, end_pose(path), {});
@@ -281,15 +320,7 @@ TEST(SmoothDoor, MakesStrokesAsLongAsIsAskedFor) {
   options.planner.set("min_stroke", 1.0);
   const Smoothed smoothed = smooth(problem, path, SmoothMethod::optimised, options);
   ASSERT_TRUE(smoothed.result.path);
-  double stroke = 1e9;
-  const std::vector<Segment>& segments = smoothed.result.path->segments;
-  double length = 0.0;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    length += std::abs(segments[i].length);
-    if (i + 1 < segments.size() && segments[i].length * segments[i + 1].length > 0) continue;
-    stroke = std::min(stroke, std::exchange(length, 0.0));
-  }
-  EXPECT_GE(stroke, 1.0 - 1e-9);
+  EXPECT_GE(shortest_stroke(smoothed.result.path->segments), 1.0 - 1e-9);
 }
 
 TEST(SmoothDoor, RefusesWhatCannotBe) {
