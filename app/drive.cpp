@@ -265,6 +265,12 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
       "  outline: at most {} beyond the plan, so a margin of {:.3f} m is enough on this path\n",
       metres_text(worst.outline_deviation), std::ceil(worst.outline_deviation * 1e3) / 1e3);
   fmt::print("  {}\n", clearance_text(worst.clearance));
+  if (totals.contacts > 0 && worst.outline_deviation > choice.record.options.clearance.margin) {
+    fmt::print(
+        "  verdict: the path is too near to things to be driven so; plan with --set margin={:.3f} "
+        "or, if that finds no path, with a higher clearance_weight\n",
+        std::ceil(worst.outline_deviation * 1e3) / 1e3);
+  }
   if (worst.out_of_bounds > 0.0) {
     fmt::print("  rear axle: at most {} out of bounds\n", metres_text(worst.out_of_bounds));
   }

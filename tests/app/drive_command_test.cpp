@@ -181,6 +181,10 @@ TEST_F(DriveCommand, AContactFailsAndIsSaid) {
   const Outcome again = drive({"--noise", "2", "--seed", seed, "--output", csv_});
   EXPECT_EQ(again.status, 1);
   EXPECT_NE(again.out.find("first contact: after "), std::string::npos) << again.out;
+  const std::string verdict =
+      "  verdict: the path is too near to things to be driven so; plan with ";
+  EXPECT_NE(again.out.find(verdict + "--set margin=0.0"), std::string::npos) << again.out;
+  EXPECT_EQ(drive().out.find(verdict), std::string::npos);
   EXPECT_NE(content_of(csv_), "");
 }
 
