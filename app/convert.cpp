@@ -200,13 +200,23 @@ void add_geojson(CLI::App& convert) {
 
 struct FootprintArguments {
   FootprintFile footprint;
+  std::optional<double> min_turning_radius;
+  std::optional<double> max_steering_angle;
   std::string output;
   bool json = false;
 };
 
 void convert_footprint(const FootprintArguments& arguments) {
   expect_ending(arguments.output, {"a vehicle is YAML", {".yaml", ".yml"}});
-  const FootprintVehicle made = read_footprint(arguments.footprint);
+  FootprintFile file = arguments.footprint;
+  if (arguments.max_steering_angle) {
+    file.min_turning_radius = turning_radius(file.wheelbase, *arguments.max_steering_angle);
+  } else if (arguments.min_turning_radius) {
+    file.min_turning_radius = *arguments.min_turning_radius;
+  } else {
+    throw InputError("--min-turning-radius", "is missing, expected it or --max-steering-angle");
+  }
+  const FootprintVehicle made = read_footprint(file);
   write_file(arguments.output, to_yaml(made.vehicle));
   if (arguments.json) {
     print({{"output", arguments.output},
@@ -245,11 +255,16 @@ void add_footprint(CLI::App& convert) {
   command->add_option("--wheelbase", file.wheelbase, "Rear axle to front axle [m]")
       ->type_name("M")
       ->required();
+  CLI::Option* const radius =
+      command
+          ->add_option("--min-turning-radius", arguments->min_turning_radius,
+                       "Of the midpoint of the rear axle [m]")
+          ->type_name("M");
   command
-      ->add_option("--min-turning-radius", file.min_turning_radius,
-                   "Of the midpoint of the rear axle [m]")
-      ->type_name("M")
-      ->required();
+      ->add_option("--max-steering-angle", arguments->max_steering_angle,
+                   "In place of the radius: of the front wheel of a bicycle [rad]")
+      ->type_name("RAD")
+      ->excludes(radius);
   command
       ->add_option("--rear-axle", file.rear_axle,
                    "x of the rear axle in the frame of the footprint [m]")

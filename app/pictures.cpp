@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <deque>
 #include <optional>
 #include <string>
@@ -41,61 +39,6 @@ std::string caption_of(const Scenario& scenario, const ResultRecord& record) {
   return printable(caption + ": " + captioned_outcome(record.result));
 }
 
-/// What a reason names, such as "kerbs[2]" for the name "kerbs"; none if it names no such polygon.
-std::optional<Polygon> polygon_in(const std::string& reason, const std::string& name,
-                                  const std::vector<Polygon>& polygons) {
-  const std::size_t at = reason.find(name + "[");
-  if (at == std::string::npos) return std::nullopt;
-  std::size_t index = polygons.size();
-  std::from_chars(reason.data() + at + name.size() + 1, reason.data() + reason.size(), index);
-  return index < polygons.size() ? std::optional(polygons[index]) : std::nullopt;
-}
-
-/// The number behind some words of a reason.
-std::optional<double> number_behind(const std::string& reason, std::string_view words) {
-  const std::size_t at = reason.find(words);
-  if (at == std::string::npos) return std::nullopt;
-  double value = 0.0;
-  const char* const end = reason.data() + reason.size();
-  const auto [last, error] = std::from_chars(reason.data() + at + words.size(), end, value);
-  return error == std::errc() ? std::optional(value) : std::nullopt;
-}
-
-/// The cell of the map that a reason names by the place of its middle.
-std::optional<Polygon> cell_in(const std::string& reason, const OccupancyGrid& map) {
-  const std::optional<double> x = number_behind(reason, " at x = ");
-  const std::optional<double> y = number_behind(reason, ", y = ");
-  if (!x || !y) return std::nullopt;
-  const Point middle{*x, *y};
-  const double half = map.resolution / 2;
-  const double cos = std::cos(map.origin.heading);
-  const double sin = std::sin(map.origin.heading);
-  Polygon cell;
-  for (const Point& p : {Point{-half, -half}, Point{half, -half}, {half, half}, {-half, half}}) {
-    cell.push_back({middle.x + cos * p.x - sin * p.y, middle.y + sin * p.x + cos * p.y});
-  }
-  return cell;
-}
-
-/// What is in the way of the start or the goal.
-std::vector<Polygon> hit_by_ends(const Scenario& scenario, const PlanResult& result) {
-  const bool hits = result.status == PlanStatus::start_in_collision ||
-                    result.status == PlanStatus::goal_in_collision;
-  if (!hits) return {};
-  const std::string& reason = result.reason;
-  if (auto obstacle = polygon_in(reason, "obstacles", scenario.obstacles))
-    return std::vector<Polygon>{*obstacle};
-  if (auto kerb = polygon_in(reason, "kerbs", scenario.kerbs)) return std::vector<Polygon>{*kerb};
-  const Bounds& b = scenario.bounds;
-  if (reason.ends_with("outside the bounds")) {
-    return {{{b.x_min, b.y_min}, {b.x_max, b.y_min}, {b.x_max, b.y_max}, {b.x_min, b.y_max}}};
-  }
-  if (!scenario.map) return {};
-  const std::optional<Polygon> cell = cell_in(reason, *scenario.map);
-  if (!cell) return {};
-  return std::vector<Polygon>{*cell};
-}
-
 Drawing drawing_of(const Scenario& scenario, const ResultRecord* record) {
   Drawing drawing{.scenario = &scenario, .caption = printable(scenario.name)};
   if (record == nullptr) return drawing;
@@ -103,7 +46,7 @@ Drawing drawing_of(const Scenario& scenario, const ResultRecord* record) {
   if (result.path) drawing.path = &*result.path;
   if (result.tree) drawing.tree = &*result.tree;
   drawing.margin = record->options.clearance.margin;
-  drawing.hit = hit_by_ends(scenario, result);
+  drawing.hit = result.hit;
   drawing.caption = caption_of(scenario, *record);
   return drawing;
 }

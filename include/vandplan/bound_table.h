@@ -21,12 +21,12 @@ struct LengthBounds {
 
 /// Bounds of the length of the shortest path between two poses, `reeds_shepp_length(from, to,
 /// radius)` [m]. `radius` > 0 [m].
-[[nodiscard]] LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) noexcept;
+[[nodiscard]] LengthBounds length_bounds(const Pose& from, const Pose& to, double radius);
 
 /// Bounds of the lengths from every node to one sample, in float [m]: low[i] and high[i] belong to
 /// node i; sizes are equal. They hold for the sample as rounded to float. `radius` > 0 [m].
 void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
-                   std::span<float> low, std::span<float> high) noexcept;
+                   std::span<float> low, std::span<float> high);
 
 /// The shape of the table of bounds: cells along its three coordinates, and its size.
 struct BoundTableInfo {

@@ -9,11 +9,13 @@
 // shown. Axes count metres in the scenario's frame.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "vandplan/outcome.h"
 #include "vandplan/path.h"
+#include "vandplan/path_check.h"
 #include "vandplan/problem.h"
 #include "vandplan/speed.h"
 
@@ -29,8 +31,8 @@ struct Drawing {
   /// When the vehicle is where on the path: an SVG plays then, the vehicle drives over the picture
   /// and all that moves does; or none.
   const SpeedProfile* speeds = nullptr;
-  /// What stands in the way of the start or the goal: outlined in red.
-  std::vector<Polygon> hit = {};
+  /// What stands in the way of the start or the goal (`PlanResult::hit`): outlined in red.
+  std::optional<Hit> hit = {};
   double margin = 0.0;       ///< a band so wide is drawn around all that is swept [m]
   std::string caption = {};  ///< one line above the picture, UTF-8
   /// Below the picture of a path: how far the wheels are turned along it.

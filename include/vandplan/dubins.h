@@ -14,10 +14,10 @@ namespace vandplan {
 
 /// The shortest path from `from` to `to` driving forward with curvature -1/radius, 0 or 1/radius.
 /// `radius` > 0 [m]. Ties go to the first word of `dubins_words`.
-[[nodiscard]] Piece dubins(const Pose& from, const Pose& to, double radius) noexcept;
+[[nodiscard]] Piece dubins(const Pose& from, const Pose& to, double radius);
 
 /// The length of the shortest forward-only path, `dubins(from, to, radius)` [m]. `radius` > 0 [m].
-[[nodiscard]] double dubins_length(const Pose& from, const Pose& to, double radius) noexcept;
+[[nodiscard]] double dubins_length(const Pose& from, const Pose& to, double radius);
 
 /// The path of every word that joins the poses, in the order LSL, RSR, LSR, RSL, RLR, LRL; at
 /// most 6. `radius` > 0 [m].

@@ -23,7 +23,7 @@ struct HeuristicTableOptions {
   bool operator==(const HeuristicTableOptions&) const = default;
 };
 
-/// What one of the four tables of the thesis covers. `number` is in 1..4.
+/// What one of the four tables of the thesis covers. Throws InputError unless `number` is 1 to 4.
 [[nodiscard]] HeuristicTableOptions thesis_table_options(int number);
 
 /// Reeds-Shepp lengths between relative poses on a four-dimensional grid. Immutable; copies share
@@ -58,12 +58,12 @@ class HeuristicTable {
   /// Estimated length between a node and a sample [m] for a vehicle of turning radius `radius`
   /// (Algorithm 7): an entry inside the table, Euclid outside. The table scales with the radius:
   /// extent and step hold for the table's own.
-  [[nodiscard]] double distance(const Pose& node, const Pose& sample, double radius) const noexcept;
+  [[nodiscard]] double distance(const Pose& node, const Pose& sample, double radius) const;
 
   /// Estimated lengths between every node and one sample, in float [m]: out[i] belongs to node i.
   /// Sizes are equal. Otherwise like `distance`.
   void distances(const PoseColumns& nodes, const Pose& sample, double radius,
-                 std::span<float> out) const noexcept;
+                 std::span<float> out) const;
 
   /// What the table covers.
   [[nodiscard]] const HeuristicTableOptions& options() const noexcept { return options_; }

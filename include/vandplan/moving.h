@@ -50,7 +50,7 @@ struct MovingObstacle {
   bool operator==(const MovingObstacle&) const = default;
 };
 
-/// Where the frame of the obstacle is at time `t`; none once it has left.
+/// Where the frame of the obstacle is at time `t`; none once it has left, or without a trajectory.
 [[nodiscard]] std::optional<Pose> pose_at(const MovingObstacle& obstacle, double t) noexcept;
 
 /// How much larger the outline is at time `t` than it says, on all sides [m].

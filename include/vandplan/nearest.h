@@ -42,7 +42,8 @@ struct NearWanted {
 /// nothing.
 class NearestNodes {
  public:
-  /// No nodes yet, for a vehicle whose turning `radius` is > 0 [m].
+  /// No nodes yet, for a vehicle with that turning radius [m]. Throws InputError unless it is
+  /// finite and > 0.
   explicit NearestNodes(double radius);
   ~NearestNodes();
   NearestNodes(const NearestNodes& other);
@@ -51,10 +52,12 @@ class NearestNodes {
   NearestNodes(NearestNodes&& other) noexcept;
   NearestNodes& operator=(NearestNodes&& other) noexcept;
 
-  /// Adds a node. Its numbers [m, rad] are finite; its heading may be any angle.
+  /// Adds a node; its heading may be any angle [rad]. Throws InputError unless its numbers are
+  /// finite.
   void add(const Pose& pose);
 
-  /// Takes out a node that is there. The numbers of the others stay; its own is not used again.
+  /// Takes out a node. The numbers of the others stay; its own is not used again. Throws InputError
+  /// if it is not there.
   void remove(std::int32_t node);
 
   /// The node with the least exact length to the sample; ties go to the older node. None if there

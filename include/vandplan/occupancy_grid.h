@@ -42,7 +42,7 @@ struct CellRange {
   std::int32_t rows = 0;
 };
 
-/// Whether a cell is an obstacle; the cell may lie outside of the grid.
+/// Whether a cell is an obstacle. One outside of the grid, or that `cells` lack, is unknown.
 [[nodiscard]] inline bool is_blocked(const OccupancyGrid& grid, std::int32_t column,
                                      std::int32_t row) noexcept {
   if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) {
@@ -50,6 +50,7 @@ struct CellRange {
   }
   const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
                             static_cast<std::size_t>(column);
+  if (!grid.cells || index >= grid.cells->size()) return !grid.unknown_is_free;
   const Cell cell = (*grid.cells)[index];
   return cell == Cell::occupied || (cell == Cell::unknown && !grid.unknown_is_free);
 }

@@ -114,7 +114,8 @@ struct PathPoint {
 /// The pose after `s` metres of the path, clamped to [0, length].
 [[nodiscard]] Pose pose_at(const Path& path, double s) noexcept;
 
-/// Points of the path at most `step` [m] apart, both ends of every segment among them. `step` > 0.
+/// Points of the path at most `step` [m] apart, both ends of every segment among them. Throws
+/// InputError unless the path is finite, `step` > 0, and the points are 10^7 at most.
 [[nodiscard]] std::vector<PathPoint> sampled(const Path& path, double step);
 
 /// Neighbouring segments joined where gear and curvature go on (clothoids: at the same rate),

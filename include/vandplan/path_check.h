@@ -6,8 +6,11 @@
 // The independent judge: it shares no code with the checker, the planners or the kernels. Its
 // method: docs/algorithms/path_check.md.
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "vandplan/path.h"
@@ -53,11 +56,27 @@ struct PathClaims {
   std::vector<StatedPose> poses = {};
 };
 
+/// What a vehicle may touch, come too near to, or leave.
+enum class HitKind : std::uint8_t { obstacle, kerb, map, bounds };
+
+/// The key of a scenario file: "obstacles", "kerbs", "map", "bounds".
+[[nodiscard]] std::string_view name_of(HitKind kind) noexcept;
+
+/// What a vehicle touches, comes too near to, or leaves.
+struct Hit {
+  HitKind kind = HitKind::obstacle;
+  std::size_t index = 0;  ///< of the obstacle or kerb in the scenario
+  /// Middle of the cell of the map, in the scenario's frame; `PlanResult::hit` alone says it.
+  std::optional<Point> cell = {};
+  bool operator==(const Hit&) const = default;
+};
+
 /// The judge's verdict.
 struct PathCheck {
   bool valid = false;
   std::string reason = {};           ///< the first thing found wrong, one line; empty when valid
   std::optional<PathPoint> at = {};  ///< where it is wrong, if at a place; in the scenario's frame
+  std::optional<Hit> hit = {};       ///< what is hit, or left, if that is what is wrong
   double length = 0.0;               ///< [m]
   double reverse_length = 0.0;       ///< of it in reverse [m]
   int gear_changes = 0;

@@ -66,6 +66,7 @@ struct Planner {
 struct PlanResult {
   PlanStatus status = PlanStatus::stopped;
   std::string reason = {};        ///< why there is no path, or no valid one; or empty
+  std::optional<Hit> hit = {};    ///< what is in the way of a start or goal in collision
   std::optional<Path> path = {};  ///< from the start as it was given to the goal
   double cost = 0.0;              ///< of the path [m], or [s] where the cost is the time
   CostOptions rule = {};          ///< what was minimised, every price set
@@ -96,7 +97,8 @@ struct PlanResult {
 /// The default planner, told of a path that was good for a like problem: whose start, goal or
 /// obstacles were a little different. If a path along it is free, that is the first one, and it is
 /// bettered before others are looked for. `path` is in the scenario's frame; of one for a vehicle
-/// with a trailer, or among what moves, no notice is taken.
+/// with a trailer, or among what moves, no notice is taken. Throws InputError for one with a number
+/// that is not finite.
 [[nodiscard]] Planner warm_started(const Path& path);
 
 /// The planner of that name; none if there is none. A search that is guided by an estimate may be

@@ -15,26 +15,27 @@
 namespace vandplan {
 
 /// The shortest path from `from` to `to` with curvature -1/radius, 0 or 1/radius, either gear.
-/// `radius` > 0 [m]. The path from b to a is the path from a to b driven backwards, ties included.
-[[nodiscard]] Piece reeds_shepp(const Pose& from, const Pose& to, double radius) noexcept;
+/// The path from b to a is the path from a to b driven backwards, ties included. Throws InputError
+/// unless `radius` > 0 [m], as all functions here do.
+[[nodiscard]] Piece reeds_shepp(const Pose& from, const Pose& to, double radius);
 
-/// The length of the shortest path, `reeds_shepp(from, to, radius)`, bit for bit [m]. `radius` > 0
-/// [m].
-[[nodiscard]] double reeds_shepp_length(const Pose& from, const Pose& to, double radius) noexcept;
+/// The length of the shortest path, `reeds_shepp(from, to, radius)`, bit for bit [m].
+[[nodiscard]] double reeds_shepp_length(const Pose& from, const Pose& to, double radius);
 
 /// Lengths of the shortest paths from every node to one sample, in float, for ranking [m]: out[i]
-/// belongs to node i; sizes are equal. They are the same bits on every processor, and within
-/// 4e-6 * (length + radius) of the exact lengths between the poses as rounded to float.
+/// belongs to node i. They are the same bits on every processor, and within 4e-6 * (length +
+/// radius) of the exact lengths between the poses as rounded to float. Throws InputError unless
+/// sizes are equal.
 void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
-                         std::span<float> out) noexcept;
+                         std::span<float> out);
 
 /// Lengths of the shortest paths of many pairs, `reeds_shepp_length(from[i], to[i], radius)`, bit
 /// for bit [m]: several at a time where the processor has vectors of double. Either side may be one
-/// pose for all; otherwise it has as many as `out`. `radius` > 0 [m].
+/// pose for all; otherwise it has as many as `out`, or InputError is thrown.
 void reeds_shepp_lengths(std::span<const Pose> from, std::span<const Pose> to, double radius,
-                         std::span<double> out) noexcept;
+                         std::span<double> out);
 
-/// The path of every one of the 48 words that joins the poses, shortest or not. `radius` > 0 [m].
+/// The path of every one of the 48 words that joins the poses, shortest or not.
 [[nodiscard]] std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double radius);
 
 }  // namespace vandplan

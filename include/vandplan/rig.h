@@ -21,15 +21,14 @@ struct RigState {
 };
 
 /// Where the midpoint of the trailer's axle is and where the trailer points; heading in [-pi, pi).
-[[nodiscard]] Pose trailer_pose(const Vehicle& vehicle, const RigState& state) noexcept;
+/// Throws InputError without a trailer, as all functions here do that do not say otherwise.
+[[nodiscard]] Pose trailer_pose(const Vehicle& vehicle, const RigState& state);
 
 /// Where the tractor is when its trailer is there; heading in [-pi, pi).
-[[nodiscard]] Pose tractor_pose(const Vehicle& vehicle, const Pose& trailer,
-                                double hitch_angle) noexcept;
+[[nodiscard]] Pose tractor_pose(const Vehicle& vehicle, const Pose& trailer, double hitch_angle);
 
 /// Change of the hitch angle per metre driven forward with that curvature [rad/m].
-[[nodiscard]] double hitch_rate(const Vehicle& vehicle, double hitch_angle,
-                                double curvature) noexcept;
+[[nodiscard]] double hitch_rate(const Vehicle& vehicle, double hitch_angle, double curvature);
 
 /// The hitch angle after a tractor has driven the segment [rad]: exact but for rounding along arcs
 /// and lines, within 1e-11 along clothoids of vehicles. Not wrapped: it goes on beyond pi where the
@@ -42,13 +41,14 @@ struct RigState {
 [[nodiscard]] RigState advance(const Vehicle& vehicle, const RigState& state,
                                const Segment& segment) noexcept;
 
-/// The hitch angles at the points that `sampled` gives for the path and that step [rad].
+/// The hitch angles at the points that `sampled` gives for the path and that step [rad]. Without a
+/// trailer the angle stays.
 [[nodiscard]] std::vector<double> sampled_hitch_angles(const Vehicle& vehicle, const Path& path,
                                                        double start_angle, double step);
 
 /// The largest |hitch angle| anywhere on the segment, both ends included [rad]. Along arcs and
 /// lines it is that of an end: the angle moves towards or away from one equilibrium.
 [[nodiscard]] double largest_hitch_angle(const Vehicle& vehicle, double hitch_angle,
-                                         const Segment& segment) noexcept;
+                                         const Segment& segment);
 
 }  // namespace vandplan

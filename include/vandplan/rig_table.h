@@ -88,6 +88,6 @@ class RigTable {
 /// What no path from one state to another is shorter than [m], from the table of bounds: the least
 /// way of the tractor by itself, or that of the trailer. The vehicle has a trailer.
 [[nodiscard]] double rig_length_bound(const Vehicle& vehicle, const RigState& from,
-                                      const RigState& to) noexcept;
+                                      const RigState& to);
 
 }  // namespace vandplan

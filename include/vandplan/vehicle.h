@@ -28,11 +28,13 @@ struct Trailer {
 /// trailer that it may pull; the field names are keys of scenario files, where those of `limits`
 /// stand beside the lengths.
 struct Vehicle {
-  double wheelbase = 4.5;           ///< rear axle to front axle; > 0
-  double front_overhang = 1.4;      ///< front axle to front bumper; >= 0
-  double rear_overhang = 1.6;       ///< rear axle to rear bumper; >= 0
-  double width = 2.55;              ///< of the body; > 0
-  double min_turning_radius = 7.0;  ///< of the rear-axle midpoint at full steering; > 0
+  double wheelbase = 4.5;       ///< rear axle to front axle; > 0
+  double front_overhang = 1.4;  ///< front axle to front bumper; >= 0
+  double rear_overhang = 1.6;   ///< rear axle to rear bumper; >= 0
+  double width = 2.55;          ///< of the body; > 0
+  /// Of the midpoint of the rear axle at full steering; > 0. `turning_radius` makes it of a largest
+  /// steering angle, which files, Python and JavaScript take as `max_steering_angle` in its place.
+  double min_turning_radius = 7.0;
   /// Width over the wheels of an axle; > 0, at most `width`, which holds where there is none.
   std::optional<double> track_width = {};
   DrivingLimits limits = {};
@@ -53,6 +55,12 @@ struct Vehicle {
 /// The angle of the front wheel of a bicycle with this wheelbase that makes the midpoint of the
 /// rear axle drive this curvature [rad]; in (-pi/2, pi/2), positive to the left.
 [[nodiscard]] double steering_angle(const Vehicle& vehicle, double curvature) noexcept;
+
+/// The turning radius of the midpoint of the rear axle when the front wheel of a bicycle with this
+/// wheelbase is turned by that angle [m]: `min_turning_radius` of a vehicle whose largest steering
+/// angle is known. Throws InputError naming "max_steering_angle" unless it is above 0 and below
+/// pi/2 [rad], "wheelbase" unless that is above 0.
+[[nodiscard]] double turning_radius(double wheelbase, double steering_angle);
 
 /// The largest change of curvature per metre driven [1/m^2]: `limits.max_curvature_rate`, or what
 /// the steering rate allows at 1 m/s with any curvature, rate / (wheelbase * 1 m/s).

@@ -335,6 +335,7 @@ bool CollisionChecker::is_free(const LocalPose& from,
   if (!data_->is_outside({from.x, from.y})) return false;
   Placement placement = placement_of(from);
   for (const Segment& segment : segments) {
+    if (!std::isfinite(segment.curvature + segment.length + segment.curvature_rate)) return false;
     if (segment.curvature_rate != 0.0 && segment.length != 0.0) {
       if (!data_->crosses_nothing(placement, segment)) return false;
       continue;
@@ -373,6 +374,7 @@ bool CollisionChecker::rig_is_free(const Local<RigState>& from,
 
 double CollisionChecker::clearance(const LocalPose& pose, double most,
                                    double enough) const noexcept {
+  if (!std::isfinite(pose.x + pose.y + pose.heading)) return 0.0;
   return data_->clearance(data_->body, placement_of(pose), most, enough);
 }
 

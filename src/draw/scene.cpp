@@ -126,7 +126,26 @@ std::vector<Polygon> things_in(const Scene& scene) {
 
 }  // namespace
 
+/// The corners of what is hit; none of what the scenario has not.
+std::vector<Polygon> outline_of(const Scenario& scenario, const Hit& hit) {
+  const bool is_kerb = hit.kind == HitKind::kerb;
+  if (is_kerb || hit.kind == HitKind::obstacle) {
+    const std::vector<Polygon>& all = is_kerb ? scenario.kerbs : scenario.obstacles;
+    if (hit.index >= all.size()) return {};
+    return {all[hit.index]};
+  }
+  if (hit.kind == HitKind::bounds) {
+    const auto& [x_min, x_max, y_min, y_max] = scenario.bounds;
+    return {{{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}};
+  }
+  if (!hit.cell || !scenario.map) return {};
+  const Pose middle{hit.cell->x, hit.cell->y, scenario.map->origin.heading};
+  const double half = scenario.map->resolution / 2;
+  return {placed({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, middle)};
+}
+
 Scene scene_of(const Drawing& drawing) {
+  if (drawing.scenario == nullptr) throw InputError("scenario", "is missing");
   const Scenario& scenario = *drawing.scenario;
   check_scenario(scenario);
   Scene scene;
@@ -147,7 +166,7 @@ Scene scene_of(const Drawing& drawing) {
   if (!(drawing.margin >= 0.0)) throw InputError("margin", "must be at least 0 [m]");
   scene.margin = drawing.margin;
   scene.curvature_strip = drawing.curvature_strip && drawing.path != nullptr;
-  scene.hit = moved(drawing.hit, scene.origin);
+  if (drawing.hit) scene.hit = moved(outline_of(scenario, *drawing.hit), scene.origin);
   if (drawing.tree) scene.tree = moved(*drawing.tree, scene.origin);
   if (drawing.driven) {
     for (const Pose& pose : *drawing.driven) {

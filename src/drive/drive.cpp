@@ -368,6 +368,9 @@ void Drive::finish() {
 }  // namespace
 
 DriveResult drive(const Problem& problem, const Path& path, const DriveOptions& options) {
+  if (problem.world() == nullptr) {
+    throw InputError("problem", "is empty, expected one that make_problem returned");
+  }
   return Drive(problem, path, options).run();
 }
 

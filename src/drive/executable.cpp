@@ -10,6 +10,7 @@
 #include "drive/plant.h"
 #include "drive/watch.h"
 #include "vandplan/drive.h"
+#include "vandplan/input_error.h"
 #include "vandplan/speed.h"
 
 namespace vandplan {
@@ -113,6 +114,9 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
 }  // namespace
 
 ExecutableCheck executable(const Problem& problem, const Path& path) {
+  if (problem.world() == nullptr) {
+    throw InputError("problem", "is empty, expected one that make_problem returned");
+  }
   const Vehicle& vehicle = problem.vehicle();
   const SpeedProfile profile =
       speed_profile(path, vehicle, {.start_curvature = problem.curvatures().start});

@@ -148,6 +148,7 @@ Cells cells_from(const Document& file, const std::string& map, const Rule& rule)
 }  // namespace
 
 std::string map_to_pgm(const OccupancyGrid& grid) {
+  check_map(grid);
   std::string text = fmt::format("P5\n{} {}\n255\n", grid.columns, grid.rows);
   text.reserve(text.size() + grid.cells->size());
   for (std::int32_t row = grid.rows; row-- > 0;) {

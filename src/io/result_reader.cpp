@@ -3,6 +3,8 @@
 #include "io/result_reader.h"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <array>
 
 #include <initializer_list>
 #include <limits>
@@ -231,6 +233,23 @@ void read_rules(const Document& file, const Node& node, ResultRecord& record) {
   record.claims.steering = record.options.steering.value_or(Steering::reeds_shepp);
 }
 
+Hit hit_from(const Document& file, const Node& node) {
+  Hit hit;
+  const Node& what = file.at(node, "what");
+  const std::string name = file.text(what);
+  constexpr std::array kinds = {HitKind::obstacle, HitKind::kerb, HitKind::map, HitKind::bounds};
+  const auto* const kind = std::ranges::find(kinds, name, [](HitKind one) { return name_of(one); });
+  if (kind == kinds.end()) {
+    file.fail(what, fmt::format("is \"{}\", expected obstacles, kerbs, map or bounds", name));
+  }
+  hit.kind = *kind;
+  if (const Node* const index = file.find(node, "index")) hit.index = file.count(*index);
+  if (const Node* const cell = file.find(node, "cell")) {
+    hit.cell = {file.number(file.at(*cell, "x")), file.number(file.at(*cell, "y"))};
+  }
+  return hit;
+}
+
 ResultRecord record_from(const Document& file, const Node& node, double radius,
                          ResultLists& lists) {
   ResultRecord record = run_from(file, node);
@@ -239,6 +258,7 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
   }
   PlanResult& result = record.result;
   if (const Node* const reason = file.find(node, "reason")) result.reason = file.text(*reason);
+  if (const Node* const hit = file.find(node, "hit")) result.hit = hit_from(file, *hit);
   const Node* const path = file.find(node, "path");
   const Node* const status = file.find(node, "status");
   if (status == nullptr && path == nullptr) (void)file.at(node, "status");

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -15,6 +14,7 @@
 #include "base/escape.h"
 #include "io/result_bytes.h"
 #include "io/speeds_file.h"
+#include "vandplan/input_error.h"
 #include "vandplan/result_file.h"
 #include "vandplan/rig.h"
 #include "vandplan/version.h"
@@ -225,6 +225,13 @@ Json build_of(const BuildInfo& build) {
       {"version", build.version}, {"compiler", build.compiler}, {"build_type", build.build_type}};
 }
 
+Json json_of(const Hit& hit) {
+  Json json = {{"what", name_of(hit.kind)}};
+  if (hit.kind == HitKind::obstacle || hit.kind == HitKind::kerb) json["index"] = hit.index;
+  if (hit.cell) json["cell"] = {{"x", hit.cell->x}, {"y", hit.cell->y}};
+  return json;
+}
+
 Json heading_of(const ResultRecord& record) {
   return {{"format", "vandplan-result/1"},
           {"scenario", record.scenario},
@@ -239,6 +246,7 @@ Json Results::json_of_record(const Vehicle& vehicle, double hitch_angle,
   if (record.distance) json["distance"] = *record.distance;
   json["status"] = name_of(result.status);
   if (!result.reason.empty()) json["reason"] = result.reason;
+  if (result.hit) json["hit"] = json_of(*result.hit);
   if (result.path) {
     json["length"] = length(result.path->segments);
     json["cost"] = result.cost;
@@ -372,7 +380,7 @@ std::optional<double> furthest_reached(const std::vector<ResultRecord>& records)
 
 void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& records,
                    const TextSink& sink) {
-  assert(!records.empty());
+  if (records.empty()) throw InputError("records", "are none, expected one at least");
   const Vehicle& vehicle = file.scenario.vehicle;
   const double hitch_angle = file.scenario.hitch_angles.start;
   Results results(records, Layout::lines);

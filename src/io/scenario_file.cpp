@@ -346,7 +346,11 @@ std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& ind
 Scenario scenario_at(const ScenarioFile& file, std::size_t i) {
   Scenario scenario = file.scenario;
   if (!file.is_row()) return scenario;
-  const RowGoal& goal = file.row.at(i);
+  if (i >= file.row.size()) {
+    throw InputError("goals",
+                     fmt::format("are {}, there is none of number {}", file.row.size(), i));
+  }
+  const RowGoal& goal = file.row[i];
   scenario.goal = goal.goal;
   scenario.curvatures.goal = goal.curvature;
   scenario.hitch_angles.goal = goal.hitch_angle;

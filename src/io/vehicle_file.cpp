@@ -21,14 +21,12 @@
 namespace vandplan::io {
 namespace {
 
-/// Full steering of the bicycle's front wheel makes the turning radius of the rear axle.
 double radius_from(const Document& file, const Node& node, double wheelbase) {
-  const double angle = file.number(node);
-  if (!(angle > 0 && angle < std::numbers::pi / 2)) {
-    file.fail(node, fmt::format("is {}, expected more than 0 and less than 1.5707 rad", angle));
+  try {
+    return turning_radius(wheelbase, file.number(node));
+  } catch (const InputError& error) {
+    file.fail(error.where() == "wheelbase" ? file.at(node, "wheelbase") : node, error.problem());
   }
-  const auto [sin, cos] = base::sin_cos(angle);
-  return wheelbase * cos / sin;
 }
 
 double turning_radius_from(const Document& file, const Node& node, double wheelbase) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "judge/ground.h"
@@ -370,6 +371,9 @@ std::optional<DriveFault> company_fault(const Task& task, const SpeedProfile& sp
 }  // namespace
 
 DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const DriveClaims& claims) {
+  if (std::string fault = judge::door_fault(problem, claims.margin); !fault.empty()) {
+    return {.reason = std::move(fault)};
+  }
   const Task& task = problem.task();
   const SpeedProfile& speeds = drive.speeds;
   const Track track = track_of(*problem.world(), drive.path);
@@ -383,6 +387,9 @@ DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const Dri
 
 DriveCheck check_company(const Problem& problem, const TimedPath& drive,
                          const DriveClaims& claims) {
+  std::string door = judge::door_fault(problem, claims.margin);
+  if (door.empty() && drive.speeds.knots.empty()) door = "the drive has no knots";
+  if (!door.empty()) return {.reason = std::move(door)};
   const Track track = track_of(*problem.world(), drive.path);
   DriveCheck check{.duration = drive.speeds.duration};
   const std::optional<DriveFault> fault =

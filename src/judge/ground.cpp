@@ -3,6 +3,7 @@
 #include "judge/ground.h"
 
 #include <algorithm>
+#include <string>
 
 namespace vandplan::judge {
 
@@ -29,6 +30,12 @@ Ground::Ground(const Surroundings& surroundings)
   if (surroundings.map) cells_.emplace(*surroundings.map);
 }
 
+std::string door_fault(const Problem& problem, double margin) {
+  if (problem.world() == nullptr) return "the problem is empty, nobody made it";
+  if (!(margin >= 0)) return "the stated margin is no distance >= 0";
+  return "";
+}
+
 Ground::Ground(const Ground& before, const Surroundings& surroundings,
                std::span<const CellRange> cells)
     : obstacles_(surroundings.obstacles),
@@ -52,12 +59,13 @@ double Ground::clearance(const View& view, const Outlines& outlines, double most
 
 Thing Ground::first_within(double distance, const View& view, const Outlines& outlines) const {
   if (const auto first = obstacles_.first_within(distance, view, outlines.body)) {
-    return {"obstacles[" + std::to_string(*first) + "]", "the footprint"};
+    return {
+        "obstacles[" + std::to_string(*first) + "]", "the footprint", {HitKind::obstacle, *first}};
   }
   if (const auto first = kerbs_.first_within(distance, view, outlines.wheels)) {
-    return {"kerbs[" + std::to_string(*first) + "]", "the wheels"};
+    return {"kerbs[" + std::to_string(*first) + "]", "the wheels", {HitKind::kerb, *first}};
   }
-  return {"the map", "the footprint"};
+  return {"the map", "the footprint", {HitKind::map}};
 }
 
 std::shared_ptr<const Ground> ground_of(const World& world) {

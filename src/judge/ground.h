@@ -13,6 +13,7 @@
 #include "judge/cell_tree.h"
 #include "judge/clearance.h"
 #include "judge/polygon_tree.h"
+#include "vandplan/path_check.h"
 #include "vandplan/problem.h"
 #include "vandplan/vehicle.h"
 
@@ -27,7 +28,12 @@ struct Outlines {
 struct Thing {
   std::string name;  ///< such as "obstacles[2]" or "the map"
   std::string part;  ///< of what drives: "the footprint" or "the wheels"
+  Hit hit = {};
 };
+
+/// What makes a verdict impossible: a problem that nobody made, or a margin that is no distance.
+/// Empty if there is nothing.
+[[nodiscard]] std::string door_fault(const Problem& problem, double margin);
 
 [[nodiscard]] Outlines outlines_of(const Vehicle& vehicle);
 [[nodiscard]] Outlines outlines_of(const Trailer& trailer);

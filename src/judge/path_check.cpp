@@ -3,6 +3,7 @@
 #include "vandplan/path_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -36,6 +37,7 @@ constexpr double ramp_slack = 1e-3;  // [m]
 struct Fault {
   std::string reason;
   std::optional<Place> place;
+  std::optional<Hit> hit = {};
 };
 
 Place end_of(const Track& track) {
@@ -88,7 +90,7 @@ std::optional<Fault> too_tight(const Track& track, double radius) {
       if (std::abs(curvature) <= limit) continue;
       return Fault{text("curvature %.10g is tighter than the turning radius of %.10g m allows",
                         static_cast<double>(curvature), radius),
-                   Place{i, t}};
+                   Place{i, t}, Hit{HitKind::bounds}};
     }
   }
   return std::nullopt;
@@ -143,7 +145,7 @@ std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
           {bounds.x_min - p.x, p.x - bounds.x_max, bounds.y_min - p.y, p.y - bounds.y_max});
       if (outside <= bounds_slack) continue;
       return Fault{text("the rear axle is %.3g m outside the bounds", static_cast<double>(outside)),
-                   Place{i, t}};
+                   Place{i, t}, Hit{HitKind::bounds}};
     }
   }
   return std::nullopt;
@@ -179,9 +181,9 @@ std::optional<Touch> first_touch(const Bodies& bodies, const Keeping& keeping, d
 std::optional<Fault> collision(const Bodies& bodies, double& least) {
   const std::optional<Touch> touch = first_touch(bodies, {}, least);
   if (!touch) return std::nullopt;
-  const auto [name, part] = first_within(*touch->body, 0, touch->place);
+  const auto [name, part, hit] = first_within(*touch->body, 0, touch->place);
   return Fault{text("%s %s %s", part.c_str(), is_of_many(part) ? "hit" : "hits", name.c_str()),
-               touch->place};
+               touch->place, hit};
 }
 
 /// Of all bodies at a place, no more than `most` [m].
@@ -231,17 +233,17 @@ std::optional<Fault> too_near(const Track& track, const Bodies& bodies,
   const auto& [body, place] = *touch;
   Effort effort;
   const double clearance = clearance_of(*body, place, stated.margin, effort);
-  const auto [name, part] = first_within(*body, clearance, place);
+  const auto [name, part, hit] = first_within(*body, clearance, place);
   const char* const verb = is_of_many(part) ? "are" : "is";
   const double kept = keeping.most_within(after(track.stretches[place.stretch], place.t), 0);
   if (kept == keeping.margin) {
     return Fault{text("%s %s only %.3f m from %s, the margin is %g m", part.c_str(), verb,
                       clearance, name.c_str(), stated.margin),
-                 place};
+                 place, hit};
   }
   return Fault{text("%s %s only %.3f m from %s, the ramp of the margin asks for %.3f m",
                     part.c_str(), verb, clearance, name.c_str(), kept),
-               place};
+               place, hit};
 }
 
 /// What is looked at: the trailer, if there is one, hangs on the track.
@@ -290,8 +292,16 @@ PathClaims local_claims(const World& world, const PathClaims& claims) {
 
 }  // namespace
 
+std::string_view name_of(HitKind kind) noexcept {
+  constexpr std::array<std::string_view, 4> names = {"obstacles", "kerbs", "map", "bounds"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
 PathCheck check_path(const Problem& problem, const Path& path, const PathClaims& claims) {
   PathCheck check;
+  check.reason = judge::door_fault(problem, claims.clearance.margin);
+  if (check.reason.empty()) check.reason = judge::door_fault(problem, claims.clearance.margin_ramp);
+  if (!check.reason.empty()) return check;
   if (const std::optional<Fault> fault = out_of_reason(path)) {
     check.reason = fault->reason;
     return check;
@@ -313,6 +323,7 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
   check.valid = !fault;
   if (!fault) return check;
   check.reason = fault->reason;
+  check.hit = fault->hit;
   if (fault->place) {
     check.at = point_at(track, *fault->place);
     check.at->pose = to_scenario(world, Local(check.at->pose));

@@ -3,9 +3,13 @@
 // Which drive meets something that moves, and when first?
 
 #include <algorithm>
+#include <string>
 
+#include "base/require.h"
 #include "moving/encounters.h"
+#include "path/finite.h"
 #include "speed/driven.h"
+#include "vandplan/input_error.h"
 
 namespace vandplan {
 namespace {
@@ -64,6 +68,14 @@ std::optional<Meeting> moving::first_meeting(const Course& course, const SpeedPr
 
 std::optional<Meeting> first_meeting(const TimedPath& drive, const Vehicle& vehicle,
                                      std::span<const MovingObstacle> moving, double margin) {
+  path::check_finite(drive.path);
+  if (drive.speeds.knots.empty()) throw InputError("drive.speeds", "has no knots, expected speeds");
+  base::require(margin >= 0.0, "margin", margin, "a number >= 0 [m]");
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    if (moving[i].outline.size() >= 3 && !moving[i].trajectory.empty()) continue;
+    throw InputError("moving[" + std::to_string(i) + "]",
+                     "lacks corners or a trajectory, expected three corners and a row at least");
+  }
   return moving::first_meeting({drive.path, vehicle}, drive.speeds, moving, margin);
 }
 

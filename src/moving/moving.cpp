@@ -12,6 +12,7 @@ std::string_view name_of(Afterwards after) noexcept {
 
 std::optional<Pose> pose_at(const MovingObstacle& obstacle, double t) noexcept {
   const std::vector<TimedPose>& rows = obstacle.trajectory;
+  if (rows.empty()) return std::nullopt;
   if (t >= rows.back().t) {
     if (t > rows.back().t && obstacle.after == Afterwards::leaves) return std::nullopt;
     return rows.back().pose;
@@ -26,12 +27,15 @@ std::optional<Pose> pose_at(const MovingObstacle& obstacle, double t) noexcept {
 }
 
 double growth_at(const MovingObstacle& obstacle, double t) noexcept {
+  if (obstacle.trajectory.empty()) return 0.0;
   return obstacle.inflate * std::clamp(t, 0.0, std::max(obstacle.trajectory.back().t, 0.0));
 }
 
 double end_of_motion(std::span<const MovingObstacle> moving) noexcept {
   double end = 0.0;
-  for (const MovingObstacle& obstacle : moving) end = std::max(end, obstacle.trajectory.back().t);
+  for (const MovingObstacle& obstacle : moving) {
+    if (!obstacle.trajectory.empty()) end = std::max(end, obstacle.trajectory.back().t);
+  }
   return end;
 }
 

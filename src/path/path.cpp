@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 
+#include "base/require.h"
 #include "base/trigonometry.h"
 #include "path/clothoid.h"
+#include "path/finite.h"
+#include "vandplan/input_error.h"
 
 namespace vandplan {
 namespace {
@@ -111,7 +115,20 @@ Pose pose_at(const Path& path, double s) noexcept {
   return moved(pose, x, y);
 }
 
+void path::check_finite(const Path& path) {
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const Segment& segment = path.segments[i];
+    const double last = curvature_at(segment, std::abs(segment.length));
+    if (std::isfinite(segment.curvature + segment.length + segment.curvature_rate + last)) continue;
+    throw InputError("segments[" + std::to_string(i) + "]", "is not finite, expected numbers");
+  }
+}
+
 std::vector<PathPoint> sampled(const Path& path, double step) {
+  vandplan::path::check_finite(path);
+  constexpr double most = 1e7;
+  base::require(step > 0.0 && step >= length(path) / most, "step", step,
+                "more than 0 m, and 10^7 of them on the path at most");
   if (path.segments.empty()) return {{0.0, path.start, 0.0, 1}};
   std::vector<PathPoint> points;
   const auto [x, y] = beside(path.start);

@@ -9,9 +9,9 @@
 
 #include "base/nearest_word.h"
 #include "planners/pricing.h"
+#include "planners/reasons.h"
 #include "planners/registered.h"
 #include "planners/shared_options.h"
-#include "problem/map_hit.h"
 #include "vandplan/goal_estimate.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
@@ -71,6 +71,21 @@ std::string planners_that(const Predicate& does) {
     throw InputError(std::string(option),
                      "is no option of " + planner.name +
                          ", expected one of the planners that honour it: " + others);
+  }
+  constexpr std::array<std::string_view, 15> of_vehicles = {
+      "wheelbase",          "front_overhang",
+      "rear_overhang",      "width",
+      "min_turning_radius", "max_steering_angle",
+      "track_width",        "max_steering_rate",
+      "max_curvature_rate", "max_speed",
+      "max_acceleration",   "max_braking",
+      "max_jerk",           "hitch",
+      "max_hitch_angle"};
+  if (std::ranges::find(of_vehicles, option) != of_vehicles.end()) {
+    throw InputError(
+        std::string(option),
+        "is no option but a value of the vehicle, expected it there: \"vehicle\" of the "
+        "scenario");
   }
   std::vector<std::string> names;
   if (honours(planner, style_key)) names.emplace_back(style_key);
@@ -143,41 +158,6 @@ void settle_table(const Planner& planner, const PlanOptions& all) {
   if (!is_asked && all.table) {
     throw InputError(std::string(planning::table_key), "is for estimate=table or max_with=table");
   }
-}
-
-/// Why a start or goal is refused: what the judge says of standing there, or that planning asks for
-/// a little more.
-std::string reason_at(const Problem& problem, const RigState& state,
-                      const ClearanceOptions& options) {
-  const auto& [pose, angle] = state;
-  const Problem there =
-      make_problem(problem.world(), problem.vehicle(), pose, pose, {}, {angle, angle});
-  const PathCheck check = check_path(there, Path{pose, {}}, {.clearance = options});
-  if (check.reason.ends_with("hits the map")) {
-    return check.reason + ": " + problem::map_hit(problem, state);
-  }
-  const bool is_free = check.clearance && *check.clearance > 0.0;
-  if (!check.reason.empty() && is_free && options.margin_ramp == 0.0) {
-    return check.reason + "; with margin_ramp a start or goal may be nearer";
-  }
-  if (!check.reason.empty()) return check.reason;
-  return "the pose keeps the margin of " + base::shortest_text(options.margin) +
-         " m, but planning asks for up to " +
-         base::shortest_text(1e3 * CollisionChecker::tolerance) + " mm more";
-}
-
-/// Why a search that ended without a path is likely to have none: the wheels turn so slowly that
-/// from lock to lock the vehicle drives further than its bounds are long. Empty otherwise.
-std::string likely_reason(const Task& task) {
-  if (task.steering != Steering::continuous) return "";  // they turn where the vehicle stands
-  const double rate = max_curvature_rate(task.vehicle);
-  const double way = 2.0 / (task.vehicle.min_turning_radius * rate);
-  const Bounds& b = task.world->local().bounds;
-  const double extent = std::max(b.x_max - b.x_min, b.y_max - b.y_min);
-  if (!(way > extent)) return "";
-  return "likely because of max_curvature_rate: the wheels turn from lock to lock on " +
-         base::shortest_text(std::round(way)) + " m, and the bounds are " +
-         base::shortest_text(std::round(extent)) + " m long";
 }
 
 /// What needs no search: a start or goal that cannot be, and a goal that is the start.
@@ -277,7 +257,11 @@ PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time
     for (Pose& pose : result.tree->poses) pose = to_scenario(*problem.world(), Local(pose));
   }
   const bool is_solved = answer.status == PlanStatus::solved;
-  if (is_solved != answer.segments.has_value()) {
+  if (std::isnan(answer.lower_bound)) {
+    result.status = PlanStatus::rejected;
+    result.reason = "the planner gives a lower bound that is no number";
+    result.lower_bound = 0.0;
+  } else if (is_solved != answer.segments.has_value()) {
     result.status = PlanStatus::rejected;
     result.reason =
         is_solved ? "the planner says solved, and gives no path"
@@ -459,17 +443,10 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
   if (!answer) answer = planner.function(task, all);
   PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());
   result.rule = all.cost;
-  if (result.status == PlanStatus::start_in_collision) {
-    const RigState state{problem.start(), problem.hitch_angles().start};
-    result.reason = reason_at(problem, state, all.clearance);
-  }
-  if (result.status == PlanStatus::goal_in_collision) {
-    const RigState state{problem.goal(), problem.hitch_angles().goal};
-    result.reason = reason_at(problem, state, all.clearance);
-  }
+  planning::explain_refusal(problem, all.clearance, result);
   const bool is_undecided =
       result.status == PlanStatus::time_limit || result.status == PlanStatus::iteration_limit;
-  if (is_undecided && result.reason.empty()) result.reason = likely_reason(task);
+  if (is_undecided && result.reason.empty()) result.reason = planning::likely_reason(task);
   if (!result.path) return result;
   settle_cost(task, all.cost, result);
   judge(problem, all, result);

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "path/finite.h"
 #include "planners/anytime/anytime.h"
 #include "planners/anytime/tidy.h"
 #include "planners/field_d_star.h"
@@ -130,6 +131,7 @@ std::vector<Planner> registered_planners() {
 namespace vandplan {
 
 Planner warm_started(const Path& path) {
+  path::check_finite(path);
   Planner planner = default_planner();
   planner.function = [path](const Task& task, const PlanOptions& options) {
     if (!task.moving.empty()) return in_time::plan(task, options);

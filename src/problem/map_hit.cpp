@@ -76,28 +76,28 @@ std::string rounded(double metres) { return base::shortest_text(std::round(metre
 
 }  // namespace
 
-std::string map_hit(const Problem& problem, const RigState& state) {
+std::optional<CellHit> map_hit(const Problem& problem, const RigState& state) {
   const World& world = *problem.world();
   const std::optional<OccupancyGrid>& map = world.local().map;
-  if (!map) return "";
+  if (!map) return std::nullopt;
   const Vehicle& vehicle = problem.vehicle();
   const RigState local{to_local(world, state.pose), state.hitch_angle};
   const double largest = 1e8;  // cells from the map; further ones have no number
   const Point axle = in_cells({{0, 0}}, local.pose, *map).front();
-  if (!(std::abs(axle.x) < largest && std::abs(axle.y) < largest)) return "";
+  if (!(std::abs(axle.x) < largest && std::abs(axle.y) < largest)) return std::nullopt;
   Hit hit;
   look_under(*map, in_cells(body_outline(vehicle), local.pose, *map), axle, hit);
   if (vehicle.trailer) {
     const Pose pose = trailer_pose(vehicle, local);
     look_under(*map, in_cells(body_outline(*vehicle.trailer), pose, *map), axle, hit);
   }
-  if (hit.what.empty()) return "";
+  if (hit.what.empty()) return std::nullopt;
   const auto [sin, cos] = base::sin_cos(map->origin.heading);
   const double along = hit.middle.x * map->resolution;
   const double left = hit.middle.y * map->resolution;
   const double x = world.origin().x + map->origin.x + cos * along - sin * left;
   const double y = world.origin().y + map->origin.y + sin * along + cos * left;
-  return hit.what + " at x = " + rounded(x) + ", y = " + rounded(y);
+  return CellHit{hit.what + " at x = " + rounded(x) + ", y = " + rounded(y), {x, y}};
 }
 
 }  // namespace vandplan::problem

@@ -3,6 +3,7 @@
 #pragma once
 // Which cell of the map does a standing vehicle hit?
 
+#include <optional>
 #include <string>
 
 #include "vandplan/problem.h"
@@ -10,9 +11,15 @@
 
 namespace vandplan::problem {
 
-/// "occupied at x = 3.25, y = 4.75": the blocked cell under the vehicle or its trailer whose middle
-/// is nearest to the rear axle; "unknown at" and "beyond the edge of the map at" likewise. Place
-/// and state are in the scenario's frame. Empty if the vehicle hits no cell.
-[[nodiscard]] std::string map_hit(const Problem& problem, const RigState& state);
+/// A blocked cell.
+struct CellHit {
+  std::string
+      text;  ///< "occupied at x = 3.25, y = 4.75"; "unknown at", "beyond the edge of the map at"
+  Point middle;  ///< in the scenario's frame
+};
+
+/// The blocked cell under the vehicle or its trailer whose middle is nearest to the rear axle; the
+/// state is in the scenario's frame. None if the vehicle hits no cell.
+[[nodiscard]] std::optional<CellHit> map_hit(const Problem& problem, const RigState& state);
 
 }  // namespace vandplan::problem

@@ -7,6 +7,7 @@
 
 #include "base/decimal.h"
 #include "base/derived.h"
+#include "base/require.h"
 #include "collision/ground.h"
 #include "problem/checks.h"
 #include "problem/moving.h"
@@ -72,6 +73,7 @@ void World::change(std::vector<Polygon> obstacles, std::span<const CellRange> ce
 std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle,
                                                        const Margin& margin) const {
   check_vehicle(vehicle);
+  base::require(margin.wanted >= 0.0, "margin", margin.wanted, "a number >= 0 [m]");
   if (!margin.ramps.empty()) {
     return std::make_shared<const CollisionChecker>(vehicle, ground_, margin);
   }
@@ -157,6 +159,7 @@ Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal) 
 
 Task task_of(const Problem& problem, const ClearanceOptions& options, Steering steering) {
   expect_made(problem);
+  validate({.clearance = options});
   Task task = problem.task();
   task.steering = steering;
   const bool turns_wheels = task.curvatures.start != task.curvatures.goal;

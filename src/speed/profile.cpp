@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "base/require.h"
+#include "path/finite.h"
 #include "speed/caps.h"
 #include "speed/moving_start.h"
 #include "speed/stretch.h"
@@ -17,17 +19,6 @@ using speed::Cap;
 
 /// What is shorter, all that follows each other together, is passed over [m]: nobody drives it.
 constexpr double least_motion = 1e-9;
-
-void check_finite(const Path& path) {
-  for (std::size_t i = 0; i < path.segments.size(); ++i) {
-    const auto& [curvature, length, rate] = path.segments[i];
-    if (std::isfinite(curvature_at(path.segments[i], std::abs(length))) &&
-        std::isfinite(curvature) && std::isfinite(length) && std::isfinite(rate)) {
-      continue;
-    }
-    throw InputError("segments[" + std::to_string(i) + "]", "is not finite, expected numbers");
-  }
-}
 
 /// Puts the drive together, stretch by stretch.
 class Drive {
@@ -153,7 +144,10 @@ SpeedProfile speed_profile(const Path& path, const Vehicle& vehicle, const Speed
 std::optional<SpeedProfile> speed::profile_from(const Path& path, const Vehicle& vehicle,
                                                 const MovingStart& start) {
   check_limits(vehicle.limits);
-  check_finite(path);
+  base::require(vehicle.wheelbase > 0.0, "vehicle.wheelbase", vehicle.wheelbase, "more than 0 m");
+  base::require(std::isfinite(start.curvature), "start_curvature", start.curvature,
+                "a number [1/m]");
+  vandplan::path::check_finite(path);
   Drive drive(vehicle, start);
   for (const Segment& segment : merged(path.segments)) drive.add(segment);
   return drive.finish();

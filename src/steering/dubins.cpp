@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/require.h"
 #include "base/trigonometry.h"
 #include "steering/mean_frame.h"
 
@@ -114,7 +115,8 @@ void for_each_word(const MeanFrame& frame, Take take) {
 
 }  // namespace
 
-Piece dubins(const Pose& from, const Pose& to, double radius) noexcept {
+Piece dubins(const Pose& from, const Pose& to, double radius) {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
   const MeanFrame frame = mean_frame(from, to, radius);
   std::optional<DubinsWord> best;
   double least = 0.0;
@@ -127,11 +129,12 @@ Piece dubins(const Pose& from, const Pose& to, double radius) noexcept {
   return piece_of(*best, radius);  // LSL exists for every pair
 }
 
-double dubins_length(const Pose& from, const Pose& to, double radius) noexcept {
+double dubins_length(const Pose& from, const Pose& to, double radius) {
   return dubins(from, to, radius).length;
 }
 
 std::vector<Piece> dubins_words(const Pose& from, const Pose& to, double radius) {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
   std::vector<Piece> words;
   for_each_word(mean_frame(from, to, radius),
                 [&](const DubinsWord& word) { words.push_back(piece_of(word, radius)); });

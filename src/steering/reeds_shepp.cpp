@@ -2,14 +2,18 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/reeds_shepp.h"
 
-#include <cassert>
 #include <cmath>
+#include <string>
+#include <utility>
 
+#include "base/require.h"
+#include "geometry/pose_columns.h"
 #include "simd/length_kernels.h"
 #include "simd/pair_kernels.h"
 #include "steering/mean_frame.h"
 #include "steering/reeds_shepp_formulas.h"
 #include "steering/word.h"
+#include "vandplan/input_error.h"
 
 namespace vandplan {
 namespace {
@@ -40,29 +44,35 @@ std::span<const double> numbers(std::span<const Pose> poses) {
 
 }  // namespace
 
-double reeds_shepp_length(const Pose& from, const Pose& to, double radius) noexcept {
+double reeds_shepp_length(const Pose& from, const Pose& to, double radius) {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
   return shortest(folded(mean_frame(from, to, radius))).arcs.length * radius;
 }
 
-Piece reeds_shepp(const Pose& from, const Pose& to, double radius) noexcept {
+Piece reeds_shepp(const Pose& from, const Pose& to, double radius) {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
   const MeanFrame frame = mean_frame(from, to, radius);
   const auto [formula, arcs] = shortest(folded(frame));
   return piece_of(formula, without_noise(formula, arcs), unfolding(frame), radius);
 }
 
 void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
-                         std::span<float> out) noexcept {
-  assert(nodes.x.size() == out.size() && nodes.y.size() == out.size() &&
-         nodes.heading.size() == out.size());
+                         std::span<float> out) {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  geometry::expect_columns(nodes, out.size());
   const simd::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
                               static_cast<float>(wrap_angle(sample.heading))};
   simd::reeds_shepp_lengths(nodes.x, nodes.y, nodes.heading, to, static_cast<float>(radius), out);
 }
 
 void reeds_shepp_lengths(std::span<const Pose> from, std::span<const Pose> to, double radius,
-                         std::span<double> out) noexcept {
-  assert((from.size() == 1 || from.size() == out.size()) &&
-         (to.size() == 1 || to.size() == out.size()));
+                         std::span<double> out) {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  for (const auto& [where, size] : {std::pair("from", from.size()), std::pair("to", to.size())}) {
+    if (size == 1 || size == out.size()) continue;
+    throw InputError(where, "has " + std::to_string(size) + " poses, expected one or " +
+                                std::to_string(out.size()));
+  }
   simd::exact_lengths(numbers(from), numbers(to), radius, out);
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (!std::isnan(out[i])) continue;

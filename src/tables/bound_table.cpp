@@ -2,17 +2,19 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/bound_table.h"
 
-#include <cassert>
 #include <iterator>
 
+#include "base/require.h"
 #include "bound_entries.h"
+#include "geometry/pose_columns.h"
 #include "simd/bound_kernels.h"
 
 namespace vandplan {
 
 using simd::bound_entries;
 
-LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) noexcept {
+LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
   // The difference is taken in double, so that poses may be far from the origin.
   const auto [low, high] = simd::length_bounds(
       bound_entries, static_cast<float>(from.x - to.x), static_cast<float>(from.y - to.y),
@@ -22,9 +24,10 @@ LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) noex
 }
 
 void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
-                   std::span<float> low, std::span<float> high) noexcept {
-  assert(nodes.x.size() == low.size() && nodes.y.size() == low.size() &&
-         nodes.heading.size() == low.size() && high.size() == low.size());
+                   std::span<float> low, std::span<float> high) {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  geometry::expect_columns(nodes, low.size());
+  geometry::expect_columns(nodes, high.size());
   const simd::BoundSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
                              static_cast<float>(wrap_angle(sample.heading))};
   simd::length_bounds(bound_entries, nodes.x, nodes.y, nodes.heading, to,

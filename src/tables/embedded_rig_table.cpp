@@ -7,18 +7,20 @@
 
 #include "rig_entries.h"
 #include "vandplan/bound_table.h"
+#include "vandplan/input_error.h"
 #include "vandplan/rig_table.h"
 #include "vehicle/hitch_motion.h"
 
 namespace vandplan {
 
 RigTable embedded_rig_table(const Vehicle& vehicle) {
+  if (!vehicle.trailer) throw InputError("vehicle.trailers", "are missing, expected one");
   const Vehicle made_for = tables::rig_of_table();
   return RigTable(made_for.max_hitch_angle, rig_table::entries)
       .scaled(vehicle.min_turning_radius / made_for.min_turning_radius);
 }
 
-double rig_length_bound(const Vehicle& vehicle, const RigState& from, const RigState& to) noexcept {
+double rig_length_bound(const Vehicle& vehicle, const RigState& from, const RigState& to) {
   const double of_tractor = length_bounds(from.pose, to.pose, vehicle.min_turning_radius).low;
   const vehicle::TrailerAlone trailer = vehicle::trailer_alone(vehicle);
   if (trailer.most_angle >= std::numbers::pi / 2) return of_tractor;

@@ -3,7 +3,6 @@
 #include "vandplan/heuristic_table.h"
 
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "base/require.h"
 #include "base/text.h"
+#include "geometry/pose_columns.h"
 #include "simd/table_kernels.h"
 #include "tables/table_options.h"
 #include "vandplan/input_error.h"
@@ -78,7 +78,7 @@ HeuristicTableOptions thesis_table_options(int number) {
       {.extent = 10.0, .step = 1.0, .heading_cells = 24, .turning_radius = 7.0},
       {.extent = 30.0, .step = 1.0, .heading_cells = 24, .turning_radius = 7.0},
   }};
-  assert(number >= 1 && number <= 4);
+  base::require(number >= 1 && number <= 4, "number", number, "1 to 4");
   return tables[static_cast<std::size_t>(number) - 1];
 }
 
@@ -133,8 +133,8 @@ Pose HeuristicTable::sample_of(const GridPoint& point) const noexcept {
   return {0.0, 0.0, heading_at(point.heading_sample, options_.heading_cells)};
 }
 
-double HeuristicTable::distance(const Pose& node, const Pose& sample,
-                                double radius) const noexcept {
+double HeuristicTable::distance(const Pose& node, const Pose& sample, double radius) const {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
   // The difference is taken in double, so that poses may be far from the origin.
   return static_cast<double>(simd::table_distance(
       view_of(*this, radius), static_cast<float>(node.x - sample.x),
@@ -143,9 +143,9 @@ double HeuristicTable::distance(const Pose& node, const Pose& sample,
 }
 
 void HeuristicTable::distances(const PoseColumns& nodes, const Pose& sample, double radius,
-                               std::span<float> out) const noexcept {
-  assert(nodes.x.size() == out.size() && nodes.y.size() == out.size() &&
-         nodes.heading.size() == out.size());
+                               std::span<float> out) const {
+  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  geometry::expect_columns(nodes, out.size());
   const simd::TableSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
                              static_cast<float>(wrap_angle(sample.heading))};
   simd::table_distances(view_of(*this, radius), nodes.x, nodes.y, nodes.heading, to, out);

@@ -9,9 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "base/require.h"
 #include "bound_entries.h"
 #include "simd/bound_kernels.h"
 #include "tables/pose_grid.h"
+#include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
@@ -281,7 +283,9 @@ class Search {
 
 struct NearestNodes::Grid : Nodes {};
 
-NearestNodes::NearestNodes(double radius) : grid_(std::make_unique<Grid>(Grid{{{}, radius}})) {}
+NearestNodes::NearestNodes(double radius) : grid_(std::make_unique<Grid>(Grid{{{}, radius}})) {
+  base::require(radius > 0.0 && std::isfinite(radius), "radius", radius, "more than 0 m");
+}
 NearestNodes::~NearestNodes() = default;
 NearestNodes::NearestNodes(const NearestNodes& other)
     : grid_(std::make_unique<Grid>(*other.grid_)) {}
@@ -291,9 +295,17 @@ NearestNodes& NearestNodes::operator=(const NearestNodes& other) {
 NearestNodes::NearestNodes(NearestNodes&& other) noexcept = default;
 NearestNodes& NearestNodes::operator=(NearestNodes&& other) noexcept = default;
 
-void NearestNodes::add(const Pose& pose) { grid_->add(pose); }
+void NearestNodes::add(const Pose& pose) {
+  if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.heading)) {
+    throw InputError("pose", "is not finite");
+  }
+  grid_->add(pose);
+}
 
-void NearestNodes::remove(std::int32_t node) { grid_->remove(node); }
+void NearestNodes::remove(std::int32_t node) {
+  base::require(grid_->holds(node), "node", node, "one that is there");
+  grid_->remove(node);
+}
 
 std::size_t NearestNodes::size() const noexcept { return grid_->count; }
 

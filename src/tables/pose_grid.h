@@ -31,6 +31,11 @@ struct PoseGrid {
   [[nodiscard]] GridCell cell_of(const Pose& pose) const noexcept;
   [[nodiscard]] std::size_t index_of(GridCell cell) const noexcept;
   void add(const Pose& pose);
+  /// Whether a node of that number was added and not taken out.
+  [[nodiscard]] bool holds(std::int32_t node) const noexcept {
+    const auto at = static_cast<std::size_t>(node);
+    return node >= 0 && at < poses.size() && (at >= removed.size() || !removed[at]);
+  }
   /// Takes out a node that is there; its number is not used again.
   void remove(std::int32_t node);
   [[nodiscard]] const Pose& pose(std::int32_t node) const noexcept {

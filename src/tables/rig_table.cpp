@@ -76,6 +76,7 @@ RigTable::RigTable(double max_hitch_angle, std::span<const std::uint16_t> entrie
     : most_hitch_angle_(widest * max_hitch_angle), entries_(entries) {}
 
 RigTable RigTable::scaled(double factor) const {
+  base::require(factor > 0.0 && std::isfinite(factor), "factor", factor, "more than 0");
   RigTable result = *this;
   result.options_.reach *= factor;
   result.unit_ *= factor;

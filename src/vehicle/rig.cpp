@@ -5,14 +5,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/require.h"
 #include "base/trigonometry.h"
+#include "path/finite.h"
+#include "vandplan/input_error.h"
 #include "vehicle/hitch_motion.h"
 
 namespace vandplan {
 namespace {
 
-vehicle::Coupling coupling_of(const Vehicle& vehicle) noexcept {
-  return {.hitch = vehicle.hitch, .wheelbase = vehicle.trailer->wheelbase};
+const Trailer& trailer_of(const Vehicle& vehicle) {
+  if (!vehicle.trailer) throw InputError("vehicle.trailers", "are missing, expected one");
+  return *vehicle.trailer;
+}
+
+vehicle::Coupling coupling_of(const Vehicle& vehicle) {
+  return {.hitch = vehicle.hitch, .wheelbase = trailer_of(vehicle).wheelbase};
 }
 
 Pose moved_ahead(const Pose& pose, double distance) noexcept {
@@ -22,19 +30,19 @@ Pose moved_ahead(const Pose& pose, double distance) noexcept {
 
 }  // namespace
 
-Pose trailer_pose(const Vehicle& vehicle, const RigState& state) noexcept {
+Pose trailer_pose(const Vehicle& vehicle, const RigState& state) {
   Pose pose = moved_ahead(state.pose, vehicle.hitch);
   pose.heading = wrap_angle(pose.heading - state.hitch_angle);
-  return moved_ahead(pose, -vehicle.trailer->wheelbase);
+  return moved_ahead(pose, -trailer_of(vehicle).wheelbase);
 }
 
-Pose tractor_pose(const Vehicle& vehicle, const Pose& trailer, double hitch_angle) noexcept {
-  Pose pose = moved_ahead(trailer, vehicle.trailer->wheelbase);
+Pose tractor_pose(const Vehicle& vehicle, const Pose& trailer, double hitch_angle) {
+  Pose pose = moved_ahead(trailer, trailer_of(vehicle).wheelbase);
   pose.heading = wrap_angle(pose.heading + hitch_angle);
   return moved_ahead(pose, -vehicle.hitch);
 }
 
-double hitch_rate(const Vehicle& vehicle, double hitch_angle, double curvature) noexcept {
+double hitch_rate(const Vehicle& vehicle, double hitch_angle, double curvature) {
   return vehicle::hitch_rate(coupling_of(vehicle), hitch_angle, curvature);
 }
 
@@ -51,6 +59,9 @@ RigState advance(const Vehicle& vehicle, const RigState& state, const Segment& s
 
 std::vector<double> sampled_hitch_angles(const Vehicle& vehicle, const Path& path,
                                          double start_angle, double step) {
+  vandplan::path::check_finite(path);
+  base::require(step > 0.0 && step >= length(path) / 1e7, "step", step,
+                "more than 0 m, and 10^7 of them on the path at most");
   std::vector<double> angles;
   double angle = start_angle;
   for (const Segment& segment : path.segments) {
@@ -66,8 +77,7 @@ std::vector<double> sampled_hitch_angles(const Vehicle& vehicle, const Path& pat
   return angles;
 }
 
-double largest_hitch_angle(const Vehicle& vehicle, double hitch_angle,
-                           const Segment& segment) noexcept {
+double largest_hitch_angle(const Vehicle& vehicle, double hitch_angle, const Segment& segment) {
   return vehicle::largest_hitch_angle(coupling_of(vehicle), hitch_angle, segment);
 }
 

@@ -37,6 +37,14 @@ double steering_angle(const Vehicle& vehicle, double curvature) noexcept {
   return base::atan_2(vehicle.wheelbase * curvature, 1.0);
 }
 
+double turning_radius(double wheelbase, double steering_angle) {
+  base::require(wheelbase > 0.0, "wheelbase", wheelbase, "more than 0 m");
+  base::require(steering_angle > 0.0 && steering_angle < std::numbers::pi / 2, "max_steering_angle",
+                steering_angle, "more than 0 and less than 1.5707 rad");
+  const auto [sin, cos] = base::sin_cos(steering_angle);
+  return wheelbase * cos / sin;
+}
+
 double max_curvature_rate(const Vehicle& vehicle) noexcept {
   constexpr double speed = 1.0;  // [m/s]
   return vehicle.limits.max_curvature_rate.value_or(vehicle.limits.max_steering_rate /

@@ -188,6 +188,24 @@ TEST_F(DrawCommand, OutputIsNeeded) {
 
 // ---- convert ----
 
+TEST(ConvertCommand, AFootprintTurnsByItsRadiusOrItsSteeringAngle) {
+  const TemporaryFolder folder;
+  write_content(folder / "footprint.yaml", "[[4, 1], [4, -1], [-1, -1], [-1, 1]]");
+  const auto convert = [&](std::vector<std::string> how) {
+    how.insert(how.begin(), {"convert", "footprint", folder / "footprint.yaml", "--wheelbase",
+                             "2.5", "-o", folder / "car.yaml"});
+    return run_vandplan(how);
+  };
+  EXPECT_EQ(convert({"--max-steering-angle", "0.5"}).status, 0);
+  EXPECT_NE(content_of(folder / "car.yaml").find("min_turning_radius: 4.576"), std::string::npos);
+  EXPECT_EQ(convert({}).err,
+            "vandplan: --min-turning-radius: is missing, expected it or --max-steering-angle\n");
+  EXPECT_EQ(convert({"--min-turning-radius", "4", "--max-steering-angle", "0.5"}).status, 2);
+  const Outcome degrees = convert({"--max-steering-angle", "35"});
+  EXPECT_EQ(degrees.status, 2);
+  EXPECT_NE(degrees.err.find("max_steering_angle: is 35, expected more than 0"), std::string::npos);
+}
+
 TEST(ConvertCommand, ASiteBecomesAScenarioThatIsPlanned) {
   const TemporaryFolder folder;
   write_content(folder / "footprint.yaml", "[[4, 1], [4, -1], [-1, -1], [-1, 1]]");

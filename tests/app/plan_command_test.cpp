@@ -68,11 +68,16 @@ TEST_F(PlanCommand, TheScenarioMayWantOptions) {
 TEST_F(PlanCommand, APictureMarksWhatStandsInTheWay) {
   const auto marks = [&](const std::string& from, const std::string& to) {
     write_content(scenario_, replaced(yard(), from, to));
-    const std::string picture = folder_ / "hit.svg";
-    EXPECT_EQ(plan({"--max-iterations", "10", "--draw", picture}).status, 1);
-    // Red, as an outline: the colour of nothing else.
-    return content_of(picture).find("85%,7%,7%") != std::string::npos ||
-           content_of(picture).find("85%, 7%, 7%") != std::string::npos;
+    const std::string picture = folder_ / "hit.svg", result = folder_ / "hit.json";
+    const auto is_red = [&] {  // an outline: the colour of nothing else
+      return content_of(picture).find("85%,7%,7%") != std::string::npos ||
+             content_of(picture).find("85%, 7%, 7%") != std::string::npos;
+    };
+    EXPECT_EQ(plan({"--max-iterations", "10", "--draw", picture, "--output", result}).status, 1);
+    const bool at_once = is_red();
+    EXPECT_EQ(run_vandplan({"draw", scenario_, result, "--output", picture}).status, 0);
+    EXPECT_EQ(is_red(), at_once) << "from the file of the result";
+    return at_once;
   };
   EXPECT_TRUE(marks("start: {x: 0", "start: {x: 10"));
   EXPECT_TRUE(marks("goal: {x: 20", "goal: {x: 51"));

@@ -496,6 +496,7 @@ TEST(Draw, BadInputIsNamed) {
   const auto draw_png = [](const Drawing& drawing, int width) {
     return draw(drawing, PictureFormat::png, width);
   };
+  EXPECT_THROW((void)draw_png({}, 300), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario}, 49), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario}, 10001), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario, .path = &broken}, 300), InputError);

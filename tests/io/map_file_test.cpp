@@ -456,5 +456,9 @@ TEST_F(MapFile, AThresholdThatFreesUnknownGroundIsSaid) {
   EXPECT_EQ(warnings(keys, "P2 2 1 255 254 205").size(), 0U);
 }
 
+TEST_F(MapFile, AMapWithoutItsCellsIsNotWritten) {
+  EXPECT_THROW((void)map_to_pgm({.columns = 3, .rows = 3}), InputError);
+}
+
 }  // namespace
 }  // namespace vandplan

@@ -572,6 +572,22 @@ TEST_F(ReadResults, MistakesInLongListsNameTheElement) {
             "goals[2].path.poses[3].direction: is 2, expected 1 or -1");
 }
 
+TEST_F(ReadResults, WhatIsInTheWayIsKept) {
+  for (const Hit& hit : {Hit{HitKind::obstacle, 3}, Hit{HitKind::kerb, 1}, Hit{HitKind::bounds},
+                         Hit{HitKind::map, 0, Point{1.25, -0.1}}}) {
+    ResultRecord record;
+    record.result.status = PlanStatus::goal_in_collision;
+    record.result.hit = hit;
+    const std::string text = results_to_json(yard_file(), {record});
+    EXPECT_EQ(read(text, yard_file()).front().result.hit, hit);
+  }
+  EXPECT_EQ(message_for(R"({"format": "vandplan-result/1", "status": "goal_in_collision",
+"hit": {"what": "walls"}})",
+                        yard_file()),
+            "r.json:2: hit.what: is \"walls\", expected obstacles, kerbs, map or bounds");
+  EXPECT_THROW((void)results_to_json(yard_file(), {}), InputError);
+}
+
 TEST_F(ReadResults, ValuesThatNobodyTakesAreCounted) {
   std::string text = "{\"format\": \"vandplan-result/1\",\n\"junk\": [0";
   for (int i = 0; i < 4'000'000; ++i) text += ",0";

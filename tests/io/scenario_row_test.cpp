@@ -85,6 +85,11 @@ const BadRow bad_rows[] = {
     {[](ScenarioFile& file) { file.row[1].obstacles[0].pop_back(); },
      "goals[1].obstacles[0]: has 2 corners, expected at least 3"}};
 
+TEST(ScenarioRow, AGoalThatIsNotThereIsRefused) {
+  EXPECT_NO_THROW((void)scenario_at(row(), row().size() - 1));
+  EXPECT_THROW((void)scenario_at(row(), row().size()), InputError);
+}
+
 TEST(ScenarioRow, ErrorsNameTheGoal) {
   for (const auto& [spoil, message] : bad_rows) {
     SCOPED_TRACE(message);

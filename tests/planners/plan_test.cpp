@@ -168,6 +168,41 @@ TEST(Margin, AStartOrGoalThatIsNearerIsNamed) {
             "margin_ramp a start or goal may be nearer");
 }
 
+TEST(Refusal, NamesWhatIsInTheWayByItsNumber) {
+  const auto hit_with = [](Scenario scenario) {
+    scenario.goal = {30, 0, 0};
+    return plan(make_problem(scenario), with_margin(0.3)).hit;
+  };
+  const Scenario open{.bounds = {-50, 50, -50, 50}};
+  Scenario scenario = open;
+  scenario.obstacles = {box(-40, -40, -39, -39), box(30, -1, 31, 1)};
+  EXPECT_EQ(hit_with(scenario), (Hit{HitKind::obstacle, 1}));
+  scenario.obstacles = {box(36.1, -2, 40, 2)};  // nearer than the margin
+  EXPECT_EQ(hit_with(scenario), (Hit{HitKind::obstacle, 0}));
+  scenario.obstacles.clear();
+  scenario.kerbs = {box(-40, -40, -39, -39), box(-1, -1, 1, 1)};
+  EXPECT_EQ(hit_with(scenario), (Hit{HitKind::kerb, 1}));
+  scenario = open;
+  scenario.bounds.x_max = 20;
+  EXPECT_EQ(hit_with(scenario), (Hit{HitKind::bounds}));
+  scenario = open;
+  scenario.map = OccupancyGrid{.origin = {-50, -50, 0}, .columns = 100, .rows = 100};
+  std::vector<Cell> cells(10000, Cell::free);
+  cells[100 * 50 + 81] = Cell::occupied;
+  scenario.map->cells = std::make_shared<std::vector<Cell>>(cells);
+  EXPECT_EQ(hit_with(scenario), (Hit{HitKind::map, 0, Point{31.5, 0.5}}));
+  EXPECT_EQ(hit_with(open), std::nullopt);
+}
+
+TEST(Refusal, OfAPathNamesWhatItHits) {
+  const Path path{{}, {{0, 30}}};
+  const Problem problem =
+      problem_of({0, 0, 0}, {30, 0, 0}, {box(9, 9, 10, 10), box(20, -1, 21, 1)});
+  EXPECT_EQ(check_path(problem, path).hit, (Hit{HitKind::obstacle, 1}));
+  EXPECT_EQ(check_path(problem, {{}, {{0, 20}}}).hit, (Hit{HitKind::obstacle, 1}));
+  EXPECT_EQ(check_path(problem, {{}, {{0, 5}}}).hit, std::nullopt);  // it ends elsewhere
+}
+
 // What is exactly as far away as it has to be is valid, and still no path can be planned there.
 TEST(Margin, AStartOrGoalThatJustKeepsItIsToldApart) {
   const Problem wall = problem_of({0, 0, 0}, {30, 0, 0}, {box(28, 1.8, 40, 2)});

@@ -160,6 +160,9 @@ TEST(PlannerOptions, AnUnknownNameListsTheKnownOnes) {
       "margin_ramp, steering, region, goal_bias, max_nodes, max_parents, try_goal, keep_tree, "
       "profile";
   EXPECT_EQ(message_of_setting("rrt-bsc-euc", "gaol_bias", "0.1"), expected);
+  EXPECT_EQ(message_of_setting("anytime", "max_steering_angle", "0.6"),
+            "max_steering_angle: is no option but a value of the vehicle, expected it there: "
+            "\"vehicle\" of the scenario");
   EXPECT_EQ(message_of_completing("rrt-bsc-euc", with("gaol_bias", 0.1)), expected);
 }
 

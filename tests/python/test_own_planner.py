@@ -3,6 +3,7 @@
 """Planners written in Python: run, judged and compared."""
 
 import json
+import math
 
 import numpy as np
 import pytest
@@ -193,3 +194,13 @@ def test_what_is_no_campaign_is_refused(yard, tmp_path):
         vp.compare([yard], ["anytime"], tmp_path, regions=["moon"])
     with pytest.raises(vp.InputError, match="nobody"):
         vp.compare([yard], ["nobody"], tmp_path)
+
+
+def test_an_answer_that_is_no_path_is_refused(yard):
+    endless = []
+    endless.append(endless)
+    for answer in ("path", b"path", 3, object(), (1, 2), endless):
+        with pytest.raises(vp.InputError, match="expected a path, a list of paths, None or an Answer"):
+            vp.plan(yard, vp.Planner("odd", lambda task, answer=answer: answer))
+    with pytest.raises(vp.InputError, match="start"):
+        vp.Path((math.nan, 0, 0), [(0, 1, 0)])

@@ -281,3 +281,22 @@ def test_a_vehicle_may_pull_a_trailer():
     assert vp.check(scenario, smooth) and smooth.options["steering"] == "continuous"
     with pytest.raises(vp.InputError, match="steering: is continuous"):
         vp.plan(scenario, "rrt-bsc-euc", max_iterations=10, steering="continuous")
+
+
+def test_what_is_in_the_way_is_a_field(yard, tmp_path):
+    wall = [(-3, -3), (3, -3), (3, 3), (-3, 3)]
+    blocked = vp.Scenario(start=(0, 0, 0), goal=(20, 0, 0), bounds=(-50, 50, -50, 50), obstacles=[wall])
+    result = vp.plan(blocked, max_iterations=10)
+    assert result.status == "start_in_collision" and result.hit == {"what": "obstacles", "index": 0}
+    assert pickle.loads(pickle.dumps(result)).hit == result.hit
+    result.save(tmp_path / "r.json")
+    assert vp.read_result(tmp_path / "r.json", blocked).hit == result.hit
+    vp.draw(blocked, result, tmp_path / "r.svg")
+    assert "85%" in (tmp_path / "r.svg").read_text("utf-8")
+    assert vp.check(blocked, vp.Path((0, 0, 0), [(0, 20, 0)])).hit == {"what": "obstacles", "index": 0}
+    cells = np.zeros((20, 20), dtype=bool)
+    cells[10, 17] = True
+    there = vp.Scenario(start=(4, 10.5, 0), goal=(14, 10.5, 0), grid=cells, resolution=1.0, vehicle="tpcap-car")
+    hit = vp.plan(there, max_iterations=10).hit
+    assert hit["what"] == "map" and hit["cell"] == (17.5, 10.5)
+    assert vp.plan(yard, max_iterations=500).hit is None

@@ -2,6 +2,7 @@
 # Copyright (c) 2026, the Vändplan authors
 """Scenarios from arguments, arrays and files, vehicles and grids."""
 
+import math
 import pickle
 
 import numpy as np
@@ -180,3 +181,15 @@ def test_other_poses_in_the_same_world(yard):
     assert vp.plan(moved, max_iterations=2000).path.start == pytest.approx([0, -10, 0])
     with pytest.raises(vp.InputError, match="goal"):
         yard.with_poses(goal=(1e9, 0, 0))
+
+
+def test_a_vehicle_may_have_a_steering_angle_in_place_of_a_radius():
+    vehicle = vp.Vehicle(max_steering_angle=0.5, wheelbase=3.0)
+    assert vehicle.min_turning_radius == pytest.approx(3 / math.tan(0.5))
+    assert vehicle.max_steering_angle == pytest.approx(0.5)
+    assert vp.Vehicle(**vehicle.as_dict()) == vehicle
+    with pytest.raises(vp.InputError, match="beside min_turning_radius"):
+        vp.Vehicle(max_steering_angle=0.5, min_turning_radius=7)
+    for angle in (0, 35, math.nan):
+        with pytest.raises(vp.InputError, match="max_steering_angle"):
+            vp.Vehicle(max_steering_angle=angle)

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "support/place_of_error.h"
 #include "support/problems.h"
-#include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/replanner.h"
 
@@ -17,18 +17,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Where the error that `action` throws says that something is wrong; "nothing" if it throws none.
-template <typename Action>
-std::string place_of_error(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    EXPECT_NE(error.problem(), "");
-    return error.where();
-  }
-  return "nothing";
-}
 
 Scenario open_ground() {
   Scenario scenario;

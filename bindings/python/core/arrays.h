@@ -12,10 +12,12 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vandplan/geometry.h"
 #include "vandplan/path.h"
+#include "vandplan/path_check.h"
 
 namespace vandplan::python {
 
@@ -129,6 +131,33 @@ struct type_caster<vandplan::PathPoint> {
     values["pose"] = vandplan::python::array_of(place.pose);
     values["curvature"] = place.curvature;
     values["direction"] = place.direction;
+    return values.release();
+  }
+};
+
+/// What is hit is a dict of what, and of index or cell where there is one.
+template <>
+struct type_caster<vandplan::Hit> {
+  PYBIND11_TYPE_CASTER(vandplan::Hit, const_name("hit"));
+  bool load(handle given, bool) {
+    using vandplan::HitKind;
+    const auto values = reinterpret_borrow<dict>(given);
+    for (const HitKind kind : {HitKind::obstacle, HitKind::kerb, HitKind::map, HitKind::bounds}) {
+      if (values["what"].cast<std::string>() == name_of(kind)) value.kind = kind;
+    }
+    if (values.contains("index")) value.index = values["index"].cast<std::size_t>();
+    if (values.contains("cell")) {
+      const auto [x, y] = values["cell"].cast<std::pair<double, double>>();
+      value.cell = vandplan::Point{x, y};
+    }
+    return true;
+  }
+  static handle cast(const vandplan::Hit& hit, return_value_policy, handle) {
+    using vandplan::HitKind;
+    dict values;
+    values["what"] = std::string(name_of(hit.kind));
+    if (hit.kind == HitKind::obstacle || hit.kind == HitKind::kerb) values["index"] = hit.index;
+    if (hit.cell) values["cell"] = make_tuple(hit.cell->x, hit.cell->y);
     return values.release();
   }
 };

@@ -101,6 +101,11 @@ void bind_path_check(py::module_& module) {
       .field("reason", &Verdict::reason, "The first thing found wrong; or empty.")
       .field("at", &Verdict::at,
              "Where it is wrong: a dict of s, pose, curvature and direction; or None.")
+      .field("hit", &Verdict::hit,
+             R"(What is hit or left, if that is what is wrong: a dict; or None.
+
+"what" is the key of the scenario: "obstacles", "kerbs" (then "index" is its number), "map" or
+"bounds".)")
       .field("length", &Verdict::length, "Driven distance [m].")
       .field("reverse_length", &Verdict::reverse_length, "Distance driven in reverse [m].")
       .field("gear_changes", &Verdict::gear_changes, "How often the direction changes.")

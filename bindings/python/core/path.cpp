@@ -21,7 +21,9 @@ namespace {
 using namespace py::literals;
 
 Path made_path(const py::object& start, const py::object& segments) {
-  return {pose_from(start, "start"), segments_from(segments)};
+  const Pose first = pose_from(start, "start");
+  if (!std::isfinite(first.x + first.y + first.heading)) throw InputError("start", "is not finite");
+  return {first, segments_from(segments)};
 }
 
 /// `of(s)` for each number: `last` numbers for each if that is not 0.

@@ -91,6 +91,7 @@ std::string picture_of(const CheckedScenario& scenario, const RunResult* result,
   if (drawing.path != nullptr && plan_of(*result).speeds)
     drawing.speeds = &*plan_of(*result).speeds;
   if (result != nullptr && plan_of(*result).tree) drawing.tree = &*plan_of(*result).tree;
+  if (result != nullptr) drawing.hit = plan_of(*result).hit;
   const py::gil_scoped_release release;
   return vandplan::draw(drawing, format, width);
 }
@@ -114,6 +115,12 @@ void bind_result_class(py::module_& module) {
   property(
       "reason", [](const PlanResult& r) { return r.reason; },
       "Why there is no path, one line; or empty.");
+  property(
+      "hit", [](const PlanResult& r) { return r.hit; },
+      R"(What is in the way of a start or goal in collision: a dict; or None.
+
+"what" is the key of the scenario: "obstacles", "kerbs" (then "index" is its number), "map" (then
+"cell" is the middle of the cell [m]) or "bounds".)");
   property(
       "path", [](const PlanResult& r) { return r.path; }, "The path, or None.");
   property(

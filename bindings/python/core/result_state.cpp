@@ -125,7 +125,7 @@ py::tuple state_of(const PlanResult& plan) {
   if (plan.check) check = Verdict{*plan.check};
   return py::make_tuple(name_of(plan.status), plan.reason, plan.path, plan.cost, plan.lower_bound,
                         plan.iterations, plan.time_total, state_of_trace(plan), check, speeds,
-                        plan.drive_check);
+                        plan.drive_check, plan.hit);
 }
 
 PlanResult plan_from(const py::handle& given) {
@@ -144,6 +144,7 @@ PlanResult plan_from(const py::handle& given) {
   plan.check = state[8].cast<std::optional<Verdict>>();
   if (!state[9].is_none()) plan.speeds = profile_from(state[9]);
   plan.drive_check = state[10].cast<std::optional<DriveCheck>>();
+  plan.hit = state[11].cast<std::optional<Hit>>();
   return plan;
 }
 

@@ -36,12 +36,15 @@ struct Answer {
 /// The segments of a path, or of paths that go on from each other.
 std::vector<Segment> segments_of(const py::handle& given) {
   if (py::isinstance<Path>(given)) return given.cast<const Path&>().segments;
-  if (!py::isinstance<py::sequence>(given)) {
+  const auto expect = [](bool holds) {
+    if (holds) return;
     throw InputError("planner", "expected a path, a list of paths, None or an Answer from it");
-  }
+  };
+  expect(py::isinstance<py::sequence>(given) && !py::isinstance<py::str>(given));
   std::vector<Segment> all;
   for (const py::handle part : given) {
-    const std::vector<Segment> segments = segments_of(part);
+    expect(py::isinstance<Path>(part));
+    const std::vector<Segment>& segments = part.cast<const Path&>().segments;
     all.insert(all.end(), segments.begin(), segments.end());
   }
   return all;

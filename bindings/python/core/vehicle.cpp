@@ -67,7 +67,9 @@ constexpr std::array fields = {
           "Change of the acceleration [m/s^3]; None: any."},
 };
 
-constexpr std::array others = {"max_speed", "hitch", "max_hitch_angle", "outline", "trailers"};
+constexpr const char* steering_key = "max_steering_angle";
+constexpr std::array others = {steering_key,      "max_speed", "hitch",
+                               "max_hitch_angle", "outline",   "trailers"};
 
 double number_of(const std::string& name, const py::handle& value) {
   try {
@@ -165,7 +167,20 @@ void set_field(Vehicle& vehicle, const std::string& name, const py::handle& valu
 
 Vehicle vehicle_of(const py::dict& values) {
   Vehicle vehicle;
-  for (const auto& [name, value] : values) set_field(vehicle, py::str(name), value);
+  std::optional<double> angle;
+  for (const auto& [name, value] : values) {
+    const std::string key = py::str(name);
+    if (key == steering_key) {
+      angle = number_of(key, value);
+    } else {
+      set_field(vehicle, key, value);
+    }
+  }
+  if (angle && values.contains("min_turning_radius")) {
+    throw InputError("vehicle.max_steering_angle",
+                     "is given beside min_turning_radius, expected one of the two");
+  }
+  if (angle) vehicle.min_turning_radius = turning_radius(vehicle.wheelbase, *angle);
   check_vehicle(vehicle);
   return vehicle;
 }
@@ -225,8 +240,8 @@ void bind_vehicle(py::module_& module) {
   py::class_<Vehicle> vehicle(module, "Vehicle", R"(Vehicle(**lengths_and_limits)
 
 The lengths of a rigid vehicle that steers at the front [m], and how fast it may be driven. Keywords
-are those of scenario files: wheelbase, front_overhang, rear_overhang, width, min_turning_radius,
-track_width; max_steering_rate [rad/s], max_curvature_rate [1/m^2], max_speed (forward, reverse)
+are those of scenario files: wheelbase, front_overhang, rear_overhang, width, min_turning_radius
+or, in its place, max_steering_angle [rad], track_width; max_steering_rate [rad/s], max_curvature_rate [1/m^2], max_speed (forward, reverse)
 [m/s], max_acceleration, max_braking, max_lateral_acceleration [m/s^2], max_jerk [m/s^3]. What is
 not given is that of a truck. outline: corners (N, 2) of a convex body around the midpoint of the
 rear axle, in place of the rectangle of the lengths. trailers: a list with one dict of wheelbase
@@ -247,6 +262,10 @@ Every value by its keyword: `Vehicle(**{**vehicle.as_dict(), "width": 2.4})` is 
   for (const Field& field : fields) {
     vehicle.def_property_readonly(field.name, field.get, field.about);
   }
+  vehicle.def_property_readonly(
+      steering_key,
+      [](const Vehicle& self) { return steering_angle(self, 1.0 / self.min_turning_radius); },
+      "Of the front wheel of a bicycle at full steering [rad].");
   vehicle.def_property_readonly(
       "max_speed",
       [](const Vehicle& self) {
