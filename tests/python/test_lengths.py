@@ -3,6 +3,7 @@
 """Lengths between arrays of poses, and the nearest of many nodes."""
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -124,6 +125,29 @@ def test_nearest_is_what_comparing_all_lengths_finds(random_poses):
     assert len(kept) == 300
     assert kept.nearest(samples[0]) == (index[0], length[0])
     assert kept.nearest(tuple(samples[0])) == (index[0], length[0])
+
+
+def test_near_nodes_come_in_order_without_those_that_were_removed(random_poses):
+    nodes, sample = random_poses(200), random_poses(1)[0]
+    kept = vp.NearestNodes(RADIUS, nodes)
+    lengths = vp.reeds_shepp_length(nodes, sample, RADIUS)
+    order = np.argsort(lengths, kind="stable")
+    index, length = kept.near(sample, count=5)
+    assert np.array_equal(index, order[:5]) and np.array_equal(length, lengths[order[:5]])
+    within = lengths[order[20]]
+    assert np.array_equal(kept.near(sample, within=within)[0], order[:21])
+    assert np.array_equal(kept.near(sample, count=3, within=within)[0], order[:3])
+    for node in order[:2]:
+        kept.remove(node)
+    for nodes in (kept, pickle.loads(pickle.dumps(kept))):
+        assert len(nodes) == 198 and nodes.nearest(sample)[0] == order[2]
+        assert np.array_equal(nodes.near(sample, count=1)[0], order[2:3])
+    for node in (order[0], -1, 200):
+        with pytest.raises(vp.InputError, match="node"):
+            kept.remove(node)
+    for within in (-1, math.nan):
+        with pytest.raises(vp.InputError, match="within"):
+            kept.near(sample, within=within)
 
 
 def test_nodes_that_are_none_or_not_finite_are_refused():

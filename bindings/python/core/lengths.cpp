@@ -3,8 +3,14 @@
 
 // Lengths of shortest paths between many poses, and the nearest of many nodes.
 
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "bindings/python/core/arrays.h"
 #include "bindings/python/core/bind.h"
@@ -111,6 +117,7 @@ struct NodeSet {
   double radius = 1.0;
   NearestNodes index;
   std::vector<Pose> poses = {};
+  std::vector<std::int32_t> removed = {};  ///< numbers of nodes that were taken out
 
   explicit NodeSet(double turning_radius) : radius(turning_radius), index(turning_radius) {}
 };
@@ -124,6 +131,37 @@ void add_all(NodeSet& nodes, std::span<const Pose> poses) {
   }
   for (const Pose& pose : poses) nodes.index.add(pose);
   nodes.poses.insert(nodes.poses.end(), poses.begin(), poses.end());
+}
+
+void remove_node(NodeSet& nodes, std::int64_t node) {
+  const auto count = static_cast<std::int64_t>(nodes.poses.size());
+  const bool is_there =
+      node >= 0 && node < count &&
+      std::find(nodes.removed.begin(), nodes.removed.end(), node) == nodes.removed.end();
+  if (!is_there) throw InputError("node", fmt::format("{} is not there", node));
+  nodes.index.remove(static_cast<std::int32_t>(node));
+  nodes.removed.push_back(static_cast<std::int32_t>(node));
+}
+
+/// (index, length) of the nodes near a sample, the nearest first.
+py::tuple near(const NodeSet& set, const py::object& sample,
+               const std::optional<std::size_t>& count, const std::optional<double>& within) {
+  NearWanted wanted;
+  if (count) wanted.count = *count;
+  if (within) wanted.within = *within;
+  if (!(wanted.within >= 0.0)) {
+    throw InputError("within", fmt::format("is {}, expected a number >= 0 [m]", wanted.within));
+  }
+  const std::vector<NearNode> found = set.index.nearest(pose_from(sample, "sample"), wanted);
+  const auto size = static_cast<py::ssize_t>(found.size());
+  py::array_t<std::int64_t> index(size);
+  py::array_t<double> length(size);
+  for (py::ssize_t i = 0; i < size; ++i) {
+    const auto& [node, way] = found[static_cast<std::size_t>(i)];
+    index.mutable_at(i) = node;
+    length.mutable_at(i) = way;
+  }
+  return py::make_tuple(index, length);
 }
 
 /// (index, length) of the nearest node of each sample.
@@ -192,12 +230,27 @@ Nodes among which the nearest by Reeds-Shepp length is found quickly, for a turn
           "samples"_a,
           "nearest(samples) -> (index, length)\n\nThe nearest node of each sample, and its length "
           "from there [m].")
+      .def("near", &near, "sample"_a, py::kw_only(), "count"_a = py::none(),
+           "within"_a = py::none(),
+           R"(near(sample, *, count=None, within=None) -> (index, length)
+
+The nodes near one sample, the nearest first, and their lengths from there [m]: at most `count` of
+them, none longer than `within` [m].)")
+      .def("remove", &remove_node, "node"_a,
+           "remove(node)\n\nTakes a node out. The numbers of the others stay.")
       .def("__len__", [](const NodeSet& self) { return self.index.size(); })
       .def(py::pickle(
           [](const NodeSet& self) {
-            return py::make_tuple(self.radius, array_of(std::span<const Pose>(self.poses)));
+            return py::make_tuple(self.radius, array_of(std::span<const Pose>(self.poses)),
+                                  self.removed);
           },
-          [](const py::tuple& state) { return nodes_of(state[1], state[0].cast<double>()); }));
+          [](const py::tuple& state) {
+            NodeSet nodes = nodes_of(state[1], state[0].cast<double>());
+            for (const auto node : state[2].cast<std::vector<std::int64_t>>()) {
+              remove_node(nodes, node);
+            }
+            return nodes;
+          }));
 }
 
 }  // namespace
