@@ -9,10 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "planners/anytime/island.h"
+#include "planners/anytime/seeker.h"
 #include "planners/anytime/strokes.h"
 #include "support/continuity.h"
 #include "support/problems.h"
@@ -109,21 +110,21 @@ TEST(Kinds, ARouteIsNewOnceUnlessItIsMuchCheaper) {
   EXPECT_TRUE(kinds.is_new(relaxed_route(problem_with_walls(), 2000), 6));
 }
 
-TEST(Adapter, WorksOnAnIsland) {
+TEST(Adapter, IsTheSourceOfAWorker) {
   const Problem problem = problem_with_walls();
   for (const Steering steering : continuous_kinds) {
     const Task task = task_of(problem, {}, steering);
-    anytime::Island island(anytime::Work::adapt, task, priced, wide_bounds, 1);
+    anytime::Seeker worker(task, priced, anytime::Scope::all, 1,
+                           [&] { return std::make_unique<Adapter>(task, priced, 1); });
     const Budget budget{BudgetOptions{}};
-    const Route relaxed = relaxed_route(problem, 2000);
-    EXPECT_FALSE(island.run(100, nullptr, budget, 0.0).route);
-    island.offer(relaxed);
-    const anytime::Slice slice = island.run(400, nullptr, budget, 0.0);
-    ASSERT_TRUE(slice.route) << name_of(steering);
-    ASSERT_FALSE(slice.improvements.empty());
-    EXPECT_EQ(slice.improvements.back().cost, slice.route->cost);
-    EXPECT_GT(island.solves(), 0);
-    EXPECT_GT(island.checks(), 0);
+    EXPECT_FALSE(worker.work(100, {}, budget).route);
+    worker.offer(relaxed_route(problem, 2000));
+    const anytime::Found found = worker.work(400, {}, budget);
+    ASSERT_TRUE(found.route) << name_of(steering);
+    ASSERT_FALSE(found.improvements.empty());
+    EXPECT_EQ(found.improvements.back().cost, found.route->cost);
+    EXPECT_GT(worker.counts().solves, 0);
+    EXPECT_GT(worker.counts().checks, 0);
   }
 }
 

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "../support/cases.h"
 #include "../support/problems.h"
 #include "planners/anytime/detours.h"
-#include "planners/anytime/island.h"
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
+#include "planners/anytime/seeker.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/survey.h"
 #include "planners/anytime/trees.h"
@@ -282,20 +283,19 @@ TEST(Survey, GivesTheFirstWayAtOnce) {
 }
 
 // A route that wins for a while may be of a kind that gets cheaper than all others yet.
-TEST(Island, KeepsWhatHasWonForAWhile) {
+TEST(Seeker, KeepsWhatHasWonForAWhile) {
   const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});
-  constexpr bool keeps_losers = true;
-  anytime::Island island(anytime::Work::survey, problem.task(), rules[1], wide_bounds, 1,
-                         keeps_losers);
+  anytime::Seeker worker(problem.task(), rules[1], anytime::Scope::all, 1,
+                         [&] { return std::make_unique<Survey>(problem.task(), rules[1]); });
   const Budget budget{BudgetOptions{}};
   Route reverse{problem.task().start, {}, 0.0};
   search::drive_on(reverse.legs, {0.0, -100.0}, problem.task().goal);
   price(Connector(problem.task(), rules[1]), reverse);
-  const anytime::Slice slice = island.run(20'000, &reverse, budget, 0.0);
-  ASSERT_GE(slice.improvements.size(), 2U);
-  for (std::size_t i = 0; i + 1 < slice.improvements.size(); ++i) {
-    EXPECT_TRUE(std::ranges::any_of(slice.losers, [&](const Route& loser) {
-      return loser.cost == slice.improvements[i].cost;
+  const anytime::Found found = worker.work(20'000, {&reverse}, budget);
+  ASSERT_GE(found.improvements.size(), 2U);
+  for (std::size_t i = 0; i + 1 < found.improvements.size(); ++i) {
+    EXPECT_TRUE(std::ranges::any_of(found.given_up, [&](const Route& route) {
+      return route.cost == found.improvements[i].cost;
     }));
   }
 }

@@ -71,7 +71,7 @@ TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
 }
 
 // However short the first rounds are: the least share is an iteration in some of them only.
-TEST(Anytime, IslandsGetTheirSharesWithBending) {
+TEST(Anytime, WorkersGetTheirSharesWithBending) {
   std::int64_t of_one = 0, of_many = 0;
   for (std::int64_t round = 0; round < 300; ++round) {
     const std::int64_t many = anytime::share_with_bending(96, round);

@@ -11,27 +11,28 @@
 
 #include "planners/anytime/chain.h"
 #include "planners/anytime/kinds.h"
+#include "planners/anytime/source.h"
 
 namespace vandplan::anytime {
 
 /// Takes relaxed routes, whose wheels turn at once, and looks for a free route of the task along
 /// each of them.
-class Adapter {
+class Adapter final : public Source {
  public:
   /// The task and the rule outlive the adapter.
   Adapter(const Task& task, const CostRule& rule, std::uint64_t seed);
 
   /// A relaxed route from the start of the task to its goal. One that is like a route offered
   /// before is left out unless it is much cheaper.
-  void offer(const Route& relaxed);
+  void offer(const Route& relaxed) override;
 
   /// One trial. True when a route of the task was found: `route`.
-  bool step();
+  [[nodiscard]] bool step() override;
 
-  [[nodiscard]] const Route& route() const { return route_; }
-  [[nodiscard]] bool has_work() const { return chain_ || !waiting_.empty(); }
-  [[nodiscard]] std::int64_t solves() const { return connector_.solves(); }
-  [[nodiscard]] std::int64_t checks() const { return connector_.checks(); }
+  [[nodiscard]] Route route() const override { return route_; }
+  [[nodiscard]] bool has_work() const override { return chain_ || !waiting_.empty(); }
+  [[nodiscard]] std::int64_t solves() const override { return connector_.solves(); }
+  [[nodiscard]] std::int64_t checks() const override { return connector_.checks(); }
 
  private:
   void begin();

@@ -11,6 +11,7 @@
 
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/shorten.h"
+#include "planners/anytime/source.h"
 #include "search/guide.h"
 #include "search/route.h"
 #include "vandplan/random.h"
@@ -18,7 +19,7 @@
 namespace vandplan::anytime {
 
 /// Replaces random stretches of a route by what a lattice search finds between their ends.
-class Detours {
+class Detours final : public Source {
  public:
   /// `Scope::windows`: of a long route, whose stretches are then short; what is found is shortened
   /// before it is offered, and is the route from then on.
@@ -26,16 +27,16 @@ class Detours {
 
   /// What it looks for ways off: from its next search on, or, of a long route, from now on. The
   /// route is longer than nothing.
-  void set_route(const Route& route);
+  void set_route(const Route& route) override;
 
   /// Expands one pose, or settles some cells of a grid; needs a route. True when a route was found
   /// that is cheaper, or of another kind and not much dearer: `route`.
-  [[nodiscard]] bool step();
+  [[nodiscard]] bool step() override;
 
-  [[nodiscard]] const Route& route() const { return found_; }
-  [[nodiscard]] std::int64_t solves() const;
-  [[nodiscard]] std::int64_t checks() const;
-  [[nodiscard]] std::size_t size() const { return lattice_ ? lattice_->size() : 0; }
+  [[nodiscard]] Route route() const override { return found_; }
+  [[nodiscard]] std::int64_t solves() const override;
+  [[nodiscard]] std::int64_t checks() const override;
+  [[nodiscard]] std::size_t size() const override { return lattice_ ? lattice_->size() : 0; }
 
  private:
   void choose();

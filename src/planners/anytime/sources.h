@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Where do the islands of the anytime planner get routes from?
+// Which searches does the anytime planner have for a first route?
 
 #include <cstdint>
 #include <memory>
@@ -9,6 +9,7 @@
 
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
+#include "planners/anytime/source.h"
 #include "planners/anytime/strung.h"
 #include "planners/anytime/trees.h"
 #include "search/guide.h"
@@ -22,22 +23,20 @@ enum class Root { start, goal };
 /// Lattice searches from coarse to fine, all from the same root. When driving has prices they go by
 /// length until a route is known; from then on searches of many kinds take turns, or the one goes
 /// on by price that a tight slot needed.
-class Ladder {
+class Ladder final : public Source {
  public:
   Ladder(const Task& task, const CostRule& rule, Root root);
 
   /// A few microseconds of work. True when a route was found: `route`.
-  [[nodiscard]] bool step();
+  [[nodiscard]] bool step() override;
 
-  /// Only routes cheaper than this are of interest.
-  void set_cutoff(double cost) { cutoff_ = cost; }
-  /// From the start to the goal.
-  [[nodiscard]] Route route() const;
-  /// The finest search is done: nothing will come.
-  [[nodiscard]] bool is_finished() const { return finished_; }
-  [[nodiscard]] std::int64_t solves() const;
-  [[nodiscard]] std::int64_t checks() const;
-  [[nodiscard]] std::size_t size() const;
+  void set_cutoff(double cost) override { cutoff_ = cost; }
+  [[nodiscard]] Route route() const override;
+  /// False once the finest search is done.
+  [[nodiscard]] bool has_work() const override { return !finished_; }
+  [[nodiscard]] std::int64_t solves() const override;
+  [[nodiscard]] std::int64_t checks() const override;
+  [[nodiscard]] std::size_t size() const override;
 
  private:
   [[nodiscard]] bool takes_turns() const;
@@ -75,14 +74,15 @@ class Ladder {
 };
 
 /// Pairs of trees, one attempt after the other.
-class Attempts {
+class Attempts final : public Source {
  public:
   Attempts(const Task& task, const CostRule& rule, const Bounds& region, std::uint64_t seed);
 
-  [[nodiscard]] bool step();
-  [[nodiscard]] Route route() const;
-  [[nodiscard]] const Connector& connector() const { return connector_; }
-  [[nodiscard]] std::size_t size() const { return trees_->size(); }
+  [[nodiscard]] bool step() override;
+  [[nodiscard]] Route route() const override;
+  [[nodiscard]] std::int64_t solves() const override { return connector_.solves(); }
+  [[nodiscard]] std::int64_t checks() const override { return connector_.checks(); }
+  [[nodiscard]] std::size_t size() const override { return trees_->size(); }
 
  private:
   void next_attempt();

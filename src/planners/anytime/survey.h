@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "planners/anytime/kinds.h"
+#include "planners/anytime/source.h"
 #include "search/drive_field.h"
 #include "search/grid_distance.h"
 #include "search/room.h"
@@ -26,23 +27,23 @@ using namespace search;
 /// Where both add up to little more than what the cheapest way costs, a way leads through; those of
 /// different kinds become routes of arcs and lines. Cells are coarse at first. The very first way
 /// that is found in a hurry becomes a route at once.
-class Survey {
+class Survey final : public Source {
  public:
   /// The task and the rule outlive the survey.
   Survey(const Task& task, const CostRule& rule);
 
   /// A few ten microseconds of work. True when there is a route: `route`.
-  [[nodiscard]] bool step();
-  [[nodiscard]] const Route& route() const { return route_; }
+  [[nodiscard]] bool step() override;
+  [[nodiscard]] Route route() const override { return route_; }
   /// What the best route costs: ways that cost much more are of no interest. To be said first.
-  void set_cutoff(double cost) { cutoff_ = cost; }
+  void set_cutoff(double cost) override { cutoff_ = cost; }
   /// It looks for the first way alone yet,
   [[nodiscard]] bool is_glance() const { return looks_ == 0; }
   /// or for the first time around: the coarsest look.
   [[nodiscard]] bool is_first_look() const { return looks_ == 1; }
 
-  [[nodiscard]] std::int64_t solves() const { return forth_.solves() + back_.solves(); }
-  [[nodiscard]] std::int64_t checks() const { return forth_.checks() + back_.checks(); }
+  [[nodiscard]] std::int64_t solves() const override { return forth_.solves() + back_.solves(); }
+  [[nodiscard]] std::int64_t checks() const override { return forth_.checks() + back_.checks(); }
 
  private:
   /// The steps from a root to a node of its field.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Who bends the routes that all workers find?
+
+#include <optional>
+
+#include "planners/anytime/bend.h"
+#include "planners/anytime/worker.h"
+
+namespace vandplan::anytime {
+
+/// Makes drives along routes cheaper by turning the wheels less.
+class BendWorker final : public Worker {
+ public:
+  /// The vehicle has no trailer. The task and the rule outlive the worker.
+  BendWorker(const Task& task, const CostRule& rule, std::uint64_t seed);
+
+  /// Goes on from a path that need not be free, nor begin and end quite where it should. The drive
+  /// along it; none if there is none.
+  [[nodiscard]] std::optional<Drive> begin_with(const Path& known);
+
+  [[nodiscard]] bool has_work() const override { return !bender_ || bender_->has_work(); }
+  [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
+                           const Budget& budget) override;
+  void offer(const Route& route) override { bender().offer(route); }
+  [[nodiscard]] Counts counts() const override;
+
+ private:
+  [[nodiscard]] Bender& bender();
+  [[nodiscard]] Drive drive() const;
+
+  const Task& task_;
+  const CostRule& rule_;
+  std::uint64_t seed_;
+  std::optional<Bender> bender_;  // none before the first iteration or offer
+  double best_cost_;              // of all routes and drives that it knows of
+  double told_cost_;              // of the best route that it was told
+};
+
+}  // namespace vandplan::anytime

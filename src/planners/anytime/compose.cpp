@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/compose.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "planners/anytime/adapt.h"
+#include "planners/anytime/bend_worker.h"
+#include "planners/anytime/chain.h"
+#include "planners/anytime/detours.h"
+#include "planners/anytime/fastest_worker.h"
+#include "planners/anytime/provers.h"
+#include "planners/anytime/refiner.h"
+#include "planners/anytime/seeker.h"
+#include "planners/anytime/shares.h"
+#include "planners/anytime/sources.h"
+#include "planners/anytime/survey.h"
+#include "planners/shared_options.h"
+#include "search/far_guide.h"
+
+namespace vandplan::anytime {
+namespace {
+
+constexpr std::int64_t joins_late = 6;          // rounds with a route before late workers take part
+constexpr std::int64_t first_adapt_round = 32;  // between stops; bending brings more before
+constexpr std::int64_t first_survey = 3000;     // iteration; before, it would be in the way,
+constexpr std::int64_t early_survey = 1000;     // where iterations take longer, for the first way
+// Rounds with a route before the bound with headings is raised where a gap is to be proven: boxes
+// take long to make.
+constexpr std::int64_t first_raise = 24;
+// Round in which walls are looked for first; most runs have a route by then. A look takes longer
+// over a whole site.
+constexpr std::int64_t first_look = 3;
+constexpr std::int64_t first_look_far = 99;
+constexpr std::int64_t rounds_of_early_looks = 2;  // most walls are found by then
+constexpr std::int64_t early_looks = 32;           // of a round
+constexpr std::int64_t late_looks = 3;
+constexpr int repairs_of_known = 12;  // of a known path that something is in the way of
+
+// Steps of the bound for one before, once the best cost hardly falls. Rounds with prices take
+// longer; those with bending are shorter.
+constexpr std::int64_t settled_steps = 4;
+constexpr std::int64_t settled_steps_with_prices = 16;
+constexpr std::int64_t settled_steps_with_bending = 8;
+
+/// Streams of random numbers.
+namespace stream {
+constexpr std::uint64_t search_from_goal = 0;
+constexpr std::uint64_t search_from_start = 1;
+constexpr std::uint64_t trees = 2;
+constexpr std::uint64_t refine = 3;
+constexpr std::uint64_t detours = 5;
+constexpr std::uint64_t bend = 6;
+constexpr std::uint64_t fastest = 7;
+constexpr std::uint64_t survey = 7;
+constexpr std::uint64_t relaxed_search_from_goal = 8;
+constexpr std::uint64_t relaxed_search_from_start = 9;
+constexpr std::uint64_t relaxed_trees = 10;
+constexpr std::uint64_t relaxed_refine = 11;
+constexpr std::uint64_t relaxed_detours = 12;
+constexpr std::uint64_t adapt = 13;
+}  // namespace stream
+
+/// Puts the portfolio of one run together.
+class Composer {
+ public:
+  Composer(const Task& task, const PlanOptions& options, double time_price, const Path* known,
+           const Budget& budget);
+
+  [[nodiscard]] Portfolio portfolio() &&;
+
+ private:
+  [[nodiscard]] bool is_continuous() const { return task_.steering != Steering::reeds_shepp; }
+  [[nodiscard]] bool has_relaxed() const { return looks_around_ && is_continuous(); }
+  [[nodiscard]] std::uint64_t seed(std::uint64_t stream) const {
+    return stream_seed(options_.budget.seed, stream);
+  }
+  [[nodiscard]] Share until_route(const Row& row) const;
+  [[nodiscard]] Share with_route(const Row& row) const;
+  [[nodiscard]] Share share(const Row& row) const;
+  Slot& add(std::string_view name, std::unique_ptr<Worker> worker, Share share);
+  template <class Make>
+  [[nodiscard]] std::unique_ptr<Seeker> seeker(const Task& task, std::uint64_t stream,
+                                               Make make) const;
+  [[nodiscard]] std::unique_ptr<Seeker> searches(const Task& task, std::uint64_t stream,
+                                                 Root root) const;
+  [[nodiscard]] std::unique_ptr<Seeker> trees(const Task& task, std::uint64_t stream) const;
+  [[nodiscard]] std::unique_ptr<Seeker> detours(const Task& task, std::uint64_t stream) const;
+  void take_known(const Path& known);
+  void take_open_ground(const CostRule& rule);
+  void add_searches();
+  void add_length_prover();
+  void add_detours();
+  void add_survey();
+  void add_relaxed();
+  void add_wall_prover();
+  void add_fastest();
+  void feed(std::string_view listener, bool relaxed_alone);
+
+  const Task& task_;
+  const PlanOptions& options_;
+  const Budget& budget_;
+  std::unique_ptr<const planning::Pricing> pricing_;
+  const CostRule& rule_;
+  Bounds region_;                     // of samples
+  bool is_far_;                       // the task goes over a whole site
+  Scope scope_;                       // of shortening
+  bool bends_;                        // the shortest of arcs and lines has no use for it
+  bool has_gap_;                      // a gap is to be proven
+  bool is_warm_ = false;              // the run begins with a route along a known path
+  bool looks_around_ = false;         // other kinds of path are looked for
+  std::unique_ptr<BendWorker> bend_;  // null unless routes are bent
+  Portfolio portfolio_;
+};
+
+Composer::Composer(const Task& task, const PlanOptions& options, double time_price,
+                   const Path* known, const Budget& budget)
+    : task_(task),
+      options_(options),
+      budget_(budget),
+      pricing_(std::make_unique<planning::Pricing>(task, options.cost, time_price)),
+      rule_(pricing_->rule()),
+      region_(sampling_region(task, planning::region_of(options))),
+      is_far_(FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
+      scope_(is_far_ ? Scope::windows : Scope::all),
+      bends_((!rule_.is_length() || is_continuous()) && !pricing_->counts_time() && !is_far_),
+      has_gap_(options.budget.target_gap.has_value()),
+      portfolio_{.pricing = nullptr,
+                 .relaxed = nullptr,
+                 .bound = CostBound(task, *pricing_),
+                 .finisher = Finisher(task, *pricing_, options.planner.number("min_stroke")),
+                 .slots = {},
+                 .routes_are_answers = !pricing_->counts_time()} {
+  if (bends_) bend_ = std::make_unique<BendWorker>(task, rule_, seed(stream::bend));
+  take_open_ground({});  // [1]
+  if (!rule_.is_length()) take_open_ground(rule_);
+  if (known != nullptr) take_known(*known);
+  looks_around_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
+}
+
+// The best word on open ground, if it is free: by length it is found sooner, by price it may be the
+// optimum.
+void Composer::take_open_ground(const CostRule& rule) {
+  Connector connector(task_, rule);
+  const std::optional<Piece> piece =
+      connector.steer(task_.start, task_.goal, {rule.initial_gear, 0});
+  if (!piece || !connector.is_free(task_.start, *piece)) return;
+  Route route{task_.start, {{*piece, task_.goal}}, 0.0};
+  price(Connector(task_, rule_), route);
+  portfolio_.routes.push_back(std::move(route));
+}
+
+// A route along a path that was good for a like task.
+void Composer::take_known(const Path& known) {
+  Connector connector(task_, rule_);
+  Chain chain(task_, connector, known, 0);
+  if (!chain.take_over()) return;
+  for (int i = 0; i < repairs_of_known && !chain.is_free() && !budget_.is_interrupted(); ++i) {
+    chain.repair();
+  }
+  if (!chain.is_free()) return;
+  is_warm_ = true;
+  portfolio_.routes.push_back(chain.route());
+  if (bend_) portfolio_.drive = bend_->begin_with(known);
+}
+
+Share Composer::until_route(const Row& row) const {
+  const Turn turn = is_far_ ? row.far_until_route : row.until_route;
+  return [turn](const Progress& now) { return now.rounds < turn.first_round ? 0 : turn.share; };
+}
+
+Share Composer::with_route(const Row& row) const {
+  const bool is_length = rule_.is_length();
+  if (is_far_) {
+    const std::int64_t share = is_length ? row.far_by_length : row.far_by_prices;
+    return [share](const Progress& now) {
+      return now.rounds % shares::far_cycle == 0 ? 0 : share * growth(now.rounds);
+    };
+  }
+  const std::int64_t share = is_length ? row.by_length : bends_ ? row.with_bending : row.by_prices;
+  if (has_gap_ || is_warm_) {
+    return [turn = share == 0 ? Turn{} : row.with_gap](const Progress& now) {
+      return now.rounds_with_route < turn.first_round ? 0 : turn.share * growth(now.rounds);
+    };
+  }
+  if (!bends_ || is_length) {
+    return [share](const Progress& now) { return share * growth(now.rounds); };
+  }
+  const std::int64_t later = has_relaxed() ? row.beside_relaxed : share;
+  return [share, later](const Progress& now) {
+    return share_with_bending(now.rounds_with_route < joins_late ? share : later,
+                              now.rounds_with_route);
+  };
+}
+
+Share Composer::share(const Row& row) const {
+  return [before = until_route(row), after = with_route(row)](const Progress& now) {
+    return now.has_route ? after(now) : before(now);
+  };
+}
+
+Slot& Composer::add(std::string_view name, std::unique_ptr<Worker> worker, Share share) {
+  return portfolio_.slots.emplace_back(
+      Slot{.name = name, .worker = std::move(worker), .share = std::move(share)});
+}
+
+template <class Make>
+std::unique_ptr<Seeker> Composer::seeker(const Task& task, std::uint64_t stream, Make make) const {
+  return std::make_unique<Seeker>(task, rule_, scope_, seed(stream), make);
+}
+
+std::unique_ptr<Seeker> Composer::searches(const Task& task, std::uint64_t stream,
+                                           Root root) const {
+  return seeker(task, stream, [&task, &rule = rule_, root] {
+    return std::make_unique<Ladder>(task, rule, root);
+  });
+}
+
+std::unique_ptr<Seeker> Composer::trees(const Task& task, std::uint64_t stream) const {
+  const std::uint64_t own_seed = stream_seed(seed(stream), 0);
+  return seeker(task, stream, [&task, &rule = rule_, region = region_, own_seed] {
+    return std::make_unique<Attempts>(task, rule, region, own_seed);
+  });
+}
+
+std::unique_ptr<Seeker> Composer::detours(const Task& task, std::uint64_t stream) const {
+  const std::uint64_t own_seed = stream_seed(seed(stream), 0);
+  return seeker(task, stream, [&task, &rule = rule_, scope = scope_, own_seed] {
+    return std::make_unique<Detours>(task, rule, own_seed, scope);
+  });
+}
+
+// [2] [3] [4] [6]
+void Composer::add_searches() {
+  add("search from the goal", searches(task_, stream::search_from_goal, Root::goal),
+      share(shares::search_from_goal));
+  add("search from the start", searches(task_, stream::search_from_start, Root::start),
+      share(shares::search_from_start));
+  add("trees", trees(task_, stream::trees), [share = share(shares::trees)](const Progress& now) {
+    constexpr Turn late = shares::late_trees;
+    return now.has_route || now.rounds < late.first_round ? share(now) : late.share;
+  });
+  add("refine", std::make_unique<Refiner>(task_, rule_, scope_, seed(stream::refine)),
+      share(shares::refine));
+}
+
+// [7] Once the best route hardly gets cheaper, proving how good it is gets more of the time. The
+// way around comes first.
+void Composer::add_length_prover() {
+  auto prover = std::make_unique<LengthProver>(task_);
+  const Share share_now = share(shares::length_prover);
+  const std::int64_t settled = rule_.is_length() ? settled_steps
+                               : bends_          ? settled_steps_with_bending
+                                                 : settled_steps_with_prices;
+  Share proofs = [share_now, settled, &prover = *prover](const Progress& now) -> std::int64_t {
+    if (!now.has_route || (!now.is_settled && prover.has_work())) return 0;
+    return share_now(now) * (now.is_settled ? settled : 1);
+  };
+  Slot& slot = add("length prover", std::move(prover), share_now);
+  slot.proofs = std::move(proofs);
+  if (!has_gap_) return;
+  slot.phase = Phase::before;
+  slot.proofs = [](const Progress& now) { return now.rounds_with_route < first_raise ? 0 : 1; };
+}
+
+// [6b] Over a whole site they have rounds of their own.
+void Composer::add_detours() {
+  const Share often = share(shares::detours);
+  add("detours", detours(task_, stream::detours),
+      [often, is_far = is_far_](const Progress& now) -> std::int64_t {
+        if (!now.has_route) return 0;
+        if (!is_far) return often(now);
+        return now.rounds % shares::far_cycle == 0 ? shares::far_detours : 0;
+      });
+}
+
+// [6c] It plans as if the wheels turned at once.
+void Composer::add_survey() {
+  const Task& task = has_relaxed() ? *portfolio_.relaxed : task_;
+  auto worker = seeker(task, stream::survey,
+                       [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
+  const auto look = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
+  const Row& row = shares::survey;
+  Share share = [look, row, has_relaxed = has_relaxed()](const Progress& now) -> std::int64_t {
+    const Survey* survey = look();
+    const bool is_glance = survey == nullptr || survey->is_glance();
+    if (now.iterations < (has_relaxed && is_glance ? early_survey : first_survey)) return 0;
+    const std::int64_t first = has_relaxed && is_glance ? shares::first_glance : shares::first_look;
+    const bool is_first = is_glance || survey->is_first_look();
+    return share_with_bending(is_first ? first : row.with_bending, now.rounds_with_route);
+  };
+  Slot& slot = add("survey", std::move(worker), std::move(share));
+  slot.joins = joins_late;
+  slot.is_relaxed = has_relaxed();
+  if (has_relaxed()) slot.hears = Hears::relaxed_or_best;
+}
+
+// [6e] Workers that plan as if the wheels turned at once, [6f] and one that drives along what they
+// find.
+void Composer::add_relaxed() {
+  const std::size_t first = portfolio_.slots.size();
+  const Task& task = *portfolio_.relaxed;
+  add("relaxed search from the goal", searches(task, stream::relaxed_search_from_goal, Root::goal),
+      share(shares::relaxed_search));
+  add("relaxed search from the start",
+      searches(task, stream::relaxed_search_from_start, Root::start),
+      share(shares::relaxed_search));
+  add("relaxed trees", trees(task, stream::relaxed_trees), share(shares::relaxed_trees));
+  const auto with_relaxed_route = [](Share share) -> Share {
+    return [share](const Progress& now) { return now.has_relaxed_route ? share(now) : 0; };
+  };
+  add("relaxed refine",
+      std::make_unique<Refiner>(task, rule_, scope_, seed(stream::relaxed_refine)),
+      with_relaxed_route(share(shares::relaxed_refine)));
+  add("relaxed detours", detours(task, stream::relaxed_detours),
+      with_relaxed_route(share(shares::relaxed_detours)));
+  for (std::size_t i = first; i < portfolio_.slots.size(); ++i) {
+    portfolio_.slots[i].joins = joins_late;
+    portfolio_.slots[i].is_relaxed = true;
+    portfolio_.slots[i].hears = Hears::relaxed;
+  }
+  const std::uint64_t own_seed = stream_seed(seed(stream::adapt), 0);
+  const std::int64_t first_round =
+      task_.steering == Steering::continuous_between_stops ? first_adapt_round : 0;
+  Slot& adapt = add("adapt",
+                    seeker(task_, stream::adapt,
+                           [this_task = &task_, &rule = rule_, own_seed] {
+                             return std::make_unique<Adapter>(*this_task, rule, own_seed);
+                           }),
+                    [first_round, share = share(shares::adapt)](const Progress& now) {
+                      return now.rounds < first_round ? 0 : share(now);
+                    });
+  adapt.joins = joins_late;
+}
+
+// [9] As long as there is no route there may be none.
+void Composer::add_wall_prover() {
+  const auto never = [](const Progress&) { return 0; };
+  Slot& slot = add("wall prover", std::make_unique<WallProver>(task_), never);
+  slot.proofs = [first = is_far_ ? first_look_far : first_look](const Progress& now) {
+    if (now.has_route || now.rounds < first) return std::int64_t{0};
+    return now.rounds < first + rounds_of_early_looks ? early_looks : late_looks;
+  };
+}
+
+// [8b]
+void Composer::add_fastest() {
+  Slot& slot =
+      add("fastest", std::make_unique<FastestWorker>(task_, *pricing_, seed(stream::fastest)),
+          [](const Progress& now) { return shares::fastest * growth(now.rounds); });
+  slot.phase = Phase::after;
+}
+
+// Lets a slot hear of the routes that are given up: of the relaxed task, or of all.
+void Composer::feed(std::string_view name, bool relaxed_alone) {
+  std::vector<Slot>& slots = portfolio_.slots;
+  const auto listener = std::ranges::find(slots, name, &Slot::name);
+  if (listener == slots.end()) return;
+  const auto index = static_cast<std::size_t>(listener - slots.begin());
+  for (Slot& slot : slots) {
+    if (slot.is_relaxed || !relaxed_alone) slot.feeds.push_back(index);
+  }
+}
+
+Portfolio Composer::portfolio() && {
+  if (has_relaxed()) {
+    auto relaxed = std::make_unique<Task>(task_);
+    relaxed->steering = Steering::reeds_shepp;
+    portfolio_.relaxed = std::move(relaxed);
+  }
+  add_searches();
+  add_length_prover();
+  add_detours();
+  if (bend_) add("bend", std::move(bend_), share(shares::bend));
+  if (looks_around_) add_survey();
+  if (has_relaxed()) add_relaxed();
+  add_wall_prover();
+  if (pricing_->counts_time()) add_fastest();
+  feed("adapt", true);
+  feed("bend", false);
+  feed("fastest", false);
+  portfolio_.pricing = std::move(pricing_);
+  return std::move(portfolio_);
+}
+
+}  // namespace
+
+Portfolio compose(const Task& task, const PlanOptions& options, double time_price,
+                  const Path* known, const search::Budget& budget) {
+  return Composer(task, options, time_price, known, budget).portfolio();
+}
+
+}  // namespace vandplan::anytime

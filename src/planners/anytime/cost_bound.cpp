@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/cost_bound.h"
+
+#include <algorithm>
+
+#include "steering/words.h"
+
+namespace vandplan::anytime {
+
+double CostBound::least(const Proven& proven) const {
+  const search::CostRule& rule = pricing_.rule();
+  // Ends that are off may save so much on the way around, too.
+  const double off = rule.is_length() ? 0.0 : 2 * steering::judged.position;
+  const double around =
+      std::max({0.0, proven.shortest - off, proven.shortest_turn - ground_.leeway});
+  if (!pricing_.counts_time()) return least_cost(ground_, rule, around);
+  const double length = std::max(ground_.shortest, around);
+  return pricing_.least_cost(length, length);
+}
+
+bool CostBound::is_optimal(double cost, const Proven& proven) const {
+  constexpr double of_time = 1e-12;  // slack of a time, relative
+  constexpr double of_both = 1e-6;   // slack of prices and time, relative: ends may be off as much
+  if (pricing_.counts_time()) {
+    return cost <= least(proven) * (1 + (pricing_.is_time() ? of_time : of_both));
+  }
+  return cost <= least_cost(ground_, pricing_.rule(), 0.0) * (1 + 1e-12) + ground_.leeway;
+}
+
+}  // namespace vandplan::anytime

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Who says which route is the cheapest to drive where the time has a price?
+
+#include <cstdint>
+#include <vector>
+
+#include "planners/anytime/fastest.h"
+#include "planners/anytime/worker.h"
+#include "planners/pricing.h"
+
+namespace vandplan::anytime {
+
+/// Makes drives along the routes of all workers cheaper by the measure of the whole drive.
+class FastestWorker final : public Worker {
+ public:
+  /// The task and the pricing outlive the worker.
+  FastestWorker(const Task& task, const planning::Pricing& pricing, std::uint64_t seed);
+
+  [[nodiscard]] bool has_work() const override { return true; }
+  [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
+                           const Budget& budget) override;
+  /// A route that is looked at in the next round, after the best one.
+  void offer(const Route& route) override { offers_.push_back(route); }
+  [[nodiscard]] Counts counts() const override { return {fastest_.solves(), fastest_.checks()}; }
+
+ private:
+  Fastest fastest_;
+  std::vector<Route> offers_;
+};
+
+}  // namespace vandplan::anytime

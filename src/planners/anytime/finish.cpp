@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/finish.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "planners/anytime/shorten.h"
+#include "planners/anytime/strokes.h"
+#include "planners/anytime/tidy.h"
+#include "planners/commands/short_strokes.h"
+#include "planners/commands/shorten_drive.h"
+
+namespace vandplan::anytime {
+namespace {
+
+constexpr int trials_for_fewer_changes = 1000;
+constexpr double shortest_stroke = 0.1;  // where seconds have a price [m]
+
+}  // namespace
+
+search::Route Finisher::with_fewer_changes(const search::Route& best, double shortest,
+                                           std::uint64_t seed, search::Budget& budget) const {
+  if (!pricing_.rule().is_length() || best.legs.size() < 2) return best;
+  CostRule rule = pricing_.rule();
+  rule.gear_change_cost = 1e-8;
+  Connector connector(task_, rule);
+  Route route = best;
+  route.cost = cost_of(rule, route);
+  Shortener shortener(connector, std::move(route), seed);
+  for (int i = 0; i < trials_for_fewer_changes && !budget.is_interrupted() && budget.next(); ++i) {
+    shortener.step();
+  }
+  Route tidied = shortener.route();
+  tidied.cost = cost_of(pricing_.rule(), tidied);
+  return tidied.cost <= shortest * (1 + 1e-9) ? tidied : best;
+}
+
+std::vector<Segment> Finisher::raw(const Best& best) const {
+  if (best.drive == nullptr) return path_of(*best.route).segments;
+  if (best.drive->commands.empty()) return best.drive->segments;
+  commands::DriveShortener drive(task_, pricing_.rule(), best.drive->commands, 0);
+  if (task_.steering != Steering::reeds_shepp) drive.drop_crumbs();
+  return drive.segments();
+}
+
+double Finisher::wanted_stroke() const {
+  const bool has_both_prices = pricing_.counts_time() && !pricing_.is_time();
+  return has_both_prices ? std::max(min_stroke_, shortest_stroke) : min_stroke_;
+}
+
+std::optional<Drivable> Finisher::drivable(const Best& best,
+                                           const std::vector<Segment>& raw) const {
+  const bool is_bent = best.drive != nullptr && !best.drive->commands.empty();
+  const bool is_continuous = task_.steering != Steering::reeds_shepp;
+  const double stroke = wanted_stroke();
+  const CostRule& rule = pricing_.rule();
+  if (stroke == 0.0 && !is_bent && rule.is_length()) return std::nullopt;
+  Connector connector(task_, rule);
+  Drivable drivable{raw, 0.0};
+  if (!is_continuous) {
+    drivable.segments = tidied(connector, task_.start, raw, stroke);
+  } else if (stroke > 0.0) {
+    const Route& route =
+        best.drive != nullptr && best.drive->route ? *best.drive->route : *best.route;
+    const Route legs = is_bent ? legs_along({task_.start, raw}, task_.goal) : route;
+    drivable.segments =
+        path_of(with_strokes(connector, gears_at_ends(task_, rule), legs, stroke)).segments;
+  }
+  if (is_continuous && !rule.is_length() && !best.is_optimal) {
+    std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments, 0.0);
+    const auto lack = [&](std::span<const Segment> s) {
+      return commands::price_of_lack(s, stroke);
+    };
+    if (lack(neat) <= lack(drivable.segments)) drivable.segments = std::move(neat);
+  }
+  if (stroke == 0.0 && !is_bent && drivable.segments == raw) return std::nullopt;
+  drivable.cost =
+      pricing_.cost(drivable.segments, connector.clearance_cost(task_.start, drivable.segments));
+  return drivable;
+}
+
+std::optional<Drivable> Finisher::finished(const Best& best,
+                                           const std::vector<Segment>& raw) const {
+  constexpr double of_time = 1e-12;  // slack of a time, relative
+  constexpr double of_both = 1e-2;   // slack of prices and time, relative
+  std::optional<Drivable> neat = drivable(best, raw);
+  if (!neat || min_stroke_ > 0.0 || !pricing_.counts_time()) return neat;
+  const double most = best.drive->cost * (1 + (pricing_.is_time() ? of_time : of_both));
+  return neat->cost > most ? std::nullopt : std::move(neat);
+}
+
+}  // namespace vandplan::anytime

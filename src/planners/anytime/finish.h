@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does the best route or drive become what somebody can drive?
+
+#include <optional>
+#include <vector>
+
+#include "planners/anytime/cost_bound.h"
+#include "planners/anytime/worker.h"
+#include "planners/pricing.h"
+
+namespace vandplan::anytime {
+
+/// What a run ends with.
+struct Best {
+  const search::Route* route = nullptr;  ///< cheapest route
+  const Drive* drive = nullptr;          ///< drive that is cheaper than the route; null if none is
+  bool is_optimal = false;               ///< no drive costs less: proven
+};
+
+/// What is driven, and its cost.
+struct Drivable {
+  std::vector<Segment> segments;
+  double cost;
+};
+
+/// Leaves out crumbs, and makes strokes before and after gear changes as long as is asked for where
+/// there is room.
+class Finisher {
+ public:
+  /// `min_stroke` is asked for [m]. All that is referred to outlives the finisher.
+  Finisher(const Task& task, const planning::Pricing& pricing, double min_stroke)
+      : task_(task), pricing_(pricing), min_stroke_(min_stroke) {}
+
+  /// One of the shortest paths with fewer gear changes, if `best` is one of the shortest. Turning
+  /// on the spot has many paths of the same length. `shortest`: no path is shorter [m].
+  [[nodiscard]] search::Route with_fewer_changes(const search::Route& best, double shortest,
+                                                 std::uint64_t seed, search::Budget& budget) const;
+  /// What is driven as it was found.
+  [[nodiscard]] std::vector<Segment> raw(const Best& best) const;
+  /// The raw segments tidied; none where they stay as they are: the shortest path is what it is.
+  [[nodiscard]] std::optional<Drivable> drivable(const Best& best,
+                                                 const std::vector<Segment>& raw) const;
+  /// `drivable`, unless it costs much more than the drive that was found.
+  [[nodiscard]] std::optional<Drivable> finished(const Best& best,
+                                                 const std::vector<Segment>& raw) const;
+  [[nodiscard]] double min_stroke() const { return min_stroke_; }
+
+ private:
+  [[nodiscard]] double wanted_stroke() const;
+
+  const Task& task_;
+  const planning::Pricing& pricing_;
+  double min_stroke_;
+};
+
+}  // namespace vandplan::anytime

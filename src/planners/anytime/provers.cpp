@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/provers.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vandplan::anytime {
+LengthProver::LengthProver(const Task& task)
+    : task_(task), best_cost_(std::numeric_limits<double>::infinity()) {}
+
+Found LengthProver::work(std::int64_t iterations, const Told& told, const search::Budget& budget) {
+  if (told.best != nullptr) best_cost_ = std::min(best_cost_, told.best->cost);
+  if (!geodesic_ && iterations > 0) {
+    geodesic_.emplace(task_, best_cost_);
+    flood_.emplace(task_);
+  }
+  const auto step = [this]() -> std::optional<double> {
+    geodesic_is_final_ = !geodesic_->step();  // [7]
+    return std::nullopt;
+  };
+  return work_in_steps(
+      iterations, told.enough, budget, [this] { return has_work(); }, step);
+}
+
+std::int64_t LengthProver::prove(std::int64_t steps, const search::Budget& budget) {
+  constexpr std::int64_t steps_of_look = 4;  // at the clock
+  std::int64_t done = 0;
+  for (; done < steps && flood_ && !flood_is_final_; ++done) {
+    if (done % steps_of_look == 0 && budget.is_interrupted()) break;
+    flood_is_final_ = !flood_->step(best_cost_);
+  }
+  return done;
+}
+
+Proven LengthProver::proven() const {
+  if (!geodesic_) return {};
+  return {.shortest = geodesic_->bound(), .shortest_turn = flood_->bound()};
+}
+
+std::int64_t WallProver::prove(std::int64_t steps, const search::Budget& budget) {
+  if (!enclosure_) enclosure_.emplace(task_);
+  std::int64_t done = 0;
+  while (done < steps && !budget.is_interrupted() && enclosure_->step()) ++done;  // [9]
+  return done;
+}
+
+}  // namespace vandplan::anytime

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does the best route get cheaper still?
+
+#include <optional>
+
+#include "planners/anytime/shorten.h"
+#include "planners/anytime/worker.h"
+
+namespace vandplan::anytime {
+
+/// Shortens the best route, whoever found it.
+class Refiner final : public Worker {
+ public:
+  /// The task and the rule outlive the worker.
+  Refiner(const Task& task, const CostRule& rule, Scope scope, std::uint64_t seed)
+      : connector_(task, rule), scope_(scope), seed_(seed) {}
+
+  [[nodiscard]] bool has_work() const override { return true; }
+  [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
+                           const Budget& budget) override;
+  [[nodiscard]] Counts counts() const override {
+    return {connector_.solves(), connector_.checks()};
+  }
+
+ private:
+  Connector connector_;
+  Scope scope_;
+  std::uint64_t seed_;
+  std::uint64_t routes_ = 0;          // so far; each has a seed
+  double best_cost_ = 0.0;            // of all routes that it knows of
+  std::optional<Shortener> refined_;  // none while there is no route
+};
+
+}  // namespace vandplan::anytime

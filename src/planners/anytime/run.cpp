@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/parallel.h"
+
+namespace vandplan::anytime {
+namespace {
+
+constexpr double a_good_deal = 0.999;     // of the cost
+constexpr std::int64_t unsettled = 4000;  // iterations
+
+}  // namespace
+
+Run::Run(Portfolio portfolio, const search::Budget& budget, const BudgetOptions& options)
+    : portfolio_(std::move(portfolio)),
+      budget_(budget),
+      seed_(options.seed),
+      threads_(options.threads),
+      target_gap_(options.target_gap) {
+  for (search::Route& route : portfolio_.routes) take(std::move(route));
+  if (!portfolio_.drive) return;
+  drive_ = std::move(portfolio_.drive);
+  note({{{budget_.elapsed(), 0, drive_->cost}}});
+}
+
+// A route that was there before the first round.
+void Run::take(search::Route route) {
+  if (route_ && route.cost >= route_->cost) return;
+  route_ = std::move(route);
+  if (portfolio_.routes_are_answers) note({{{budget_.elapsed(), 0, route_->cost}}});
+  for (Slot& slot : portfolio_.slots) {
+    if (slot.phase == Phase::after) work_after(slot, 0);
+  }
+}
+
+// How many of the `wanted` iterations there are when `promised` ones are taken first.
+std::int64_t Run::left(std::int64_t wanted, std::int64_t promised) const {
+  const std::int64_t most = pause_ - budget_.iterations() - promised;
+  return std::min(budget_.left(wanted, promised), std::max<std::int64_t>(most, 0));
+}
+
+Progress Run::progress() const {
+  return {.rounds = rounds_,
+          .rounds_with_route = rounds_with_route_,
+          .iterations = budget_.iterations(),
+          .has_route = route_.has_value(),
+          .has_relaxed_route = relaxed_route_.has_value(),
+          .is_settled = budget_.iterations() > 2 * noted_at_ + unsettled};
+}
+
+bool Run::takes_part(const Slot& slot) const { return rounds_with_route_ >= slot.joins; }
+
+Told Run::told(const Slot& slot, double enough_cost) const {
+  const bool hears_relaxed =
+      slot.hears == Hears::relaxed || (slot.hears == Hears::relaxed_or_best && relaxed_route_);
+  const std::optional<search::Route>& best = hears_relaxed ? relaxed_route_ : route_;
+  const bool may_be_enough = portfolio_.routes_are_answers && !slot.is_relaxed;
+  return {best ? &*best : nullptr, may_be_enough ? enough_cost : 0.0};
+}
+
+Best Run::best() const {
+  const bool is_drive = drive_ && (!portfolio_.routes_are_answers || drive_->cost < route_->cost);
+  return {&*route_, is_drive ? &*drive_ : nullptr, is_optimal()};
+}
+
+// Of the answer as it was found.
+double Run::cost() const {
+  if (!portfolio_.routes_are_answers) return drive_->cost;
+  return drive_ ? std::min(route_->cost, drive_->cost) : route_->cost;
+}
+
+// By the prices that the workers search by.
+double Run::cost_of_search() const { return portfolio_.routes_are_answers ? cost() : route_->cost; }
+
+Proven Run::proven() const {
+  Proven all;
+  for (const Slot& slot : portfolio_.slots) {
+    const Proven proven = slot.worker->proven();
+    all.shortest = std::max(all.shortest, proven.shortest);
+    all.shortest_turn = std::max(all.shortest_turn, proven.shortest_turn);
+    all.is_walled_in = all.is_walled_in || proven.is_walled_in;
+  }
+  return all;
+}
+
+// What a path may cost to be as near to the optimum as was asked for, as far as is proven.
+double Run::enough() const {
+  return target_gap_ ? (1 + *target_gap_) * portfolio_.bound.least(proven()) : 0.0;
+}
+
+bool Run::is_optimal() const { return route_ && portfolio_.bound.is_optimal(cost(), proven()); }
+
+// Whether the best path is proven to be as near to the optimum as was asked for, with strokes as
+// long as was asked for.
+bool Run::is_good_enough() {
+  if (!route_ || !target_gap_) return false;
+  const double found = cost();
+  if (found > enough()) return false;
+  if (portfolio_.finisher.min_stroke() == 0.0) return true;
+  if (found != cost_before_strokes_) {
+    const Best best_found = best();
+    const std::vector<Segment> raw = portfolio_.finisher.raw(best_found);
+    cost_before_strokes_ = found;
+    cost_with_strokes_ = portfolio_.finisher.drivable(best_found, raw)->cost;
+  }
+  return cost_with_strokes_ <= enough();
+}
+
+void Run::note(std::span<const CostSample> improvements) {
+  for (const CostSample& sample : improvements) {
+    if (!trace_.empty() && sample.cost >= trace_.back().cost) continue;
+    const double time = trace_.empty() ? sample.time : std::max(sample.time, trace_.back().time);
+    trace_.push_back({time, budget_.iterations() + sample.iteration, sample.cost});
+  }
+}
+
+void Run::merge(const Slot& slot, Found& found) {
+  if (portfolio_.routes_are_answers || slot.phase == Phase::after) note(found.improvements);
+  budget_.spend(found.iterations);
+  if (found.drive) drive_ = std::move(found.drive);
+  if (found.route && (!route_ || found.route->cost < route_->cost)) {
+    route_ = std::move(found.route);
+  }
+}
+
+void Run::note_cost() {
+  if (!route_ || cost_of_search() >= a_good_deal * noted_cost_) return;
+  noted_cost_ = cost_of_search();
+  noted_at_ = budget_.iterations();
+}
+
+// Who hears of what is given up hears of the best relaxed route, too.
+void Run::merge_relaxed(Found& found) {
+  budget_.spend(found.iterations);
+  if (!found.route || (relaxed_route_ && found.route->cost >= relaxed_route_->cost)) return;
+  relaxed_route_ = std::move(found.route);
+  found.given_up.push_back(*relaxed_route_);
+}
+
+// As long as a gap is to be proven: raises the bound, no further than it takes.
+void Run::work_before(Slot& slot) {
+  std::int64_t steps = route_ ? slot.share(progress()) : 0;
+  for (; steps > 0 && !is_good_enough(); --steps) {
+    if (!slot.worker->has_work()) {
+      if (slot.worker->prove(slot.proofs(progress()), budget_) == 0) return;
+      continue;
+    }
+    Found found = slot.worker->work(left(1, 0), told(slot, 0.0), budget_);
+    if (found.iterations == 0) return;
+    merge(slot, found);
+    note_cost();
+  }
+}
+
+void Run::work_together() {
+  std::vector<Slot>& slots = portfolio_.slots;
+  const Progress now = progress();
+  std::vector<std::int64_t> granted(slots.size()), proofs(slots.size());
+  std::int64_t promised = 0;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Slot& slot = slots[i];
+    if (slot.phase != Phase::together || !takes_part(slot)) continue;
+    if (slot.worker->has_work()) granted[i] = left(slot.share(now), promised);
+    if (slot.proofs) proofs[i] = slot.proofs(now);
+    promised += granted[i];
+  }
+  const double enough_cost = enough();
+  std::vector<Found> found(slots.size());
+  parallel_for(slots.size(), route_ ? threads_ : 1, [&](std::size_t i) {
+    if (slots[i].phase == Phase::after || !takes_part(slots[i])) return;
+    found[i] = slots[i].worker->work(granted[i], told(slots[i], enough_cost), budget_);
+    if (proofs[i] > 0) slots[i].worker->prove(proofs[i], budget_);
+  });
+  if (route_) ++rounds_with_route_;
+  for (std::size_t i = 0; i < slots.size(); ++i) {  // [8]
+    if (slots[i].is_relaxed) {
+      merge_relaxed(found[i]);
+    } else {
+      merge(slots[i], found[i]);
+      note_cost();
+    }
+    for (const search::Route& route : found[i].given_up) {
+      for (const std::size_t listener : slots[i].feeds) slots[listener].worker->offer(route);
+    }
+  }
+}
+
+void Run::work_after(Slot& slot, std::int64_t iterations) {
+  Found found = slot.worker->work(iterations, told(slot, 0.0), budget_);
+  merge(slot, found);
+}
+
+void Run::round() {
+  for (Slot& slot : portfolio_.slots) {
+    if (slot.phase == Phase::before) work_before(slot);
+  }
+  if (is_good_enough()) return;
+  work_together();
+  for (Slot& slot : portfolio_.slots) {
+    if (slot.phase == Phase::after && route_) work_after(slot, left(slot.share(progress()), 0));
+  }
+  ++rounds_;
+}
+
+bool Run::advance() {
+  if (is_optimal() || is_good_enough() || proven().is_walled_in) return false;
+  end_ = budget_.exhausted();
+  if (!end_) round();
+  return !end_;
+}
+
+void Run::make_drivable() {
+  if (!route_) return;
+  const Best best_found = best();
+  std::vector<Segment> raw = portfolio_.finisher.raw(best_found);
+  if (raw == raw_) return;  // it was made drivable before
+  raw_ = raw;
+  segments_ = std::move(raw);
+  std::optional<Drivable> neat = portfolio_.finisher.finished(best_found, segments_);
+  if (!neat) return;
+  segments_ = std::move(neat->segments);
+  if (!portfolio_.routes_are_answers) return;
+  while (trace_.size() > 1 && trace_[trace_.size() - 2].cost <= neat->cost) trace_.pop_back();
+  trace_.back().cost = neat->cost;
+}
+
+std::optional<std::vector<Segment>> Run::path() {
+  make_drivable();  // [11]
+  if (!route_) return std::nullopt;
+  return segments_;
+}
+
+PlannerAnswer Run::answer() {
+  if (is_optimal()) {  // [10]
+    route_ = portfolio_.finisher.with_fewer_changes(*route_, portfolio_.bound.shortest(), seed_,
+                                                    budget_);
+  }
+  PlannerAnswer answer;
+  answer.segments = path();
+  answer.iterations = budget_.iterations();
+  answer.anytime = trace_;
+  answer.lower_bound = portfolio_.bound.least(proven());
+  Counts sum;
+  for (const Slot& slot : portfolio_.slots) {
+    const Counts counts = slot.worker->counts();
+    sum.solves += counts.solves;
+    sum.checks += counts.checks;
+    sum.nodes += counts.nodes;
+  }
+  answer.counters = {
+      {"nodes", sum.nodes}, {"exact_solves", sum.solves}, {"edge_checks", sum.checks}};
+  if (answer.segments) {
+    answer.status = PlanStatus::solved;
+    return answer;
+  }
+  answer.status = end_.value_or(PlanStatus::no_path);
+  if (!end_)
+    answer.reason = "proven: nothing as wide as the vehicle gets from the start to the goal";
+  return answer;
+}
+
+}  // namespace vandplan::anytime

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/anytime/seeker.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace vandplan::anytime {
+namespace {
+
+constexpr double hopeless_excess = 20.0;             // over the best cost, times the trials it took
+constexpr double hopeless_excess_with_prices = 8.0;  // more routes come then
+constexpr double worth_a_try = 0.98;                 // of the cost of a route of its kind
+constexpr std::size_t remembered = 6;                // routes that were given up
+
+}  // namespace
+
+Seeker::Seeker(const Task& task, const CostRule& rule, Scope scope, std::uint64_t seed,
+               std::function<std::unique_ptr<Source>()> make)
+    : make_(std::move(make)),
+      connector_(task, rule),
+      scope_(scope),
+      seed_(seed),
+      best_cost_(std::numeric_limits<double>::infinity()),
+      told_cost_(best_cost_) {}
+
+bool Seeker::has_work() const { return !source_ || candidate_ || source_->has_work(); }
+
+void Seeker::offer(const Route& route) {
+  if (!source_) source_ = make_();
+  source_->offer(route);
+}
+
+Counts Seeker::counts() const {
+  Counts counts{connector_.solves(), connector_.checks()};
+  if (!source_) return counts;
+  counts.solves += source_->solves();
+  counts.checks += source_->checks();
+  counts.nodes = static_cast<std::int64_t>(source_->size());
+  return counts;
+}
+
+// A route that is far above the best after many trials will not win: what shortening gains falls
+// about as one over the number of trials (docs/algorithms/anytime.md).
+bool Seeker::is_hopeless() const {
+  const double excess = candidate_->cost() / best_cost_ - 1.0;
+  const double most = connector_.rule().is_length() ? hopeless_excess : hopeless_excess_with_prices;
+  return candidate_->is_stalled() ||
+         excess * static_cast<double>(trials_) / candidate_->trials_for_one() > most;
+}
+
+// With prices searches find many routes of the kinds that were tried in vain.
+bool Seeker::is_known(const Route& route) const {
+  if (route.cost < best_cost_) return false;
+  return std::ranges::any_of(in_vain_, [&](const Route& other) {
+    return route.cost > worth_a_try * other.cost && are_alike(route, other, connector_.radius());
+  });
+}
+
+void Seeker::give_up() {
+  given_up_.push_back(candidate_->route());
+  candidate_.reset();
+  if (connector_.rule().is_length()) return;
+  if (in_vain_.size() == remembered) in_vain_.erase(in_vain_.begin());
+  in_vain_.push_back(std::move(raw_));
+}
+
+// True when the source has found a route that is worth to be shortened.
+bool Seeker::begin() {
+  source_->set_cutoff(best_cost_);
+  if (!source_->step()) return false;
+  Route route = source_->route();
+  if (connector_.rule().clearance_weight > 0.0) price(connector_, route);
+  if (is_known(route)) return false;
+  if (!connector_.rule().is_length()) raw_ = route;
+  candidate_.emplace(connector_, std::move(route), stream_seed(seed_, ++candidates_), scope_);
+  trials_ = 0;
+  return true;
+}
+
+// The cost of a route better than all that it knew of, if there is one now.
+std::optional<double> Seeker::step() {
+  if (candidate_) {
+    candidate_->step();  // [5]
+    ++trials_;
+  } else if (!begin()) {
+    return std::nullopt;
+  }
+  if (candidate_->cost() >= best_cost_) {
+    if (is_hopeless()) give_up();
+    return std::nullopt;
+  }
+  best_cost_ = candidate_->cost();
+  // Another one that has won in this round may be of another kind.
+  if (winner_) given_up_.push_back(*std::move(winner_));
+  winner_ = candidate_->route();
+  candidate_.reset();
+  return best_cost_;
+}
+
+void Seeker::listen(const Told& told) {
+  if (told.best == nullptr) return;
+  best_cost_ = std::min(best_cost_, told.best->cost);
+  if (!source_ || told.best->cost >= told_cost_) return;
+  told_cost_ = told.best->cost;
+  source_->set_route(*told.best);
+}
+
+Found Seeker::work(std::int64_t iterations, const Told& told, const Budget& budget) {
+  if (!source_ && iterations > 0) source_ = make_();
+  listen(told);
+  winner_.reset();
+  Found found = work_in_steps(
+      iterations, told.enough, budget, [this] { return has_work(); }, [this] { return step(); });
+  found.given_up = std::exchange(given_up_, {});
+  if (!winner_) return found;
+  best_cost_ = winner_->cost;
+  found.route = std::move(winner_);
+  return found;
+}
+
+}  // namespace vandplan::anytime
