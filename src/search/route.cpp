@@ -33,6 +33,11 @@ Gears gears_at_ends(const Task& task, const CostRule& rule) {
   return {{rule.initial_gear, task.curvatures.start}, {0, task.curvatures.goal}};
 }
 
+Gears fitted_gears(const Task& task, const Gears& gears) {
+  if (task.steering == Steering::reeds_shepp) return {gears.before.gear, 0};
+  return gears;
+}
+
 Gears gears_around(const Gears& beside, const Route& route, std::size_t first, std::size_t last) {
   Gears gears{beside.before, 0};
   for (std::size_t i = first; i > 0 && (i == first || gears.before.gear == 0); --i) {
@@ -93,7 +98,9 @@ Route part_of(const Route& route, double begin, double end) {
   return result;
 }
 
-double nearest_cut(const Route& route, double s, double radius) {
+double nearest_cut(const Task& task, const Route& route, double s) {
+  if (task.steering == Steering::reeds_shepp) return s;
+  const double radius = task.vehicle.min_turning_radius;
   double driven = 0.0;
   for (const Leg& leg : route.legs) {
     const double next = driven + leg.piece.length;

@@ -41,6 +41,10 @@ void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& e
 /// What is driven before the start and after the goal, as far as the task and the rule say.
 [[nodiscard]] Gears gears_at_ends(const Task& task, const CostRule& rule);
 
+/// What a piece between `gears` has to fit: wheels that turn at once begin with any curvature, and
+/// anything may follow.
+[[nodiscard]] Gears fitted_gears(const Task& task, const Gears& gears);
+
 /// The gears driven before leg `first` and from leg `last` on; `beside` is what is driven before
 /// and after the route.
 [[nodiscard]] Gears gears_around(const Gears& beside, const Route& route, std::size_t first,
@@ -59,8 +63,9 @@ void price(const Connector& connector, Route& route);
 /// cost. Empty if they are equal.
 [[nodiscard]] Route part_of(const Route& route, double begin, double end);
 
-/// The place [m] on a route nearest to `s` where `nearest_cut` lets its pieces be cut.
-[[nodiscard]] double nearest_cut(const Route& route, double s, double radius);
+/// The place [m] on a route of the task nearest to `s` where it can be cut: `s` itself if the
+/// wheels turn at once, or else where `nearest_cut` lets its pieces be cut.
+[[nodiscard]] double nearest_cut(const Task& task, const Route& route, double s);
 
 /// Whether two routes between the same poses change gear alike and stay within `near` [m] of each
 /// other, as far as a few places on them tell.

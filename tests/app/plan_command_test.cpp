@@ -40,7 +40,7 @@ class PlanCommand : public testing::Test {
 };
 
 TEST_F(PlanCommand, SummaryNamesPlannerAndOutcome) {
-  const Outcome outcome = plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "100"});
+  const Outcome outcome = plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "300"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out.substr(0, 44), "yard, rrt-opt-rs-goal, seed 1\nsolved: length");
@@ -59,7 +59,7 @@ TEST_F(PlanCommand, TheScenarioMayWantOptions) {
   EXPECT_EQ(options_of({}).at("margin"), 0.4);
   EXPECT_EQ(options_of({}).at("gear_change_cost"), 2);
   EXPECT_EQ(options_of({"--set", "margin=0"}).at("margin"), 0);
-  const Outcome outcome = plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "100"});
+  const Outcome outcome = plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "300"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "vandplan: warning: " + scenario_ +
                              ": options.gear_change_cost: rrt-opt-rs-goal does not honour it\n");
@@ -233,13 +233,13 @@ TEST_F(PlanCommand, WithoutLimitsItRunsForASecondAtMost) {
 
 TEST_F(PlanCommand, JsonIsTheResultFile) {
   const std::string file = folder_ / "result.json";
-  const Outcome outcome = plan({"--json", "--max-iterations", "100", "--output", file});
+  const Outcome outcome = plan({"--json", "--max-iterations", "300", "--output", file});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, content_of(file));
   const Json result = Json::parse(outcome.out);
   EXPECT_EQ(result.at("format"), "vandplan-result/1");
   EXPECT_EQ(result.at("status"), "solved");
-  EXPECT_EQ(result.at("options").at("max_iterations"), 100);
+  EXPECT_EQ(result.at("options").at("max_iterations"), 300);
 }
 
 TEST_F(PlanCommand, FlagsAndSetReachThePlanner) {
@@ -266,10 +266,10 @@ TEST_F(PlanCommand, AnIterationBudgetRepeatsThePathToTheByte) {
 }
 
 TEST_F(PlanCommand, ScenarioComesFromStandardInputToo) {
-  const std::vector<std::string> budget = {"--json", "--max-iterations", "100"};
+  const std::vector<std::string> budget = {"--json", "--max-iterations", "300"};
   const Outcome from_file = plan(budget);
   const Outcome piped =
-      run_vandplan({"plan", "-", "--json", "--max-iterations", "100"}, {.input = scenario_});
+      run_vandplan({"plan", "-", "--json", "--max-iterations", "300"}, {.input = scenario_});
   ASSERT_EQ(piped.status, 0) << piped.err;
   EXPECT_EQ(Json::parse(piped.out).at("path"), Json::parse(from_file.out).at("path"));
 }
@@ -278,7 +278,7 @@ TEST_F(PlanCommand, ResultAndPictureAreWritten) {
   const std::string result = folder_ / "result.json";
   const std::string picture = folder_ / "picture.svg";
   write_content(result, "old");
-  ASSERT_EQ(plan({"--max-iterations", "100", "--output", result, "--draw", picture}).status, 0);
+  ASSERT_EQ(plan({"--max-iterations", "300", "--output", result, "--draw", picture}).status, 0);
   EXPECT_EQ(Json::parse(content_of(result)).at("status"), "solved");
   EXPECT_NE(content_of(picture).find("<svg"), std::string::npos);
 }
@@ -431,7 +431,7 @@ TEST_F(PlanCommand, AHeadingBeyondAFullTurnIsDoubtedAndPlanned) {
 TEST_F(PlanCommand, ControlCharactersOfANameDoNotReachTheTerminal) {
   write_content(scenario_, replaced(yard(), "name: yard", "name: \"\\x1b[31myard\\x9b\""));
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"plan", scenario_, "--max-iterations", "100"},
+       {std::vector<std::string>{"plan", scenario_, "--max-iterations", "300"},
         std::vector<std::string>{"draw", scenario_, "-o", folder_ / "yard.svg"}}) {
     const Outcome outcome = run_vandplan(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -509,7 +509,7 @@ TEST_F(PlanCommand, WithClosedStreamsTheResultIsTheResult) {
   for (const std::vector<int>& closed : {std::vector<int>{1}, {0}, {2}, {0, 1, 2}, {1, 2}}) {
     std::filesystem::remove(file);
     const Outcome outcome = run_vandplan(
-        {"plan", scenario_, "--max-iterations", "100", "--output", file}, {.closed = closed});
+        {"plan", scenario_, "--max-iterations", "300", "--output", file}, {.closed = closed});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(Json::parse(content_of(file)).at("status"), "solved");
   }
@@ -526,7 +526,7 @@ TEST_F(PlanCommand, WarningsThatCannotBePrintedStopNothing) {
 TEST_F(PlanCommand, ALinkToNothingIsWrittenThrough) {
   std::filesystem::create_symlink("target.json", folder_ / "link.json");
   const std::string link = folder_ / "link.json";
-  EXPECT_EQ(plan({"--max-iterations", "100", "--output", link}).status, 0);
+  EXPECT_EQ(plan({"--max-iterations", "300", "--output", link}).status, 0);
   EXPECT_TRUE(std::filesystem::is_symlink(link));
   EXPECT_EQ(Json::parse(content_of(folder_ / "target.json")).at("status"), "solved");
 }
@@ -534,7 +534,7 @@ TEST_F(PlanCommand, ALinkToNothingIsWrittenThrough) {
 TEST_F(PlanCommand, AScenarioComesThroughAPipeThatIsOpen) {
   for (const std::string name : {"-", "/dev/stdin"}) {
     const Outcome outcome =
-        run_vandplan({"plan", name, "--max-iterations", "100"}, {.input = scenario_});
+        run_vandplan({"plan", name, "--max-iterations", "300"}, {.input = scenario_});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
   }
 }

@@ -137,30 +137,6 @@ TEST(Rotation, EndsWhenNothingCheaperIsLeft) {
   EXPECT_TRUE(rotation.is_finished());
 }
 
-// A route that turns long after the end of the wall.
-TEST(Detours, FindAnotherWayBetweenTwoPlacesOfARoute) {
-  const Problem problem = problem_of({0, 0, 0}, {0, 20, pi}, {box(-60, 9, 30, 11)});
-  for (const CostRule& rule : rules) {
-    Connector connector(problem.task(), rule);
-    Route route{problem.task().start, {}, 0.0};
-    for (const auto& via : {LocalPose({80, 0, 0}), LocalPose({80, 20, pi}), problem.task().goal}) {
-      const LocalPose from = route.legs.empty() ? route.start : route.legs.back().end;
-      route.legs.push_back({*connector.steer(from, via), via});
-    }
-    route.cost = cost_of(rule, route);
-    expect_valid(problem, rule, route);
-    Detours detours(problem.task(), rule, 1);
-    detours.set_route(route);
-    double best = route.cost;
-    for (int i = 0; i < 20000; ++i) {
-      if (!detours.step()) continue;
-      expect_valid(problem, rule, detours.route());
-      best = std::min(best, detours.route().cost);
-    }
-    EXPECT_LT(best, 0.7 * route.cost);
-  }
-}
-
 // Of a turn between straight wheels, which only its ends cut. Its length and the place of the last
 // cut differ by rounding.
 Piece turn_that_rounds(double radius) {

@@ -279,7 +279,7 @@ TEST(Detours, OfALongRoutePutShorterStretchesInTheirPlace) {
       route.legs.push_back({*connector.steer(from, via), via});
     }
     route.cost = cost_of(rule, route);
-    anytime::Detours detours(problem.task(), rule, 1, Scope::windows);
+    anytime::Detours detours(problem.task(), rule, 1);
     detours.set_route(route);
     double best = route.cost;
     for (int i = 0; i < 20000; ++i) {
@@ -313,7 +313,7 @@ TEST(Detours, OfALongRouteAreFollowedByWhatIsDrivenThere) {
     task.goal = route.legs.back().end;
     route.cost = cost_of(rule, route);
     ASSERT_LT(largest_jump(path_of(route), task.steering, {}), 1e-9);
-    anytime::Detours detours(task, rule, rng(), Scope::windows);
+    anytime::Detours detours(task, rule, rng());
     detours.set_route(route);
     for (int i = 0; i < 3000; ++i) {
       if (!detours.step()) continue;

@@ -21,7 +21,7 @@
 namespace vandplan {
 namespace {
 
-using anytime::Counts, anytime::Found, anytime::Hears, anytime::Phase, anytime::Portfolio;
+using anytime::Counts, anytime::Found, anytime::Phase, anytime::Portfolio;
 using anytime::Progress, anytime::Proven, anytime::Share, anytime::Slot, anytime::Told,
     anytime::Worker;
 using search::Budget, search::Route;
@@ -123,8 +123,9 @@ class Scheduling : public ::testing::Test {
     Portfolio portfolio{.pricing = std::move(pricing),
                         .relaxed = nullptr,
                         .bound = {problem_.task(), prices},
-                        .finisher = {problem_.task(), prices, 0.0},
-                        .slots = std::move(slots_)};
+                        .finisher = {problem_.task(), prices, {}},
+                        .slots = std::move(slots_),
+                        .gap = options.target_gap};
     return run_.emplace(std::move(portfolio), Budget(options), options);
   }
   /// So many rounds.
@@ -248,32 +249,46 @@ TEST_F(Scheduling, WhoRunsDryLosesNothing) {
   EXPECT_EQ(run.answer().anytime.back().cost, 50.0);
 }
 
-TEST_F(Scheduling, RelaxedRoutesAreNoAnswersButFeedOthers) {
-  add(3).finds = {30.0, 35.0, 25.0};
+// Some wait for later rounds, so a while passes before that is so.
+TEST_F(Scheduling, TheRunEndsWhenNobodyWorksAnyMore) {
+  Script& finder = add(3);
+  finder.finds = {50.0};
+  Script& late = add(3);
+  slot().share = [](const Progress& now) { return now.rounds < 90 ? 0 : 3; };
+  anytime::Run& run = rounds(1);
+  finder.has_work = false;
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(run.advance());
+  EXPECT_EQ(run.iterations(), 36);
+  late.has_work = false;
+  int more = 0;
+  while (run.advance()) ASSERT_LT(++more, 1000);
+  EXPECT_EQ(run.answer().status, PlanStatus::solved);
+}
+
+TEST_F(Scheduling, ARunWithoutARouteGoesOn) {
+  add(0);
+  anytime::Run& run = rounds(1000);
+  EXPECT_TRUE(run.advance());
+}
+
+TEST_F(Scheduling, APauseDoesNotEndARun) {
+  add(3).finds = {50.0};
+  anytime::Run& run = rounds(1);
+  run.pause_after(0);
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(run.advance());
+}
+
+TEST_F(Scheduling, RelaxedRoutesAreNoAnswersButOffers) {
+  Script& relaxed = add(3);
+  relaxed.finds = {30.0, nothing, 25.0};
+  relaxed.gives_up = {35.0};
   slot().is_relaxed = true;
-  slot().hears = Hears::relaxed;
   slot().feeds = {1};
   const Script& fed = add(3);
   anytime::Run& run = rounds(4);
-  EXPECT_EQ(fed.offers, (std::vector{30.0, 25.0}));
+  EXPECT_EQ(fed.offers, (std::vector{35.0, 30.0, 25.0}));
   EXPECT_EQ(fed.calls.back().told, nothing);
   EXPECT_NE(run.answer().status, PlanStatus::solved);
-}
-
-TEST_F(Scheduling, RelaxedWorkersHearOfRelaxedRoutes) {
-  add(3).finds = {50.0};
-  Script& relaxed = add(3);
-  relaxed.finds = {nothing, nothing, 30.0};
-  slot().is_relaxed = true;
-  slot().hears = Hears::relaxed;
-  const Script& either = add(3);
-  slot().is_relaxed = true;
-  slot().hears = Hears::relaxed_or_best;
-  rounds(4);
-  EXPECT_EQ(relaxed.calls[2].told, nothing);
-  EXPECT_EQ(relaxed.calls[3].told, 30.0);
-  EXPECT_EQ(either.calls[2].told, 50.0);
-  EXPECT_EQ(either.calls[3].told, 30.0);
 }
 
 TEST_F(Scheduling, WhoWorksAfterTheOthersHearsOfThemInTheSameRound) {

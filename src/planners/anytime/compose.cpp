@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "planners/anytime/adapt.h"
 #include "planners/anytime/bend_worker.h"
 #include "planners/anytime/chain.h"
 #include "planners/anytime/detours.h"
@@ -26,27 +25,39 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::int64_t joins_late = 6;          // rounds with a route before late workers take part
-constexpr std::int64_t first_adapt_round = 32;  // between stops; bending brings more before
-constexpr std::int64_t first_survey = 3000;     // iteration; before, it would be in the way,
-constexpr std::int64_t early_survey = 1000;     // where iterations take longer, for the first way
+// Rounds with a route before the survey takes part, and the iteration of its first work: sooner, it
+// would be in the way. Where the wheels take time to turn iterations take longer.
+constexpr std::int64_t joins_late = 6;
+constexpr std::int64_t first_survey = 3000;
+constexpr std::int64_t early_survey = 1000;
+// From so many rounds with a route on it works anyhow: all others may have ended.
+constexpr std::int64_t rounds_without_work = 64;
+
 // Rounds with a route before the bound with headings is raised where a gap is to be proven: boxes
 // take long to make.
 constexpr std::int64_t first_raise = 24;
+// Steps of the bound in place of one, once the best cost hardly falls. Rounds by time take longer;
+// those with bending are shorter.
+constexpr std::int64_t settled_steps = 4;
+constexpr std::int64_t settled_steps_by_time = 16;
+constexpr std::int64_t settled_steps_with_bending = 8;
+
 // Round in which walls are looked for first; most runs have a route by then. A look takes longer
 // over a whole site.
 constexpr std::int64_t first_look = 3;
 constexpr std::int64_t first_look_far = 99;
-constexpr std::int64_t rounds_of_early_looks = 2;  // most walls are found by then
-constexpr std::int64_t early_looks = 32;           // of a round
+// Looks of a round. Most walls are found in the first rounds.
+constexpr std::int64_t early_looks = 32;
 constexpr std::int64_t late_looks = 3;
-constexpr int repairs_of_known = 12;  // of a known path that something is in the way of
+constexpr std::int64_t rounds_of_early_looks = 2;
 
-// Steps of the bound for one before, once the best cost hardly falls. Rounds with prices take
-// longer; those with bending are shorter.
-constexpr std::int64_t settled_steps = 4;
-constexpr std::int64_t settled_steps_with_prices = 16;
-constexpr std::int64_t settled_steps_with_bending = 8;
+// Shortest stroke where seconds have a price beside others [m].
+constexpr double shortest_stroke = 0.1;
+// How much more a finished drive may cost, relative: by its time, or by both prices.
+constexpr double slack_of_time = 1e-12;
+constexpr double slack_of_both = 1e-2;
+// Trials to free a route along a known path.
+constexpr int repairs_of_known = 12;
 
 /// Streams of random numbers.
 namespace stream {
@@ -58,12 +69,6 @@ constexpr std::uint64_t detours = 5;
 constexpr std::uint64_t bend = 6;
 constexpr std::uint64_t fastest = 7;
 constexpr std::uint64_t survey = 7;
-constexpr std::uint64_t relaxed_search_from_goal = 8;
-constexpr std::uint64_t relaxed_search_from_start = 9;
-constexpr std::uint64_t relaxed_trees = 10;
-constexpr std::uint64_t relaxed_refine = 11;
-constexpr std::uint64_t relaxed_detours = 12;
-constexpr std::uint64_t adapt = 13;
 }  // namespace stream
 
 /// Puts the portfolio of one run together.
@@ -80,6 +85,8 @@ class Composer {
   [[nodiscard]] std::uint64_t seed(std::uint64_t stream) const {
     return stream_seed(options_.budget.seed, stream);
   }
+  [[nodiscard]] FinishRules finish_rules() const;
+  [[nodiscard]] std::int64_t share_with_route(const Row& row) const;
   [[nodiscard]] Share until_route(const Row& row) const;
   [[nodiscard]] Share with_route(const Row& row) const;
   [[nodiscard]] Share share(const Row& row) const;
@@ -87,33 +94,29 @@ class Composer {
   template <class Make>
   [[nodiscard]] std::unique_ptr<Seeker> seeker(const Task& task, std::uint64_t stream,
                                                Make make) const;
-  [[nodiscard]] std::unique_ptr<Seeker> searches(const Task& task, std::uint64_t stream,
-                                                 Root root) const;
-  [[nodiscard]] std::unique_ptr<Seeker> trees(const Task& task, std::uint64_t stream) const;
-  [[nodiscard]] std::unique_ptr<Seeker> detours(const Task& task, std::uint64_t stream) const;
   void take_known(const Path& known);
   void take_open_ground(const CostRule& rule);
-  void add_searches();
+  void add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row);
+  void add_trees();
   void add_length_prover();
   void add_detours();
   void add_survey();
-  void add_relaxed();
   void add_wall_prover();
   void add_fastest();
-  void feed(std::string_view listener, bool relaxed_alone);
+  void feed(std::string_view listener);
 
   const Task& task_;
   const PlanOptions& options_;
   const Budget& budget_;
   std::unique_ptr<const planning::Pricing> pricing_;
   const CostRule& rule_;
-  Bounds region_;                     // of samples
-  bool is_far_;                       // the task goes over a whole site
-  Scope scope_;                       // of shortening
-  bool bends_;                        // the shortest of arcs and lines has no use for it
-  bool has_gap_;                      // a gap is to be proven
-  bool is_warm_ = false;              // the run begins with a route along a known path
-  bool looks_around_ = false;         // other kinds of path are looked for
+  Bounds region_;                     // where samples are drawn
+  bool is_far_;                       // whether the task goes over a whole site
+  Scope scope_;                       // what shortening looks at at a time
+  bool bends_;                        // whether bending may make routes cheaper
+  bool has_gap_;                      // whether a gap is to be proven
+  bool is_warm_ = false;              // whether the run begins with a route along a known path
+  bool looks_around_ = false;         // whether other kinds of path are looked for
   std::unique_ptr<BendWorker> bend_;  // null unless routes are bent
   Portfolio portfolio_;
 };
@@ -133,14 +136,27 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
       portfolio_{.pricing = nullptr,
                  .relaxed = nullptr,
                  .bound = CostBound(task, *pricing_),
-                 .finisher = Finisher(task, *pricing_, options.planner.number("min_stroke")),
+                 .finisher = Finisher(task, *pricing_, finish_rules()),
                  .slots = {},
+                 .gap = options.budget.target_gap,
                  .routes_are_answers = !pricing_->counts_time()} {
   if (bends_) bend_ = std::make_unique<BendWorker>(task, rule_, seed(stream::bend));
   take_open_ground({});  // [1]
   if (!rule_.is_length()) take_open_ground(rule_);
   if (known != nullptr) take_known(*known);
   looks_around_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
+}
+
+FinishRules Composer::finish_rules() const {
+  const double min_stroke = options_.planner.number("min_stroke");
+  FinishRules rules{.min_stroke = min_stroke,
+                    .stroke = min_stroke,
+                    .is_continuous = is_continuous(),
+                    .has_prices = !rule_.is_length()};
+  if (!pricing_->counts_time()) return rules;
+  if (!pricing_->is_time()) rules.stroke = std::max(min_stroke, shortest_stroke);
+  if (min_stroke == 0.0) rules.slack = pricing_->is_time() ? slack_of_time : slack_of_both;
+  return rules;
 }
 
 // The best word on open ground, if it is free: by length it is found sooner, by price it may be the
@@ -174,28 +190,28 @@ Share Composer::until_route(const Row& row) const {
   return [turn](const Progress& now) { return now.rounds < turn.first_round ? 0 : turn.share; };
 }
 
+// With a route, of one round.
+std::int64_t Composer::share_with_route(const Row& row) const {
+  if (is_far_) return rule_.is_length() ? row.far_by_length : row.far_by_prices;
+  return rule_.is_length() ? row.by_length : bends_ ? row.by_prices : row.by_time;
+}
+
 Share Composer::with_route(const Row& row) const {
-  const bool is_length = rule_.is_length();
+  const std::int64_t share = share_with_route(row);
   if (is_far_) {
-    const std::int64_t share = is_length ? row.far_by_length : row.far_by_prices;
     return [share](const Progress& now) {
       return now.rounds % shares::far_cycle == 0 ? 0 : share * growth(now.rounds);
     };
   }
-  const std::int64_t share = is_length ? row.by_length : bends_ ? row.with_bending : row.by_prices;
   if (has_gap_ || is_warm_) {
     return [turn = share == 0 ? Turn{} : row.with_gap](const Progress& now) {
       return now.rounds_with_route < turn.first_round ? 0 : turn.share * growth(now.rounds);
     };
   }
-  if (!bends_ || is_length) {
+  if (!bends_ || rule_.is_length()) {
     return [share](const Progress& now) { return share * growth(now.rounds); };
   }
-  const std::int64_t later = has_relaxed() ? row.beside_relaxed : share;
-  return [share, later](const Progress& now) {
-    return share_with_bending(now.rounds_with_route < joins_late ? share : later,
-                              now.rounds_with_route);
-  };
+  return [share](const Progress& now) { return share_with_bending(share, now.rounds_with_route); };
 }
 
 Share Composer::share(const Row& row) const {
@@ -214,39 +230,26 @@ std::unique_ptr<Seeker> Composer::seeker(const Task& task, std::uint64_t stream,
   return std::make_unique<Seeker>(task, rule_, scope_, seed(stream), make);
 }
 
-std::unique_ptr<Seeker> Composer::searches(const Task& task, std::uint64_t stream,
-                                           Root root) const {
-  return seeker(task, stream, [&task, &rule = rule_, root] {
-    return std::make_unique<Ladder>(task, rule, root);
+// [3] [4]
+void Composer::add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row) {
+  auto worker = seeker(task_, stream, [&task = task_, &rule = rule_, root, scope = scope_] {
+    return std::make_unique<Ladder>(task, rule, root, scope);
   });
+  add(name, std::move(worker), share(row));
 }
 
-std::unique_ptr<Seeker> Composer::trees(const Task& task, std::uint64_t stream) const {
-  const std::uint64_t own_seed = stream_seed(seed(stream), 0);
-  return seeker(task, stream, [&task, &rule = rule_, region = region_, own_seed] {
-    return std::make_unique<Attempts>(task, rule, region, own_seed);
-  });
-}
-
-std::unique_ptr<Seeker> Composer::detours(const Task& task, std::uint64_t stream) const {
-  const std::uint64_t own_seed = stream_seed(seed(stream), 0);
-  return seeker(task, stream, [&task, &rule = rule_, scope = scope_, own_seed] {
-    return std::make_unique<Detours>(task, rule, own_seed, scope);
-  });
-}
-
-// [2] [3] [4] [6]
-void Composer::add_searches() {
-  add("search from the goal", searches(task_, stream::search_from_goal, Root::goal),
-      share(shares::search_from_goal));
-  add("search from the start", searches(task_, stream::search_from_start, Root::start),
-      share(shares::search_from_start));
-  add("trees", trees(task_, stream::trees), [share = share(shares::trees)](const Progress& now) {
+// [2] Until there is a route. Where the wheels take time to turn lattices are there sooner.
+void Composer::add_trees() {
+  const std::uint64_t own_seed = stream_seed(seed(stream::trees), 0);
+  auto worker =
+      seeker(task_, stream::trees, [&task = task_, &rule = rule_, region = region_, own_seed] {
+        return std::make_unique<Attempts>(task, rule, region, own_seed);
+      });
+  const std::int64_t early = is_far_ || !is_continuous() ? shares::early_trees : 0;
+  add("trees", std::move(worker), [early](const Progress& now) -> std::int64_t {
     constexpr Turn late = shares::late_trees;
-    return now.has_route || now.rounds < late.first_round ? share(now) : late.share;
+    return now.has_route ? 0 : now.rounds < late.first_round ? early : late.share;
   });
-  add("refine", std::make_unique<Refiner>(task_, rule_, scope_, seed(stream::refine)),
-      share(shares::refine));
 }
 
 // [7] Once the best route hardly gets cheaper, proving how good it is gets more of the time. The
@@ -256,7 +259,7 @@ void Composer::add_length_prover() {
   const Share share_now = share(shares::length_prover);
   const std::int64_t settled = rule_.is_length() ? settled_steps
                                : bends_          ? settled_steps_with_bending
-                                                 : settled_steps_with_prices;
+                                                 : settled_steps_by_time;
   Share proofs = [share_now, settled, &prover = *prover](const Progress& now) -> std::int64_t {
     if (!now.has_route || (!now.is_settled && prover.has_work())) return 0;
     return share_now(now) * (now.is_settled ? settled : 1);
@@ -268,15 +271,15 @@ void Composer::add_length_prover() {
   slot.proofs = [](const Progress& now) { return now.rounds_with_route < first_raise ? 0 : 1; };
 }
 
-// [6b] Over a whole site they have rounds of their own.
+// [6b] They have rounds of their own.
 void Composer::add_detours() {
-  const Share often = share(shares::detours);
-  add("detours", detours(task_, stream::detours),
-      [often, is_far = is_far_](const Progress& now) -> std::int64_t {
-        if (!now.has_route) return 0;
-        if (!is_far) return often(now);
-        return now.rounds % shares::far_cycle == 0 ? shares::far_detours : 0;
-      });
+  const std::uint64_t own_seed = stream_seed(seed(stream::detours), 0);
+  auto worker = seeker(task_, stream::detours, [&task = task_, &rule = rule_, own_seed] {
+    return std::make_unique<Detours>(task, rule, own_seed);
+  });
+  add("detours", std::move(worker), [](const Progress& now) {
+    return now.has_route && now.rounds % shares::far_cycle == 0 ? shares::far_detours : 0;
+  });
 }
 
 // [6c] It plans as if the wheels turned at once.
@@ -285,57 +288,18 @@ void Composer::add_survey() {
   auto worker = seeker(task, stream::survey,
                        [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
   const auto look = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
-  const Row& row = shares::survey;
-  Share share = [look, row, has_relaxed = has_relaxed()](const Progress& now) -> std::int64_t {
+  Share share = [look, has_relaxed = has_relaxed()](const Progress& now) -> std::int64_t {
     const Survey* survey = look();
     const bool is_glance = survey == nullptr || survey->is_glance();
-    if (now.iterations < (has_relaxed && is_glance ? early_survey : first_survey)) return 0;
+    const bool is_early = now.iterations < (has_relaxed && is_glance ? early_survey : first_survey);
+    if (is_early && now.rounds_with_route < rounds_without_work) return 0;
     const std::int64_t first = has_relaxed && is_glance ? shares::first_glance : shares::first_look;
     const bool is_first = is_glance || survey->is_first_look();
-    return share_with_bending(is_first ? first : row.with_bending, now.rounds_with_route);
+    return share_with_bending(is_first ? first : shares::survey.by_prices, now.rounds_with_route);
   };
   Slot& slot = add("survey", std::move(worker), std::move(share));
   slot.joins = joins_late;
   slot.is_relaxed = has_relaxed();
-  if (has_relaxed()) slot.hears = Hears::relaxed_or_best;
-}
-
-// [6e] Workers that plan as if the wheels turned at once, [6f] and one that drives along what they
-// find.
-void Composer::add_relaxed() {
-  const std::size_t first = portfolio_.slots.size();
-  const Task& task = *portfolio_.relaxed;
-  add("relaxed search from the goal", searches(task, stream::relaxed_search_from_goal, Root::goal),
-      share(shares::relaxed_search));
-  add("relaxed search from the start",
-      searches(task, stream::relaxed_search_from_start, Root::start),
-      share(shares::relaxed_search));
-  add("relaxed trees", trees(task, stream::relaxed_trees), share(shares::relaxed_trees));
-  const auto with_relaxed_route = [](Share share) -> Share {
-    return [share](const Progress& now) { return now.has_relaxed_route ? share(now) : 0; };
-  };
-  add("relaxed refine",
-      std::make_unique<Refiner>(task, rule_, scope_, seed(stream::relaxed_refine)),
-      with_relaxed_route(share(shares::relaxed_refine)));
-  add("relaxed detours", detours(task, stream::relaxed_detours),
-      with_relaxed_route(share(shares::relaxed_detours)));
-  for (std::size_t i = first; i < portfolio_.slots.size(); ++i) {
-    portfolio_.slots[i].joins = joins_late;
-    portfolio_.slots[i].is_relaxed = true;
-    portfolio_.slots[i].hears = Hears::relaxed;
-  }
-  const std::uint64_t own_seed = stream_seed(seed(stream::adapt), 0);
-  const std::int64_t first_round =
-      task_.steering == Steering::continuous_between_stops ? first_adapt_round : 0;
-  Slot& adapt = add("adapt",
-                    seeker(task_, stream::adapt,
-                           [this_task = &task_, &rule = rule_, own_seed] {
-                             return std::make_unique<Adapter>(*this_task, rule, own_seed);
-                           }),
-                    [first_round, share = share(shares::adapt)](const Progress& now) {
-                      return now.rounds < first_round ? 0 : share(now);
-                    });
-  adapt.joins = joins_late;
 }
 
 // [9] As long as there is no route there may be none.
@@ -350,21 +314,20 @@ void Composer::add_wall_prover() {
 
 // [8b]
 void Composer::add_fastest() {
-  Slot& slot =
-      add("fastest", std::make_unique<FastestWorker>(task_, *pricing_, seed(stream::fastest)),
-          [](const Progress& now) { return shares::fastest * growth(now.rounds); });
+  Slot& slot = add(
+      "fastest",
+      std::make_unique<FastestWorker>(task_, *pricing_, pricing_->is_time(), seed(stream::fastest)),
+      [](const Progress& now) { return shares::fastest * growth(now.rounds); });
   slot.phase = Phase::after;
 }
 
-// Lets a slot hear of the routes that are given up: of the relaxed task, or of all.
-void Composer::feed(std::string_view name, bool relaxed_alone) {
+// Lets a slot hear of all routes that are given up.
+void Composer::feed(std::string_view name) {
   std::vector<Slot>& slots = portfolio_.slots;
   const auto listener = std::ranges::find(slots, name, &Slot::name);
   if (listener == slots.end()) return;
   const auto index = static_cast<std::size_t>(listener - slots.begin());
-  for (Slot& slot : slots) {
-    if (slot.is_relaxed || !relaxed_alone) slot.feeds.push_back(index);
-  }
+  for (Slot& slot : slots) slot.feeds.push_back(index);
 }
 
 Portfolio Composer::portfolio() && {
@@ -373,17 +336,23 @@ Portfolio Composer::portfolio() && {
     relaxed->steering = Steering::reeds_shepp;
     portfolio_.relaxed = std::move(relaxed);
   }
-  add_searches();
+  add_search("search from the goal", stream::search_from_goal, Root::goal,
+             shares::search_from_goal);
+  add_search("search from the start", stream::search_from_start, Root::start,
+             shares::search_from_start);
+  add_trees();
+  if (is_far_ || rule_.is_length()) {
+    add("refine", std::make_unique<Refiner>(task_, rule_, scope_, seed(stream::refine)),
+        share(shares::refine));
+  }
   add_length_prover();
-  add_detours();
+  if (is_far_) add_detours();
   if (bend_) add("bend", std::move(bend_), share(shares::bend));
   if (looks_around_) add_survey();
-  if (has_relaxed()) add_relaxed();
   add_wall_prover();
   if (pricing_->counts_time()) add_fastest();
-  feed("adapt", true);
-  feed("bend", false);
-  feed("fastest", false);
+  feed("bend");
+  feed("fastest");
   portfolio_.pricing = std::move(pricing_);
   return std::move(portfolio_);
 }

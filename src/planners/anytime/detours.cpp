@@ -20,8 +20,7 @@ constexpr std::array<LatticeOptions, 4> detour_searches = {
     LatticeOptions{24, 0.25, 1.5}, LatticeOptions{24, 0.25, 1.2}, LatticeOptions{36, 0.17, 1.2},
     LatticeOptions{48, 0.125, 1.5}};
 constexpr std::int64_t least_expansions = 256;
-constexpr std::uint64_t doublings = 4;  // of `least_expansions`, at random
-// Of a long route:
+constexpr std::uint64_t doublings = 4;         // of `least_expansions`, at random
 constexpr double most_stretch = 60.0;          // [turning radii]
 constexpr double grid_slack = 1.1;             // what a way on the grid is longer than a path
 constexpr int most_trials = 600;               // to shorten a way,
@@ -47,16 +46,12 @@ Bounds ellipse_box(const LocalPose& a, const LocalPose& b, double length, const 
 
 }  // namespace
 
-Detours::Detours(const Task& task, const CostRule& rule, std::uint64_t seed, Scope scope)
-    : task_(task),
-      rule_(rule),
-      scene_(sampling_region(task, Region::scene)),
-      rng_(seed),
-      scope_(scope) {}
+Detours::Detours(const Task& task, const CostRule& rule, std::uint64_t seed)
+    : task_(task), rule_(rule), scene_(sampling_region(task, Region::scene)), rng_(seed) {}
 
 void Detours::set_route(const Route& route) {
   base_ = route;
-  if (scope_ == Scope::windows && guide_) end();
+  if (guide_) end();
 }
 
 std::int64_t Detours::solves() const { return solves_ + (connector_ ? connector_->solves() : 0); }
@@ -66,17 +61,11 @@ std::int64_t Detours::checks() const { return checks_ + (connector_ ? connector_
 void Detours::choose() {
   const double whole = base_.length();
   const double least = std::min(whole, least_stretch * task_.vehicle.min_turning_radius);
-  const double most = scope_ == Scope::all
-                          ? whole
-                          : std::min(whole, most_stretch * task_.vehicle.min_turning_radius);
+  const double most = std::min(whole, most_stretch * task_.vehicle.min_turning_radius);
   const double length = least * std::pow(most / least, uniform01(rng_));
   const double middle = uniform(0.0, whole, rng_);
-  double begin = std::max(middle - length / 2, 0.0);
-  double end = middle + length / 2 < whole ? middle + length / 2 : whole;
-  if (task_.steering != Steering::reeds_shepp) {
-    begin = nearest_cut(base_, begin, task_.vehicle.min_turning_radius);
-    end = nearest_cut(base_, end, task_.vehicle.min_turning_radius);
-  }
+  double begin = nearest_cut(task_, base_, std::max(middle - length / 2, 0.0));
+  double end = nearest_cut(task_, base_, middle + length / 2 < whole ? middle + length / 2 : whole);
   old_ = part_of(base_, begin, end);
   if (old_.legs.empty()) {  // the cuts are one, or only rounding tells them apart
     begin = 0.0;
@@ -106,20 +95,14 @@ void Detours::begin() {
     gears_.after.gear *= -1;
     rule = reversed(rule_, gears_.before.gear);
   }
-  // Arcs and lines may begin with any curvature, and be followed by anything.
-  if (task_.steering == Steering::reeds_shepp) gears_ = {rule.initial_gear, 0};
+  gears_ = fitted_gears(task_, gears_);
   connector_.emplace(task_, rule);
   make_guide(backwards_ ? last : first, backwards_ ? first : last);
 }
 
 void Detours::make_guide(const LocalPose& root, const LocalPose& target) {
   const Bounds box = ellipse_box(root, target, detour_slack * old_.cost, scene_);
-  if (scope_ == Scope::all) {
-    guide_ = std::make_unique<GridDistance>(task_, box, guide_side, target, root);
-  } else {
-    guide_ =
-        std::make_unique<FarGuide>(task_, box, FarGuide::Options{guide_side, 1.0}, target, root);
-  }
+  guide_ = std::make_unique<FarGuide>(task_, box, FarGuide::Options{guide_side, 1.0}, target, root);
   guided_ = false;
 }
 
@@ -133,23 +116,16 @@ void Detours::end() {
 }
 
 // The whole route with the new stretch, which was found in the direction of the search.
-Route Detours::put_in_place(const Route& way) {
-  Route stretch = backwards_ ? reversed(way) : way;
+void Detours::put_in_place(const Route& way) {
+  const Route stretch = backwards_ ? reversed(way) : way;
   found_ = before_;
   found_.legs.insert(found_.legs.end(), stretch.legs.begin(), stretch.legs.end());
   found_.legs.insert(found_.legs.end(), after_.legs.begin(), after_.legs.end());
   price(Connector(task_, rule_), found_);
-  return stretch;
-}
-
-bool Detours::offer() {
-  const Route stretch = put_in_place(lattice_->route());
-  return found_.cost < base_.cost || !are_alike(stretch, old_, task_.vehicle.min_turning_radius);
 }
 
 // A way on the grid that is much longer than the stretch is no shorter path.
 bool Detours::is_hopeless() const {
-  if (scope_ == Scope::all) return false;
   const LocalPose& root = backwards_ ? old_.legs.back().end : old_.start;
   return !guide_->is_connected() || guide_->at(root.x, root.y) > grid_slack * old_.cost;
 }
@@ -195,7 +171,6 @@ bool Detours::search() {
     return false;
   }
   if (!lattice_->step()) return false;
-  if (scope_ == Scope::all) return offer();
   patch_.emplace(*connector_, lattice_->route(), rng_(), Scope::all,
                  std::function<double(const Route&)>(), gears_);
   trials_ = 0;

@@ -18,19 +18,17 @@
 
 namespace vandplan::anytime {
 
-/// Replaces random stretches of a route by what a lattice search finds between their ends.
+/// Replaces random stretches of a long route by what a lattice search finds between their ends.
+/// What is found is shortened before it is offered, and is the route from then on.
 class Detours final : public Source {
  public:
-  /// `Scope::windows`: of a long route, whose stretches are then short; what is found is shortened
-  /// before it is offered, and is the route from then on.
-  Detours(const Task& task, const CostRule& rule, std::uint64_t seed, Scope scope = Scope::all);
+  Detours(const Task& task, const CostRule& rule, std::uint64_t seed);
 
-  /// What it looks for ways off: from its next search on, or, of a long route, from now on. The
-  /// route is longer than nothing.
+  /// What it looks for ways off from now on. The route is longer than nothing.
   void set_route(const Route& route) override;
 
-  /// Expands one pose, or settles some cells of a grid; needs a route. True when a route was found
-  /// that is cheaper, or of another kind and not much dearer: `route`.
+  /// Expands one pose, settles some cells of a grid, or shortens what was found; needs a route.
+  /// True when a cheaper route was found: `route`.
   [[nodiscard]] bool step() override;
 
   [[nodiscard]] Route route() const override { return found_; }
@@ -45,15 +43,13 @@ class Detours final : public Source {
   void make_guide(const LocalPose& root, const LocalPose& target);
   [[nodiscard]] bool is_hopeless() const;
   bool search();
-  Route put_in_place(const Route& way);
-  bool offer();
+  void put_in_place(const Route& way);
   bool patch();
 
   const Task& task_;
   CostRule rule_;
   Bounds scene_;
   Rng rng_;
-  Scope scope_;
   Route base_;              // the route
   Route before_, after_;    // what stays of it
   Route old_;               // what is to be replaced

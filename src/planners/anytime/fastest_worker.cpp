@@ -16,16 +16,16 @@ Fastest::Measure cost_of_route(const planning::Pricing& pricing) {
   };
 }
 
-// Drives are bent where the time is all that counts.
 Bender::Measure cost_of_drive(const planning::Pricing& pricing) {
-  if (!pricing.is_time()) return {};
   return [&pricing](std::span<const Segment> segments) { return pricing.cost(segments, 0.0); };
 }
 
 }  // namespace
 
-FastestWorker::FastestWorker(const Task& task, const planning::Pricing& pricing, std::uint64_t seed)
-    : fastest_(task, pricing.rule(), seed, cost_of_route(pricing), cost_of_drive(pricing)) {}
+FastestWorker::FastestWorker(const Task& task, const planning::Pricing& pricing, bool bends,
+                             std::uint64_t seed)
+    : fastest_(task, pricing.rule(), seed, cost_of_route(pricing),
+               bends ? cost_of_drive(pricing) : Bender::Measure{}) {}
 
 // [8b] Makes the cheapest route cheaper yet, by the whole drive.
 Found FastestWorker::work(std::int64_t iterations, const Told& told, const Budget& budget) {

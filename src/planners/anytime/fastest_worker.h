@@ -15,8 +15,9 @@ namespace vandplan::anytime {
 /// Makes drives along the routes of all workers cheaper by the measure of the whole drive.
 class FastestWorker final : public Worker {
  public:
-  /// The task and the pricing outlive the worker.
-  FastestWorker(const Task& task, const planning::Pricing& pricing, std::uint64_t seed);
+  /// With `bends` drives are bent, too, and cost nothing but what the pricing says of their
+  /// segments. The task and the pricing outlive the worker.
+  FastestWorker(const Task& task, const planning::Pricing& pricing, bool bends, std::uint64_t seed);
 
   [[nodiscard]] bool has_work() const override { return true; }
   [[nodiscard]] Found work(std::int64_t iterations, const Told& told,

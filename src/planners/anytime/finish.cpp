@@ -16,13 +16,12 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr int trials_for_fewer_changes = 1000;
-constexpr double shortest_stroke = 0.1;  // where seconds have a price [m]
 
 }  // namespace
 
 search::Route Finisher::with_fewer_changes(const search::Route& best, double shortest,
                                            std::uint64_t seed, search::Budget& budget) const {
-  if (!pricing_.rule().is_length() || best.legs.size() < 2) return best;
+  if (rules_.has_prices || best.legs.size() < 2) return best;
   CostRule rule = pricing_.rule();
   rule.gear_change_cost = 1e-8;
   Connector connector(task_, rule);
@@ -41,25 +40,19 @@ std::vector<Segment> Finisher::raw(const Best& best) const {
   if (best.drive == nullptr) return path_of(*best.route).segments;
   if (best.drive->commands.empty()) return best.drive->segments;
   commands::DriveShortener drive(task_, pricing_.rule(), best.drive->commands, 0);
-  if (task_.steering != Steering::reeds_shepp) drive.drop_crumbs();
+  if (rules_.is_continuous) drive.drop_crumbs();
   return drive.segments();
-}
-
-double Finisher::wanted_stroke() const {
-  const bool has_both_prices = pricing_.counts_time() && !pricing_.is_time();
-  return has_both_prices ? std::max(min_stroke_, shortest_stroke) : min_stroke_;
 }
 
 std::optional<Drivable> Finisher::drivable(const Best& best,
                                            const std::vector<Segment>& raw) const {
   const bool is_bent = best.drive != nullptr && !best.drive->commands.empty();
-  const bool is_continuous = task_.steering != Steering::reeds_shepp;
-  const double stroke = wanted_stroke();
+  const double stroke = rules_.stroke;
   const CostRule& rule = pricing_.rule();
-  if (stroke == 0.0 && !is_bent && rule.is_length()) return std::nullopt;
+  if (stroke == 0.0 && !is_bent && !rules_.has_prices) return std::nullopt;
   Connector connector(task_, rule);
   Drivable drivable{raw, 0.0};
-  if (!is_continuous) {
+  if (!rules_.is_continuous) {
     drivable.segments = tidied(connector, task_.start, raw, stroke);
   } else if (stroke > 0.0) {
     const Route& route =
@@ -68,7 +61,7 @@ std::optional<Drivable> Finisher::drivable(const Best& best,
     drivable.segments =
         path_of(with_strokes(connector, gears_at_ends(task_, rule), legs, stroke)).segments;
   }
-  if (is_continuous && !rule.is_length() && !best.is_optimal) {
+  if (rules_.is_continuous && rules_.has_prices && !best.is_optimal) {
     std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments, 0.0);
     const auto lack = [&](std::span<const Segment> s) {
       return commands::price_of_lack(s, stroke);
@@ -83,12 +76,9 @@ std::optional<Drivable> Finisher::drivable(const Best& best,
 
 std::optional<Drivable> Finisher::finished(const Best& best,
                                            const std::vector<Segment>& raw) const {
-  constexpr double of_time = 1e-12;  // slack of a time, relative
-  constexpr double of_both = 1e-2;   // slack of prices and time, relative
   std::optional<Drivable> neat = drivable(best, raw);
-  if (!neat || min_stroke_ > 0.0 || !pricing_.counts_time()) return neat;
-  const double most = best.drive->cost * (1 + (pricing_.is_time() ? of_time : of_both));
-  return neat->cost > most ? std::nullopt : std::move(neat);
+  if (!neat || !rules_.slack) return neat;
+  return neat->cost > best.drive->cost * (1 + *rules_.slack) ? std::nullopt : std::move(neat);
 }
 
 }  // namespace vandplan::anytime

@@ -25,13 +25,23 @@ struct Drivable {
   double cost;
 };
 
+/// What is asked of a drive besides its cost.
+struct FinishRules {
+  double min_stroke = 0.0;     ///< strokes before and after gear changes that are asked for [m]
+  double stroke = 0.0;         ///< strokes that are made if there is room [m]
+  bool is_continuous = false;  ///< whether the wheels need time to turn
+  bool has_prices = false;     ///< whether more than the length counts
+  /// A finished drive may cost so much more than the one that was found, relative; any, if none.
+  std::optional<double> slack = {};
+};
+
 /// Leaves out crumbs, and makes strokes before and after gear changes as long as is asked for where
 /// there is room.
 class Finisher {
  public:
-  /// `min_stroke` is asked for [m]. All that is referred to outlives the finisher.
-  Finisher(const Task& task, const planning::Pricing& pricing, double min_stroke)
-      : task_(task), pricing_(pricing), min_stroke_(min_stroke) {}
+  /// The task and the pricing outlive the finisher.
+  Finisher(const Task& task, const planning::Pricing& pricing, const FinishRules& rules)
+      : task_(task), pricing_(pricing), rules_(rules) {}
 
   /// One of the shortest paths with fewer gear changes, if `best` is one of the shortest. Turning
   /// on the spot has many paths of the same length. `shortest`: no path is shorter [m].
@@ -45,14 +55,12 @@ class Finisher {
   /// `drivable`, unless it costs much more than the drive that was found.
   [[nodiscard]] std::optional<Drivable> finished(const Best& best,
                                                  const std::vector<Segment>& raw) const;
-  [[nodiscard]] double min_stroke() const { return min_stroke_; }
+  [[nodiscard]] double min_stroke() const { return rules_.min_stroke; }
 
  private:
-  [[nodiscard]] double wanted_stroke() const;
-
   const Task& task_;
   const planning::Pricing& pricing_;
-  double min_stroke_;
+  FinishRules rules_;
 };
 
 }  // namespace vandplan::anytime

@@ -25,7 +25,6 @@ struct Progress {
   std::int64_t rounds_with_route = 0;  ///< rounds that began with a route
   std::int64_t iterations = 0;         ///< iterations so far
   bool has_route = false;              ///< whether there is a route
-  bool has_relaxed_route = false;      ///< whether there is a route of the relaxed task
   bool is_settled = false;             ///< whether the best cost hardly falls any more
 };
 
@@ -39,13 +38,6 @@ enum class Phase {
   after,     ///< alone, when what the others found is known
 };
 
-/// What a worker is told to be the best route.
-enum class Hears {
-  best,             ///< the best route
-  relaxed,          ///< the best route of the relaxed task
-  relaxed_or_best,  ///< that, or the best route while there is none
-};
-
 /// A worker in its place.
 struct Slot {
   std::string_view name;
@@ -53,9 +45,8 @@ struct Slot {
   Share share;        ///< iterations of the next round
   Share proofs = {};  ///< steps of proving beside them, which are no iterations
   Phase phase = Phase::together;
-  Hears hears = Hears::best;
-  bool is_relaxed = false;              ///< whether its routes are of the relaxed task
-  std::int64_t joins = 0;               ///< rounds with a route before it takes part
+  bool is_relaxed = false;  ///< whether its routes are of the relaxed task: no answers, but offers
+  std::int64_t joins = 0;   ///< rounds with a route before it takes part
   std::vector<std::size_t> feeds = {};  ///< slots that hear of the routes that are given up here
 };
 
@@ -69,6 +60,8 @@ struct Portfolio {
   std::vector<Slot> slots;                 ///< in the order in which they are granted and merged
   std::vector<search::Route> routes = {};  ///< known before the first round
   std::optional<Drive> drive = {};         ///< known before the first round
+  /// The run ends at a cost that is proven to be as near to the optimum, relative; never, if none.
+  std::optional<double> gap = {};
   /// Whether routes are compared by the cost of the answer; otherwise drives alone are.
   bool routes_are_answers = true;
 };

@@ -11,6 +11,7 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr double a_good_deal = 0.999;     // of the cost
+constexpr int most_idle_rounds = 128;     // in a row
 constexpr std::int64_t unsettled = 4000;  // iterations
 
 }  // namespace
@@ -20,7 +21,7 @@ Run::Run(Portfolio portfolio, const search::Budget& budget, const BudgetOptions&
       budget_(budget),
       seed_(options.seed),
       threads_(options.threads),
-      target_gap_(options.target_gap) {
+      has_time_limit_(options.time_limit.has_value()) {
   for (search::Route& route : portfolio_.routes) take(std::move(route));
   if (!portfolio_.drive) return;
   drive_ = std::move(portfolio_.drive);
@@ -48,18 +49,14 @@ Progress Run::progress() const {
           .rounds_with_route = rounds_with_route_,
           .iterations = budget_.iterations(),
           .has_route = route_.has_value(),
-          .has_relaxed_route = relaxed_route_.has_value(),
           .is_settled = budget_.iterations() > 2 * noted_at_ + unsettled};
 }
 
 bool Run::takes_part(const Slot& slot) const { return rounds_with_route_ >= slot.joins; }
 
 Told Run::told(const Slot& slot, double enough_cost) const {
-  const bool hears_relaxed =
-      slot.hears == Hears::relaxed || (slot.hears == Hears::relaxed_or_best && relaxed_route_);
-  const std::optional<search::Route>& best = hears_relaxed ? relaxed_route_ : route_;
   const bool may_be_enough = portfolio_.routes_are_answers && !slot.is_relaxed;
-  return {best ? &*best : nullptr, may_be_enough ? enough_cost : 0.0};
+  return {route_ ? &*route_ : nullptr, may_be_enough ? enough_cost : 0.0};
 }
 
 Best Run::best() const {
@@ -89,7 +86,7 @@ Proven Run::proven() const {
 
 // What a path may cost to be as near to the optimum as was asked for, as far as is proven.
 double Run::enough() const {
-  return target_gap_ ? (1 + *target_gap_) * portfolio_.bound.least(proven()) : 0.0;
+  return portfolio_.gap ? (1 + *portfolio_.gap) * portfolio_.bound.least(proven()) : 0.0;
 }
 
 bool Run::is_optimal() const { return route_ && portfolio_.bound.is_optimal(cost(), proven()); }
@@ -97,7 +94,7 @@ bool Run::is_optimal() const { return route_ && portfolio_.bound.is_optimal(cost
 // Whether the best path is proven to be as near to the optimum as was asked for, with strokes as
 // long as was asked for.
 bool Run::is_good_enough() {
-  if (!route_ || !target_gap_) return false;
+  if (!route_ || !portfolio_.gap) return false;
   const double found = cost();
   if (found > enough()) return false;
   if (portfolio_.finisher.min_stroke() == 0.0) return true;
@@ -133,12 +130,10 @@ void Run::note_cost() {
   noted_at_ = budget_.iterations();
 }
 
-// Who hears of what is given up hears of the best relaxed route, too.
+// Routes of the relaxed task are no answers, but others make routes of them.
 void Run::merge_relaxed(Found& found) {
   budget_.spend(found.iterations);
-  if (!found.route || (relaxed_route_ && found.route->cost >= relaxed_route_->cost)) return;
-  relaxed_route_ = std::move(found.route);
-  found.given_up.push_back(*relaxed_route_);
+  if (found.route) found.given_up.push_back(*std::move(found.route));
 }
 
 // As long as a gap is to be proven: raises the bound, no further than it takes.
@@ -146,7 +141,9 @@ void Run::work_before(Slot& slot) {
   std::int64_t steps = route_ ? slot.share(progress()) : 0;
   for (; steps > 0 && !is_good_enough(); --steps) {
     if (!slot.worker->has_work()) {
-      if (slot.worker->prove(slot.proofs(progress()), budget_) == 0) return;
+      const std::int64_t proofs = slot.worker->prove(slot.proofs(progress()), budget_);
+      if (proofs == 0) return;
+      proofs_of_round_ += proofs;
       continue;
     }
     Found found = slot.worker->work(left(1, 0), told(slot, 0.0), budget_);
@@ -173,8 +170,9 @@ void Run::work_together() {
   parallel_for(slots.size(), route_ ? threads_ : 1, [&](std::size_t i) {
     if (slots[i].phase == Phase::after || !takes_part(slots[i])) return;
     found[i] = slots[i].worker->work(granted[i], told(slots[i], enough_cost), budget_);
-    if (proofs[i] > 0) slots[i].worker->prove(proofs[i], budget_);
+    if (proofs[i] > 0) proofs[i] = slots[i].worker->prove(proofs[i], budget_);
   });
+  for (const std::int64_t made : proofs) proofs_of_round_ += made;
   if (route_) ++rounds_with_route_;
   for (std::size_t i = 0; i < slots.size(); ++i) {  // [8]
     if (slots[i].is_relaxed) {
@@ -195,6 +193,9 @@ void Run::work_after(Slot& slot, std::int64_t iterations) {
 }
 
 void Run::round() {
+  const std::int64_t before = budget_.iterations();
+  const bool may_work = left(1, 0) > 0;
+  proofs_of_round_ = 0;
   for (Slot& slot : portfolio_.slots) {
     if (slot.phase == Phase::before) work_before(slot);
   }
@@ -204,10 +205,17 @@ void Run::round() {
     if (slot.phase == Phase::after && route_) work_after(slot, left(slot.share(progress()), 0));
   }
   ++rounds_;
+  const bool has_proven = has_time_limit_ && proofs_of_round_ > 0;
+  const bool is_idle = budget_.iterations() == before && !has_proven;
+  if (may_work) idle_rounds_ = is_idle ? idle_rounds_ + 1 : 0;
 }
 
+// Whether all that may bring anything was tried: some workers wait for later rounds. Proving alone
+// goes on until the time is over, if that is limited: no number of iterations would end it.
+bool Run::is_exhausted() const { return route_ && idle_rounds_ >= most_idle_rounds; }
+
 bool Run::advance() {
-  if (is_optimal() || is_good_enough() || proven().is_walled_in) return false;
+  if (is_optimal() || is_good_enough() || proven().is_walled_in || is_exhausted()) return false;
   end_ = budget_.exhausted();
   if (!end_) round();
   return !end_;

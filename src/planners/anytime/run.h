@@ -48,6 +48,7 @@ class Run {
   [[nodiscard]] double enough() const;
   [[nodiscard]] bool is_optimal() const;
   [[nodiscard]] bool is_good_enough();
+  [[nodiscard]] bool is_exhausted() const;
 
   void take(search::Route route);
   void round();
@@ -64,14 +65,15 @@ class Run {
   search::Budget budget_;
   std::uint64_t seed_;
   int threads_;
-  std::optional<double> target_gap_;
+  bool has_time_limit_;
   std::int64_t pause_ = std::numeric_limits<std::int64_t>::max();  // iteration of the next pause
   std::optional<PlanStatus> end_;                                  // why the budget ended
   std::optional<search::Route> route_;                             // the cheapest
-  std::optional<search::Route> relaxed_route_;  // the cheapest of the relaxed task
-  std::optional<Drive> drive_;                  // the cheapest
+  std::optional<Drive> drive_;                                     // the cheapest
   std::vector<CostSample> trace_;
   std::int64_t rounds_ = 0, rounds_with_route_ = 0;
+  std::int64_t proofs_of_round_ = 0;                             // steps of proving in this round
+  int idle_rounds_ = 0;                                          // rounds in a row without any work
   double noted_cost_ = std::numeric_limits<double>::infinity();  // of the best route
   std::int64_t noted_at_ = 0;         // iteration at which that last fell a good deal
   double cost_before_strokes_ = 0.0;  // of the route that was made drivable last

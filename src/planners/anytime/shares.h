@@ -3,7 +3,7 @@
 #pragma once
 // How much of the work does each worker get?
 //
-// Why so much: docs/algorithms/anytime.md, "What was tried, and what it brought".
+// Why so much: docs/lab/anytime.md.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,11 +18,10 @@ struct Turn {
 
 /// The iterations of one worker in a round, in each kind of run.
 struct Row {
-  Turn until_route;             ///< while there is no route: what is cheap comes first
-  std::int64_t by_length;       ///< with a route, where its length counts
-  std::int64_t by_prices;       ///< with a route, where prices count
-  std::int64_t with_bending;    ///< with a route that is bent
-  std::int64_t beside_relaxed;  ///< the same, when workers plan the relaxed task, too
+  Turn until_route;        ///< while there is no route: what is cheap comes first
+  std::int64_t by_length;  ///< with a route, where its length counts
+  std::int64_t by_time;    ///< with a route, where the time has a price
+  std::int64_t by_prices;  ///< with a route, where its prices count, and it is bent
   /// From so many rounds with a route on, where a gap is to be proven or a path was known: rounds
   /// are short, and what mostly proves the gap comes first.
   Turn with_gap;
@@ -33,26 +32,21 @@ struct Row {
 
 namespace shares {
 
-inline constexpr Row search_from_goal{{1, 64}, 64, 160, 40, 24, {1, 48}, {1, 64}, 256, 256};
-inline constexpr Row search_from_start{{2, 64}, 64, 160, 40, 24, {6, 48}, {64, 64}, 16, 16};
-inline constexpr Row trees{{0, 16}, 32, 32, 1, 1, {6, 16}, {0, 16}};
-inline constexpr Row refine{{}, 256, 96, 2, 1, {0, 48}, {}, 256, 256};
-inline constexpr Row length_prover{{}, 2, 2, 1, 1, {0, 1}, {}, 4, 1};
-inline constexpr Row detours{{}, 0, 96, 24, 16, {6, 48}};
-inline constexpr Row bend{{}, 24, 0, 96, 96, {0, 24}};
-inline constexpr Row survey{{}, 0, 0, 16, 16, {}};
-inline constexpr Row adapt{{}, 0, 0, 0, 16, {}};
-inline constexpr Row relaxed_search{{}, 0, 0, 0, 60, {}};
-inline constexpr Row relaxed_trees{{}, 0, 0, 0, 1, {}};
-inline constexpr Row relaxed_refine{{}, 0, 0, 0, 5, {}};
-inline constexpr Row relaxed_detours{{}, 0, 0, 0, 24, {}};
+inline constexpr Row search_from_goal{{1, 64}, 64, 160, 24, {1, 48}, {1, 64}, 256, 256};
+inline constexpr Row search_from_start{{2, 64}, 64, 160, 24, {6, 48}, {64, 64}, 16, 16};
+inline constexpr Row refine{{}, 256, 0, 0, {0, 48}, {}, 256, 256};
+inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}, {}, 4, 1};
+inline constexpr Row bend{{}, 24, 0, 96, {0, 24}};
+inline constexpr Row survey{{}, 0, 0, 16, {}};
 
-/// Share of the survey until its first way is found, beside relaxed workers, and in its first look:
-/// what that brings cannot come too soon.
+/// Share of the survey until its first way is found, if that is of the relaxed task, and in its
+/// first look: what that brings cannot come too soon.
 inline constexpr std::int64_t first_glance = 200;
 inline constexpr std::int64_t first_look = 100;
 
-/// Trees that found nothing by then are in a tight place: only the lattices get through.
+/// Samples of the trees in each round until there is a route. Trees that found nothing by the later
+/// round are in a tight place: only the lattices get through.
+inline constexpr std::int64_t early_trees = 16;
 inline constexpr Turn late_trees{16, 1};
 
 /// Over a whole site a detour changes a small part of a route, and refining another one: each has

@@ -56,13 +56,13 @@ CostRule rule_from(const CostRule& rule, Root root) {
 
 }  // namespace
 
-Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
+Ladder::Ladder(const Task& task, const CostRule& rule, Root root, Scope scope)
     : task_(task),
       scene_(sampling_region(task, Region::scene)),
       from_(root == Root::start ? task.start : task.goal),
       to_(root == Root::start ? task.goal : task.start),
       root_(root),
-      is_far_(FarGuide::is_wanted(task, scene_)),
+      is_far_(scope == Scope::windows),
       rule_(rule),
       by_length_(task),
       by_price_(task, rule_from(rule, root)),

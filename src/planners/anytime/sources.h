@@ -9,6 +9,7 @@
 
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
+#include "planners/anytime/shorten.h"
 #include "planners/anytime/source.h"
 #include "planners/anytime/strung.h"
 #include "planners/anytime/trees.h"
@@ -25,7 +26,8 @@ enum class Root { start, goal };
 /// on by price that a tight slot needed.
 class Ladder final : public Source {
  public:
-  Ladder(const Task& task, const CostRule& rule, Root root);
+  /// `Scope::windows`: over a whole site, of which only a strip is looked at.
+  Ladder(const Task& task, const CostRule& rule, Root root, Scope scope);
 
   /// A few microseconds of work. True when a route was found: `route`.
   [[nodiscard]] bool step() override;
@@ -54,7 +56,7 @@ class Ladder final : public Source {
   LocalPose from_;
   LocalPose to_;
   Root root_;
-  bool is_far_;                        // over a site of which only a strip is looked at
+  bool is_far_;                        // over a whole site
   CostRule rule_;                      // of the route
   Connector by_length_;                // of searches before a route is known
   Connector by_price_;                 // of searches from then on, in their direction

@@ -96,8 +96,7 @@ Gears Strung::gears_of_leg() const {
   Gears gears = gears_at_ends(task_, connector_.rule());
   if (!route_.legs.empty()) gears.before = last_driven(route_.legs.back().piece);
   if (next_ + 1 < corners_.size()) gears.after = {};
-  if (task_.steering == Steering::reeds_shepp) gears = {gears.before.gear, 0};
-  return gears;
+  return fitted_gears(task_, gears);
 }
 
 // A leg that costs more turns around on its way.
