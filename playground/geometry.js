@@ -107,6 +107,19 @@ export function boxOf(points) {
   return box;
 }
 
+/** The corners of what is hit, of which the planner says what and where it is; null if it is not in the scene. */
+export function hitCorners(scene, {what, index, cell}) {
+  if (index !== undefined) return scene[what][index] ?? null;
+  if (what === 'bounds') {
+    const {x, y} = scene.bounds;
+    return [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
+  }
+  if (!cell || !scene.map) return null;
+  const {origin, resolution} = scene.map.grid;
+  const half = resolution / 2;
+  return [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u, v]) => placed({...cell, heading: origin.heading}, u * half, v * half));
+}
+
 /** The corners of a map. */
 export function mapCorners({origin, resolution, columns, rows}) {
   const width = columns * resolution;

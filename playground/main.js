@@ -126,7 +126,7 @@ function listenToButtons(page) {
   const clicks = {
     play: () => page.toggleDrive(), undo: () => page.undo(), redo: () => page.redo(), fit: () => page.fit(), park: () => page.togglePark(),
     remove: () => page.editor.remove(), 'add-wall': () => page.add('obstacles'), 'add-kerb': () => page.add('kerbs'),
-    'as-driver': () => page.style(panel.driver), 'as-shortest': () => page.style(panel.shortest),
+    'as-driver': () => page.style(), 'as-shortest': () => page.style(panel.shortest),
     help: () => byId('about').showModal(), 'about-close': () => byId('about').close(),
     'show-plan': () => show(page, false), 'show-how': () => show(page, true),
     theme: () => setTheme(page, document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'),

@@ -21,8 +21,9 @@ const byId = (id) => document.getElementById(id);
 export class Page {
   scene = null;
   history = new History();
-  settings = {...panel.driver};
-  wanted = {...panel.driver}; // settings without those of the scenario
+  settings = {}; // what driving costs, the margin and the steering
+  own = {}; // those that the scenario or somebody has set: all others are a driver's for the vehicle
+  wanted = {}; // those that somebody has set
   result = null;
   known = null; // the last path of this scene, before it was changed
   shown = null; // of the path: {rows: s, x, y, heading, curvature, direction; trail: x, y, heading of the trailer, or null}
@@ -57,11 +58,8 @@ export class Page {
     this.known = null;
     this.editor.selected = null;
     this.stopDriving();
-    this.settings = {...this.wanted};
-    for (const key of [...panel.sliders, 'steering']) {
-      if (scene.options?.[key] !== undefined) this.settings[key] = scene.options[key];
-    }
-    panel.fillSettings(this.settings);
+    this.own = {...this.wanted, ...panel.settingsIn(scene.options ?? {})};
+    this.settle();
     this.named();
     this.changed('ends');
     this.fit();
@@ -72,6 +70,15 @@ export class Page {
     panel.showYard(this.scene);
     const lengths = ({wheelbase, width, min_turning_radius: radius, outline, trailers}) => JSON.stringify([wheelbase, width, radius, outline, trailers]);
     byId('vehicle').value = Object.keys(vehicles).find((name) => lengths(vehicle(name)) === lengths(this.scene.vehicle)) ?? '';
+  }
+
+  /** What a driver of the vehicle of the scene would set. */
+  driver = () => panel.driverOf(this.vandplan.prices('driver', this.scene.vehicle));
+
+  /** Puts a driver's settings where nothing is set. */
+  settle() {
+    this.settings = {...this.driver(), ...this.own};
+    panel.fillSettings(this.settings);
   }
 
   fit() {
@@ -191,8 +198,9 @@ export class Page {
   /** The scene with those settings among its options that it came with or that are not a driver's, for files and links. */
   sceneAsSet() {
     const options = {...this.scene.options};
+    const driver = this.driver();
     for (const [key, value] of Object.entries(this.settings)) {
-      if (key in options || value !== panel.driver[key]) options[key] = value;
+      if (key in options || value !== driver[key]) options[key] = value;
     }
     return {...this.scene, options};
   }
@@ -202,6 +210,7 @@ export class Page {
     this.scene = scene;
     const {selected} = this.editor;
     if (selected?.index !== undefined && !polygonAt(scene, selected)) this.editor.selected = null;
+    this.settle();
     this.named();
     this.changed('ground');
   }
@@ -232,17 +241,18 @@ export class Page {
       if (!vehicles[value]) return;
       this.history.remember(this.scene);
       changeVehicle(this.scene, vehicle(value));
+      this.settle();
     } else {
-      this.settings[key] = value;
-      this.wanted[key] = value;
+      for (const all of [this.settings, this.own, this.wanted]) all[key] = value;
     }
     this.changed('ends');
   }
 
-  style(settings) {
-    Object.assign(this.settings, settings);
-    Object.assign(this.wanted, settings);
-    panel.fillSettings(this.settings);
+  /** Sets all settings; without any they are a driver's. */
+  style(settings = {}) {
+    this.own = {...settings};
+    this.wanted = {...settings};
+    this.settle();
     this.changed('ends');
   }
 

@@ -3,7 +3,7 @@
 
 // Draws the yard. Colours come from the style sheet, so that dark and light are decided there.
 
-import {mapCorners, outline, placed, trailerOutline, trailerPose} from './geometry.js';
+import {hitCorners, mapCorners, outline, placed, trailerOutline, trailerPose} from './geometry.js';
 
 const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'forward', 'reverse', 'body', 'glass', 'bad'];
 
@@ -94,6 +94,18 @@ export function paintPolygons(context, view, scene, colours) {
     context.fill('nonzero');
     context.stroke();
   }
+}
+
+/** Outlines in red what is in the way of the start or the goal. */
+export function paintHit(context, view, scene, hit, colours) {
+  const corners = hitCorners(scene, hit);
+  if (!corners) return;
+  context.beginPath();
+  trace(context, corners);
+  context.strokeStyle = colours.bad;
+  context.lineWidth = 3 / view.scale;
+  context.lineJoin = 'round';
+  context.stroke();
 }
 
 function wheel(context, x, y, angle, size) {

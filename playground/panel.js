@@ -6,7 +6,13 @@
 const byId = (id) => document.getElementById(id);
 
 export const sliders = ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost', 'margin'];
-export const driver = {gear_change_cost: 5, reverse_weight: 2, clearance_weight: 2, curvature_change_cost: 5, margin: 0, steering: 'continuous-between-stops'};
+/** The settings among options. */
+export const settingsIn = (options) => ({
+  ...(options.style === 'shortest' ? shortest : {}),
+  ...Object.fromEntries([...sliders, 'steering'].filter((key) => options[key] !== undefined).map((key) => [key, options[key]])),
+});
+/** A driver's settings with these prices. */
+export const driverOf = (prices) => ({...settingsIn(prices), margin: 0, steering: 'continuous-between-stops'});
 export const shortest = {gear_change_cost: 0, reverse_weight: 1, clearance_weight: 0, curvature_change_cost: 0, margin: 0, steering: 'reeds-shepp'};
 
 const words = {
@@ -110,16 +116,16 @@ export function paintTrace(colours, {anytime, time, path}, bounds) {
   if (bounds.length) line(bounds.map(({time: t, bound}) => [t, bound]), colours.soft, 1.5);
 }
 
-function shown(slider) {
+function shown(slider, value) {
   const unit = slider.dataset.unit;
-  const number = Number(slider.value);
+  const number = Number(value.toPrecision(3)); // a slider itself goes in steps
   slider.parentElement.querySelector('.value').textContent = `${number}${unit ? ' ' + unit : ''}`;
 }
 
 export function fillSettings(settings) {
   for (const key of sliders) {
     byId(key).value = settings[key];
-    shown(byId(key));
+    shown(byId(key), settings[key]);
   }
   byId('steering').value = settings.steering;
 }
@@ -128,7 +134,7 @@ export function fillSettings(settings) {
 export function listen(changed) {
   for (const key of sliders) {
     byId(key).addEventListener('input', ({target}) => {
-      shown(target);
+      shown(target, Number(target.value));
       changed(key, Number(target.value));
     });
   }

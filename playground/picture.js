@@ -23,6 +23,7 @@ export function paintPage(page, colours, driven) {
     paint.paintFootprints(context, view, scene.vehicle, page.shown, colours, scene.vehicle.trailers ? 5 : 2.5);
     paint.paintPath(context, view, page.shown.rows, colours);
   }
+  if (page.result?.hit) paint.paintHit(context, view, scene, page.result.hit, colours);
   paintTrucks(page, colours, driven);
   if (page.clean) return;
   paintSelection(page, colours);

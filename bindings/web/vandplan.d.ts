@@ -134,11 +134,31 @@ export interface PlanOptions {
   [key: string]: number | string | boolean | null | undefined;
 }
 
+/** What driving costs: docs/algorithms/anytime.md#styles. */
+export interface Prices {
+  reverse_weight: number;
+  /** Of one gear change [m]. */
+  gear_change_cost: number;
+  /** Of turning the wheels [m per 1/m]. */
+  curvature_change_cost: number;
+  clearance_weight: number;
+  /** Up to which being near things costs [m]. */
+  clearance_distance: number;
+}
+
+/** What is hit: an obstacle or a kerb by its number, a cell of the map by its middle, or the edge of the bounds. */
+export type Hit =
+  | {what: 'obstacles' | 'kerbs'; index: number}
+  | {what: 'map'; cell?: {x: number; y: number}}
+  | {what: 'bounds'};
+
 /** The independent judge's verdict. */
 export interface Check {
   valid: boolean;
   /** The first thing found wrong; empty when valid. */
   reason: string;
+  /** What is hit or left, if that is what is wrong. */
+  hit: Hit | null;
   /** Where it is wrong, if at a place. */
   at: Pose | null;
   length: number;
@@ -156,6 +176,8 @@ export interface Result {
     | 'solved' | 'start_in_collision' | 'goal_in_collision' | 'iteration_limit' | 'node_limit'
     | 'time_limit' | 'stopped' | 'no_path' | 'rejected';
   reason: string;
+  /** What is in the way of a start or goal in collision. */
+  hit: Hit | null;
   path: Path | null;
   cost: number | null;
   /** No path costs less; 0 where nothing is proven. */
@@ -215,6 +237,8 @@ export interface Vandplan {
   planners(): PlannerInfo[];
   /** Names of vehicles that may stand for their lengths, such as "two-axle-truck". */
   vehicles(): string[];
+  /** What driving costs where no price is set: those of a driver shrink with a turning radius below 7 m. */
+  prices(style: 'driver' | 'shortest', vehicle: Vehicle | string): Prices;
   plan(scenario: Scenario, options?: PlanOptions & {planner?: string}): Result;
   check(scenario: Scenario, path: Path, claims?: Claims): Check;
   yard(scenario: Scenario): Yard;

@@ -26,10 +26,7 @@ function vehicleOf(given) {
   if (typeof given === 'string' && !Object.hasOwn(vehicles, given)) {
     throw new InputError({where: 'vehicle', problem: `there is no "${given}", expected one of ${Object.keys(vehicles).join(', ')}`});
   }
-  const vehicle = typeof given === 'string' ? vehicles[given] : given;
-  if (vehicle?.max_steering_angle === undefined) return vehicle;
-  const {max_steering_angle: angle, ...rest} = vehicle;
-  return {...rest, min_turning_radius: (vehicle.wheelbase * Math.cos(angle)) / Math.sin(angle)};
+  return typeof given === 'string' ? vehicles[given] : given;
 }
 
 /** A scenario or a query with its vehicle as the core reads it. */
@@ -76,6 +73,7 @@ function functionsOf(core) {
     version: core.version(),
     planners: () => core.planners(),
     vehicles: () => Object.keys(vehicles),
+    prices: (style, vehicle) => taken(core.prices(style, vehicleOf(vehicle))),
     yard: (scenario) => new Yard(core, scenario),
     plan: (scenario, {planner, ...options} = {}) => inYard(scenario, (yard) => yard.plan({planner, options})),
     check: (scenario, path, claims = {}) => inYard(scenario, (yard) => yard.check({path, ...claims})),

@@ -156,6 +156,17 @@ expect(hashWith('van') === hashWith(yaml.load(readFileSync(join(scenarios, '../v
 const {min_turning_radius: _, ...lengths} = truck;
 const byAngle = vandplan.plan({...yard, vehicle: {...lengths, max_steering_angle: angle}}, few);
 expect(vandplan.check(yard, byAngle.path).valid, 'an angle of the wheels stands for the radius');
+// Prices that are not set fit the vehicle.
+const byDriver = vandplan.prices('driver', truck);
+expect(byDriver.gear_change_cost === 5 && vandplan.prices('driver', {...truck, min_turning_radius: 3.5}).gear_change_cost === 2.5, 'a driver\'s prices');
+expect(vandplan.prices('shortest', 'van').gear_change_cost === 0, 'no prices by length');
+// What is in the way of the goal is named by its number.
+const wall = [[-60, -1], [-50, -1], [-50, 1], [-60, 1]];
+const around = ({goal: {x, y}}) => [[x - 1, y - 1], [x + 1, y - 1], [x + 1, y + 1], [x - 1, y + 1]];
+const {status: refused, hit} = vandplan.plan({...yard, obstacles: [wall, around(yard)]}, few);
+expect(refused === 'goal_in_collision' && hit.what === 'obstacles' && hit.index === 1, `the goal hits ${JSON.stringify(hit)}`);
+expect(vandplan.check({...yard, obstacles: [wall, around(yard)]}, byAngle.path).hit.index === 1, 'so does a path to it');
+expect(byAngle.hit === null && byAngle.check.hit === null, 'nothing is hit where there is a path');
 // The module for pages runs in Node, too.
 const {load: loadModule} = await import(pathToFileURL(join(playground, 'vandplan.mjs')));
 expect(hashWith(truck, await loadModule()) === hashWith(truck), 'both modules plan the same path');

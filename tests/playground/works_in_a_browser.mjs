@@ -109,6 +109,21 @@ async function edits(page) {
   expect(after.heading !== before.heading && after.x !== before.x, 'keys move and turn the goal');
 }
 
+/** Sliders have a driver's prices for the vehicle unless somebody moved them; the button resets them to those. */
+async function pricesFit(page) {
+  const text = (id) => page.value(`document.getElementById('${id}').parentElement.querySelector('.value').textContent`);
+  const wanted = await page.value('vandplanPage.vandplan.prices("driver", vandplanPage.scene.vehicle).gear_change_cost');
+  expect(wanted < 4.9 && (await page.value('vandplanPage.settings.gear_change_cost')) === wanted, 'a gear change of a van costs less than a truck\'s');
+  expect((await text('gear_change_cost')) === `${Number(wanted.toPrecision(3))} m`, 'its slider says so');
+  await page.value("(() => { const s = document.getElementById('gear_change_cost'); s.value = 17; s.dispatchEvent(new Event('input')); })()");
+  await choose(page, 'vehicle', 'two-axle-truck');
+  expect((await text('gear_change_cost')) === '17 m' && (await text('curvature_change_cost')) === '5 m', 'a truck has its prices, but for the one that was set');
+  await choose(page, 'vehicle', 'van');
+  await click(page, 'as-driver');
+  expect((await page.value('vandplanPage.settings.gear_change_cost')) === wanted, 'a driver resets it to the van\'s');
+  await found(page);
+}
+
 async function slides(page) {
   await choose(page, 'scenario', 'Thesis: 5 leave cage');
   await found(page);
@@ -127,6 +142,7 @@ async function slides(page) {
   await click(page, 'as-driver');
   await choose(page, 'vehicle', 'van');
   await found(page);
+  await pricesFit(page);
   expect((await page.value('vandplanPage.scene.vehicle.wheelbase')) < 4.5, 'the vehicle is another one');
   await page.until('vandplanPage.result.time > 0.15', 60);
 }
@@ -234,6 +250,13 @@ async function saves(page) {
   await page.until('vandplanPage.result?.status === "goal_in_collision"');
   const reason = await page.value('document.getElementById("status").textContent');
   expect(reason.includes('a wall') && !reason.includes('['), `the reason is in words: ${reason}`);
+  expect((await page.value('JSON.stringify(vandplanPage.result.hit)')) === '{"what":"obstacles","index":0}', 'it says which wall is hit');
+  const reds = () => page.value(`(() => { const {view, context, scene} = vandplanPage; const [x, y] = view.toPage(scene.obstacles[0][0]).map((c) => Math.round(c * view.ratio));
+    const {data} = context.getImageData(x - 3, y - 3, 7, 7); let n = 0; for (let i = 0; i < data.length; i += 4) n += data[i] > data[i + 1] + 60 && data[i] > data[i + 2] + 60; return n; })()`);
+  expect((await reds()) > 3, 'and outlines it in red');
+  await page.value('vandplanPage.scene.goal.y = 0; vandplanPage.changed("ends")');
+  await found(page);
+  expect((await reds()) === 0 && (await page.value('vandplanPage.result.hit === null')), 'no more once the goal is free');
   await dropped(page, 'yard.png', `await (async () => { const c = new OffscreenCanvas(60, 50); const d = c.getContext('2d'); d.fillStyle = '#fff'; d.fillRect(0, 0, 60, 50);
     d.fillStyle = '#000'; d.fillRect(0, 0, 60, 2); return c.convertToBlob(); })()`);
   await page.until('vandplanPage.scene.map?.grid.rows === 50');

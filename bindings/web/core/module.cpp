@@ -345,6 +345,20 @@ val all_planners() {
   return list;
 }
 
+/// The prices of a style for a vehicle.
+val prices(const std::string& style, const val& vehicle) {
+  return guarded([&] {
+    const CostOptions prices = prices_of(style_named(style), vehicle_from(vehicle));
+    val object = val::object();
+    object.set("reverse_weight", *prices.reverse_weight);
+    object.set("gear_change_cost", *prices.gear_change_cost);
+    object.set("curvature_change_cost", *prices.curvature_change_cost);
+    object.set("clearance_weight", *prices.clearance_weight);
+    object.set("clearance_distance", *prices.clearance_distance);
+    return object;
+  });
+}
+
 std::string version() { return std::string(build_info().version); }
 
 }  // namespace
@@ -353,6 +367,7 @@ EMSCRIPTEN_BINDINGS(vandplan) {
   using emscripten::function;
   function("version", &version);
   function("planners", &all_planners);
+  function("prices", &prices);
   function("openYard", &open_yard);
   function("closeYard", &close_yard);
   function("planIn", &plan_in);

@@ -86,20 +86,6 @@ val copy_of(std::span<const Number> numbers, const char* type) {
   return val::global(type).new_(view);
 }
 
-val number_or_null(const std::optional<double>& number) {
-  return number ? val(*number) : val::null();
-}
-
-val tree_of(const TreeSnapshot& tree) {
-  std::vector<double> poses;
-  poses.reserve(3 * tree.poses.size());
-  for (const Pose& pose : tree.poses) poses.insert(poses.end(), {pose.x, pose.y, pose.heading});
-  val object = val::object();
-  object.set("poses", array_of(std::span<const double>(poses)));
-  object.set("parents", array_of(std::span<const std::int32_t>(tree.parents)));
-  return object;
-}
-
 void add_limits(const val& given, DrivingLimits& limits) {
   limits.max_steering_rate =
       number_at(given, "max_steering_rate", "vehicle", limits.max_steering_rate);
@@ -139,6 +125,15 @@ void read_body(const val& given, const std::string& where, auto& body) {
   read("front_overhang", body.front_overhang);
   read("rear_overhang", body.rear_overhang);
   read("width", body.width);
+}
+
+/// The least turning radius, or that of the largest steering angle that is given in its place.
+double radius_at(const val& given, double wheelbase) {
+  if (!has(given, "max_steering_angle")) return number_at(given, "min_turning_radius", "vehicle");
+  if (has(given, "min_turning_radius")) {
+    throw InputError("vehicle.max_steering_angle", "is given beside min_turning_radius");
+  }
+  return turning_radius(wheelbase, number_at(given, "max_steering_angle", "vehicle"));
 }
 
 Trailer trailer_from(const val& given) {
@@ -260,15 +255,15 @@ End end_from(const val& given, const std::string& where, const Vehicle& vehicle)
 }
 
 Vehicle vehicle_from(const val& given) {
-  allow_only(
-      given,
-      {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius", "track_width",
-       "max_steering_rate", "max_curvature_rate", "max_speed", "max_acceleration", "max_braking",
-       "max_lateral_acceleration", "max_jerk", "hitch", "max_hitch_angle", "trailers", "outline"},
-      "vehicle");
+  allow_only(given,
+             {"wheelbase", "front_overhang", "rear_overhang", "width", "min_turning_radius",
+              "max_steering_angle", "track_width", "max_steering_rate", "max_curvature_rate",
+              "max_speed", "max_acceleration", "max_braking", "max_lateral_acceleration",
+              "max_jerk", "hitch", "max_hitch_angle", "trailers", "outline"},
+             "vehicle");
   Vehicle vehicle;
   read_body(given, "vehicle", vehicle);
-  vehicle.min_turning_radius = number_at(given, "min_turning_radius", "vehicle");
+  vehicle.min_turning_radius = radius_at(given, vehicle.wheelbase);
   if (has(given, "track_width")) vehicle.track_width = number_at(given, "track_width", "vehicle");
   add_limits(given, vehicle.limits);
   add_trailer(given, vehicle);
@@ -350,49 +345,6 @@ val object_of(const Path& path) {
   val object = val::object();
   object.set("start", object_of(path.start));
   object.set("segments", list_of(path.segments));
-  return object;
-}
-
-val object_of(const PathCheck& check) {
-  val object = val::object();
-  object.set("valid", check.valid);
-  object.set("reason", check.reason);
-  object.set("at", check.at ? object_of(check.at->pose) : val::null());
-  object.set("length", check.length);
-  object.set("reverse_length", check.reverse_length);
-  object.set("gear_changes", check.gear_changes);
-  object.set("largest_hitch_angle", check.largest_hitch_angle);
-  object.set("curvature_change", check.curvature_change);
-  object.set("clearance", number_or_null(check.clearance));
-  return object;
-}
-
-val object_of(const PlanResult& result) {
-  val object = val::object();
-  object.set("status", std::string(name_of(result.status)));
-  object.set("reason", result.reason);
-  object.set("path", result.path ? object_of(*result.path) : val::null());
-  object.set("cost", result.path ? val(result.cost) : val::null());
-  object.set("lower_bound", result.lower_bound);
-  object.set("iterations", static_cast<double>(result.iterations));
-  object.set("time", result.time_total);
-  val trace = val::array();
-  for (std::size_t i = 0; i < result.anytime.size(); ++i) {
-    val sample = val::object();
-    sample.set("time", result.anytime[i].time);
-    sample.set("iteration", static_cast<double>(result.anytime[i].iteration));
-    sample.set("cost", result.anytime[i].cost);
-    trace.set(i, sample);
-  }
-  object.set("anytime", trace);
-  val counters = val::object();
-  for (const Counter& counter : result.counters) {
-    counters.set(counter.name, static_cast<double>(counter.value));
-  }
-  object.set("counters", counters);
-  object.set("tree", result.tree ? tree_of(*result.tree) : val::null());
-  object.set("check", result.check ? object_of(*result.check) : val::null());
-  object.set("duration", result.speeds ? val(result.speeds->duration) : val::null());
   return object;
 }
 
