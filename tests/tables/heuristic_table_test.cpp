@@ -183,9 +183,12 @@ TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
   }
   EXPECT_TRUE(std::isnan(table.distance({nan, 1, 0}, {0, 0, 0}, 7.0)));
   EXPECT_TRUE(std::isnan(table.distance({1, nan, 0}, {0, 0, 0}, 7.0)));
-  for (const double radius : {0.0, nan, infinity, 1e-300, 1e300}) {
+  for (const double radius : {infinity, 1e-300, 1e300}) {
     (void)table.distance({0, 0, 1}, {0, 0, 2}, radius);
     (void)table.distance({1, 1, 1}, {0, 0, 2}, radius);
+  }
+  for (const double radius : {0.0, nan, -7.0}) {
+    EXPECT_THROW((void)table.distance({1, 1, 1}, {0, 0, 2}, radius), InputError) << radius;
   }
 }
 
@@ -205,8 +208,13 @@ TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideInBatches) {
     EXPECT_FALSE(out[0] <= 3.0F);
     EXPECT_LE(out[1], static_cast<float>(table.entries().size() - 1));
     table.distances({x, x, x}, {0, 0, static_cast<double>(odd)}, 7.0, out);
-    table.distances({x, x, x}, {0, 0, 1}, static_cast<double>(odd), out);
-    table.distances({some, some, some}, {0, 0, 1}, 0.0, out);
+    const auto radius = static_cast<double>(odd);
+    if (radius > 0.0) {
+      table.distances({x, x, x}, {0, 0, 1}, radius, out);
+    } else {
+      EXPECT_THROW(table.distances({x, x, x}, {0, 0, 1}, radius, out), InputError) << radius;
+    }
+    table.distances({some, some, some}, {0, 0, 1}, 1e-300, out);
   }
 }
 
@@ -215,7 +223,6 @@ TEST(LengthBounds, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
   for (const double odd : {nan, -nan, HUGE_VAL, 1e30, -1e30}) {
     (void)length_bounds({odd, 1, 0}, {0, 0, 0}, 7.0);
     (void)length_bounds({1, 1, odd}, {0, 0, 0}, 7.0);
-    (void)length_bounds({1, 1, 0}, {0, 0, 0}, odd);
     std::vector<float> x(19, 1.0F);
     std::vector<float> some = x;
     some[3] = static_cast<float>(odd);
@@ -224,7 +231,13 @@ TEST(LengthBounds, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
     EXPECT_LT(high[0], 40.0F);
     EXPECT_FALSE(high[3] < 40.0F);
     length_bounds({x, x, some}, {0, 0, 1}, 7.0, low, high);
-    length_bounds({x, x, x}, {0, 0, 1}, odd, low, high);
+    if (odd > 0.0) {
+      (void)length_bounds({1, 1, 0}, {0, 0, 0}, odd);
+      length_bounds({x, x, x}, {0, 0, 1}, odd, low, high);
+    } else {
+      EXPECT_THROW((void)length_bounds({1, 1, 0}, {0, 0, 0}, odd), InputError) << odd;
+      EXPECT_THROW(length_bounds({x, x, x}, {0, 0, 1}, odd, low, high), InputError) << odd;
+    }
   }
   EXPECT_TRUE(std::isnan(length_bounds({nan, 1, 0}, {0, 0, 0}, 7.0).high));
 }
