@@ -132,7 +132,7 @@ export class Planning {
       if (result.path) this.#judged = (performance.now() - begin) / 1000 - result.time;
       return result;
     };
-    const first = () => ask(firstBudget, {target_gap: 1000}); // ends with its first path
+    const first = () => ask(firstBudget, info.proves ? {target_gap: 1000} : {}); // who proves a gap ends with the first path
     const isHard = this.#isHard && !warm;
     let result = isHard ? first() : ask(time);
     if (result.status === 'time_limit' && !isHard) result = first();
