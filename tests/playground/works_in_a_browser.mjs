@@ -116,7 +116,7 @@ async function pricesFit(page) {
   expect(wanted < 4.9 && (await page.value('vandplanPage.settings.gear_change_cost')) === wanted, 'a gear change of a van costs less than a truck\'s');
   expect((await text('gear_change_cost')) === `${Number(wanted.toPrecision(3))} m`, 'its slider says so');
   await page.value("(() => { const s = document.getElementById('gear_change_cost'); s.value = 17; s.dispatchEvent(new Event('input')); })()");
-  await choose(page, 'vehicle', 'two-axle-truck');
+  await choose(page, 'vehicle', 'two axle truck');
   expect((await text('gear_change_cost')) === '17 m' && (await text('curvature_change_cost')) === '5 m', 'a truck has its prices, but for the one that was set');
   await choose(page, 'vehicle', 'van');
   await click(page, 'as-driver');
