@@ -14,15 +14,16 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "planners/anytime/compose.h"
 #include "planners/anytime/run.h"
 #include "support/figure.h"
+#include "support/plans.h"
 #include "support/random_world.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
@@ -31,7 +32,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 constexpr std::array times = {0.01, 0.1, 1.0};       // [s]
 constexpr std::array excesses = {0.01, 0.03, 0.05};  // over the best known
 constexpr std::array columns = {"1 %", "3 %", "5 %"};
@@ -76,14 +76,6 @@ Group workers_of(const Problem& problem, const PlanOptions& options) {
   return names;
 }
 
-double cost_at(const PlanResult& result, double time) {
-  double cost = never;
-  for (const CostSample& sample : result.anytime) {
-    if (sample.time <= time) cost = sample.cost;
-  }
-  return cost;
-}
-
 /// What one group brought on one problem with one seed.
 struct Run {
   double first = never;                    // path [s]
@@ -95,11 +87,6 @@ struct Runs {
   std::vector<std::vector<Run>> of_group;
   double best = never;
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? never : values[(values.size() - 1) / 2];
-}
 
 Runs runs_of(const Problem& problem, const std::vector<Planner>& planners, int seeds, double best,
              PlanOptions options) {
@@ -139,7 +126,7 @@ void print(const std::string& name, const std::vector<Runs>& all, std::size_t gr
   for (const Runs& runs : all) {
     for (const Run& run : runs.of_group[group]) first.push_back(1e3 * run.first);
   }
-  std::printf("%-28s %s", name.c_str(), figure("%9.3f", median(first)).c_str());
+  std::printf("%-28s %s", name.c_str(), figure("%9.3f", quantile(first, 0.5)).c_str());
   for (std::size_t t = 0; t < times.size() && times[t] <= seconds; ++t) {
     std::array<int, excesses.size()> within{};
     double sum = 0.0;
@@ -147,7 +134,7 @@ void print(const std::string& name, const std::vector<Runs>& all, std::size_t gr
     for (const Runs& runs : all) {
       std::vector<double> costs;
       for (const Run& run : runs.of_group[group]) costs.push_back(run.costs[t]);
-      const double excess = median(costs) / runs.best - 1.0;
+      const double excess = quantile(costs, 0.5) / runs.best - 1.0;
       for (std::size_t i = 0; i < within.size(); ++i) within[i] += excess <= excesses[i] ? 1 : 0;
       if (!std::isfinite(excess)) {
         ++unsolved;
@@ -174,12 +161,6 @@ std::vector<std::string> split(std::string_view text, char at) {
   return parts;
 }
 
-std::string joined(const Group& group) {
-  std::string text;
-  for (const std::string& name : group) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 struct Settings {
   PlanOptions options;
   std::vector<Group> groups;
@@ -190,7 +171,6 @@ void add(Settings& settings, const std::string& argument) {
   const std::size_t equals = argument.find('=');
   const std::string name = argument.substr(0, equals);
   const std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
-  const auto option = std::ranges::find(common_options(), name, &CommonOption::name);
   if (name == "without") {
     settings.groups.push_back(split(value, ','));
   } else if (name == "worlds") {
@@ -201,9 +181,7 @@ void add(Settings& settings, const std::string& argument) {
     }
   } else if (name == "style") {
     settings.options.cost = prices_of(style_named(value), Vehicle{});
-  } else if (equals != std::string::npos && option != common_options().end()) {
-    option->set(settings.options, value);
-  } else {
+  } else if (!set_option(settings.options, argument)) {
     settings.problems.push_back(read_problems(argument).problems.front());
   }
 }
@@ -239,7 +217,7 @@ int run(int argc, char** argv) {
   print_heading(seconds);
   for (std::size_t i = 0; i < planners.size(); ++i) {
     const Group& group = settings.groups[i];
-    print(group.empty() ? "nothing" : joined(group), all, i, seconds);
+    print(group.empty() ? "nothing" : base::joined(group), all, i, seconds);
   }
   return 0;
 }

@@ -10,19 +10,17 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "support/figure.h"
+#include "support/plans.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
-
-constexpr double never = std::numeric_limits<double>::infinity();
 
 /// What other planners reached in long runs [m]: OMPL's best of some hundred runs of 1 to 20 s.
 double best_of_others(const std::string& name) {
@@ -43,19 +41,6 @@ double best_of_others(const std::string& name) {
     if (name == k.name) return k.length;
   }
   return never;
-}
-
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-double cost_at(const PlanResult& result, double time) {
-  double cost = never;
-  for (const CostSample& sample : result.anytime) {
-    if (sample.time <= time) cost = sample.cost;
-  }
-  return cost;
 }
 
 // ---- the runs of one scenario ----
@@ -130,16 +115,6 @@ void report(const std::string& name, const Problem& problem, int seeds, PlanOpti
     add(runs, plan(problem, planner_named("anytime"), options));
   }
   print(name, runs, options.budget.time_limit.value_or(default_time_limit));
-}
-
-/// Sets what "name=value" says. False if it says no such thing; throws InputError for a bad value.
-bool set_option(PlanOptions& options, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const auto option = std::ranges::find(common_options(), std::string_view(text).substr(0, equals),
-                                        &CommonOption::name);
-  if (equals == std::string::npos || option == common_options().end()) return false;
-  option->set(options, std::string_view(text).substr(equals + 1));
-  return true;
 }
 
 /// Of a row the goal that counts 200 m; otherwise the only one.
