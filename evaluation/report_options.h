@@ -13,7 +13,7 @@ namespace vandplan::evaluation {
 
 /// The options of the runs of a comparison, but for seed, region and profile. Values are JSON.
 struct ReportOptions {
-  /// Those that are the same for every planner that has them. Values that differ between vehicles
+  /// Options that are the same for every planner that has them. Values that differ between vehicles
   /// are joined in one text, "2.5 or 5, by the vehicle".
   std::vector<std::pair<std::string, std::string>> shared;
   /// The others: a value, and the planners that have it.

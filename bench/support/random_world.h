@@ -9,9 +9,9 @@
 
 namespace vandplan {
 
-/// The truck of the defaults in a random world: among boxes, through gates, into a parking slot,
-/// into a dock or in a maze, by turns. The same number makes the same world. Start and goal are
-/// free; a path need not exist.
+/// A random problem for the default truck. The number chooses the kind of world: boxes, gates,
+/// parking slots, docks or a maze. The same number makes the same problem. Start and goal are free;
+/// there may be no path.
 [[nodiscard]] Problem random_world(std::uint64_t number);
 
 }  // namespace vandplan

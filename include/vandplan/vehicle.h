@@ -32,8 +32,9 @@ struct Vehicle {
   double front_overhang = 1.4;  ///< front axle to front bumper; >= 0
   double rear_overhang = 1.6;   ///< rear axle to rear bumper; >= 0
   double width = 2.55;          ///< of the body; > 0
-  /// Of the midpoint of the rear axle at full steering; > 0. `turning_radius` makes it of a largest
-  /// steering angle, which files, Python and JavaScript take as `max_steering_angle` in its place.
+  /// Turning radius of the midpoint of the rear axle at full steering; > 0. `turning_radius` gives
+  /// it for a largest steering angle. Files, Python and JavaScript take `max_steering_angle` as
+  /// well.
   double min_turning_radius = 7.0;
   /// Width over the wheels of an axle; > 0, at most `width`, which holds where there is none.
   std::optional<double> track_width = {};

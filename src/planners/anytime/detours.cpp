@@ -8,7 +8,6 @@
 
 #include "planners/shared_options.h"
 #include "search/far_guide.h"
-#include "search/grid_distance.h"
 
 namespace vandplan::anytime {
 namespace {

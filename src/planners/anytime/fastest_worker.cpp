@@ -29,7 +29,6 @@ FastestWorker::FastestWorker(const Task& task, const planning::Pricing& pricing,
 
 // [8b] Makes the cheapest route cheaper yet, by the whole drive.
 Found FastestWorker::work(std::int64_t iterations, const Told& told, const Budget& budget) {
-  constexpr std::int64_t steps_of_look = 4;  // at the clock
   Found found;
   if (told.best == nullptr) return found;
   const double before = fastest_.cost();

@@ -6,6 +6,7 @@
 #include <limits>
 
 namespace vandplan::anytime {
+
 LengthProver::LengthProver(const Task& task)
     : task_(task), best_cost_(std::numeric_limits<double>::infinity()) {}
 
@@ -24,7 +25,6 @@ Found LengthProver::work(std::int64_t iterations, const Told& told, const search
 }
 
 std::int64_t LengthProver::prove(std::int64_t steps, const search::Budget& budget) {
-  constexpr std::int64_t steps_of_look = 4;  // at the clock
   std::int64_t done = 0;
   for (; done < steps && flood_ && !flood_is_final_; ++done) {
     if (done % steps_of_look == 0 && budget.is_interrupted()) break;

@@ -64,13 +64,13 @@ Best Run::best() const {
   return {&*route_, is_drive ? &*drive_ : nullptr, is_optimal()};
 }
 
-// Of the answer as it was found.
+// Cost of the best answer, as it was found.
 double Run::cost() const {
   if (!portfolio_.routes_are_answers) return drive_->cost;
   return drive_ ? std::min(route_->cost, drive_->cost) : route_->cost;
 }
 
-// By the prices that the workers search by.
+// Cost of the best path by the prices that the workers search by.
 double Run::cost_of_search() const { return portfolio_.routes_are_answers ? cost() : route_->cost; }
 
 Proven Run::proven() const {

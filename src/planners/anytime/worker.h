@@ -71,12 +71,14 @@ class Worker {
   [[nodiscard]] virtual Counts counts() const = 0;
 };
 
+/// Steps of work between two looks at the clock.
+inline constexpr std::int64_t steps_of_look = 4;
+
 /// One round of a worker: calls `step` as often as it may. `has_work` says whether another step may
 /// bring anything; `step` returns the best cost that the worker knows of, if it fell.
 template <class HasWork, class Step>
 [[nodiscard]] Found work_in_steps(std::int64_t iterations, double enough,
                                   const search::Budget& budget, HasWork has_work, Step step) {
-  constexpr std::int64_t steps_of_look = 4;  // at the clock
   Found found;
   while (found.iterations < iterations && has_work()) {
     if (found.iterations % steps_of_look == 0 && budget.is_interrupted()) break;
