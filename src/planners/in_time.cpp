@@ -247,6 +247,7 @@ class Run {
     const double path_cost = pricing_.cost(segments, search::Looks::answer);
     source.fastest_cost = with_time(path_cost, planning::drive_time(task_, segments));
     if (best_ && best_->cost <= source.fastest_cost) return;
+    if (is_hasty && !source.detour && !is_new(segments)) return;
     const Path path{task_.start, segments};
     const std::int64_t before = budget_.iterations();
     const std::int64_t most = budget_.left(states_for(source) / states_per_iteration, 0);
@@ -283,6 +284,13 @@ class Run {
     if (yielding.met && cost > source.fastest_cost + worth_a_way_around) {
       go_around(source, *yielding.met);
     }
+  }
+
+  /// Whether no source has offered this path before: sources near each other find the same ones.
+  [[nodiscard]] bool is_new(const std::vector<Segment>& segments) {
+    if (std::ranges::find(offered_, segments) != offered_.end()) return false;
+    offered_.push_back(segments);
+    return true;
   }
 
   /// The best times along a path. Most drives that are worth finding take less than twice as long
@@ -364,9 +372,10 @@ class Run {
   const PlanOptions& options_;
   planning::Pricing pricing_;  // of a path, if nothing moves
   Budget budget_;
-  std::deque<Source> sources_;             // the first one without ghosts
-  std::vector<std::vector<Ghost>> tried_;  // of all sources, also those that cannot be planned
-  std::size_t sources_around_ = 0;         // with ghosts
+  std::deque<Source> sources_;                 // the first one without ghosts
+  std::vector<std::vector<Ghost>> tried_;      // of all sources, also those that cannot be planned
+  std::size_t sources_around_ = 0;             // with ghosts
+  std::vector<std::vector<Segment>> offered_;  // paths of all sources but detours
   std::optional<Refuges> refuges_;
   std::optional<Meeting> met_;  // the first one that is worth a way around
   Source* detour_ = nullptr;    // the one that is looked at

@@ -74,9 +74,9 @@ TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
 TEST(Anytime, WorkersGetTheirSharesWithBending) {
   std::int64_t of_one = 0, of_many = 0;
   for (std::int64_t round = 0; round < 300; ++round) {
-    const std::int64_t many = anytime::share_with_bending(96, round);
-    EXPECT_GE(many, round == 0 ? 24 : anytime::share_with_bending(96, round - 1));
-    of_one += anytime::share_with_bending(1, round);
+    const std::int64_t many = anytime::growing_share(96, round);
+    EXPECT_GE(many, round == 0 ? 24 : anytime::growing_share(96, round - 1));
+    of_one += anytime::growing_share(1, round);
     of_many += many;
     EXPECT_LE(96 * of_one, of_many);
     EXPECT_LT(of_many, 96 * (of_one + 1));

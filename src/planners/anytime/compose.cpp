@@ -211,7 +211,7 @@ Share Composer::with_route(const Row& row) const {
   if (!bends_ || rule_.is_length()) {
     return [share](const Progress& now) { return share * growth(now.rounds); };
   }
-  return [share](const Progress& now) { return share_with_bending(share, now.rounds_with_route); };
+  return [share](const Progress& now) { return growing_share(share, now.rounds_with_route); };
 }
 
 Share Composer::share(const Row& row) const {
@@ -295,7 +295,7 @@ void Composer::add_survey() {
     if (is_early && now.rounds_with_route < rounds_without_work) return 0;
     const std::int64_t first = has_relaxed && is_glance ? shares::first_glance : shares::first_look;
     const bool is_first = is_glance || survey->is_first_look();
-    return share_with_bending(is_first ? first : shares::survey.by_prices, now.rounds_with_route);
+    return growing_share(is_first ? first : shares::survey.by_prices, now.rounds_with_route);
   };
   Slot& slot = add("survey", std::move(worker), std::move(share));
   slot.joins = joins_late;
@@ -317,7 +317,7 @@ void Composer::add_fastest() {
   Slot& slot = add(
       "fastest",
       std::make_unique<FastestWorker>(task_, *pricing_, pricing_->is_time(), seed(stream::fastest)),
-      [](const Progress& now) { return shares::fastest * growth(now.rounds); });
+      [](const Progress& now) { return growing_share(shares::fastest, now.rounds_with_route); });
   slot.phase = Phase::after;
 }
 

@@ -64,15 +64,16 @@ inline constexpr std::int64_t fastest = 192;
 constexpr std::int64_t growth(std::int64_t round) {
   return std::min<std::int64_t>(1 + round / 8, 16);
 }
-/// How often a share is due, in eighths, before a round with bending, of those that have a route.
+/// How often a growing share is due, in eighths, before a round, of those that have a route.
 /// Rounds are short at first, as what one worker found is to be known to the others soon.
 constexpr std::int64_t eighths_due(std::int64_t round) {
   constexpr std::int64_t growing = 126;
   const std::int64_t grown = std::min(round, growing);
   return grown * (grown + 3) / 2 + (round - grown) * (growing + 2);
 }
-/// The share itself in such a round: a trial takes longer, and the first ones bring most.
-constexpr std::int64_t share_with_bending(std::int64_t share, std::int64_t round) {
+/// A share of such a round, the first one with a route being 0: a trial takes longer, and the first
+/// ones bring most.
+constexpr std::int64_t growing_share(std::int64_t share, std::int64_t round) {
   return share * eighths_due(round + 1) / 8 - share * eighths_due(round) / 8;
 }
 
