@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "base/require.h"
 #include "base/trigonometry.h"
 #include "geometry/convex.h"
 
