@@ -44,6 +44,7 @@ PICTURES = {
     "03_weights": ("docs/images/driver.png", "What a driver minds, in scenario 7 of the thesis"),
     "05_steering": ("docs/images/steering.png", "Shortest paths on open ground"),
     "06_nearest_and_tables": ("docs/images/table-accuracy.png", "How far off looked up lengths are"),
+    "16_rig": ("docs/images/dock.png", "The same dock, planned by the command line"),
 }
 
 
