@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 constexpr const char* columns = "t,s,x,y,heading,curvature,steering_angle,direction,v,a";
 
 /// The yard with a goal three metres behind the start, and the limits of a file that has them all.
-std::string scenario() {
+std::string speed_scenario() {
   const std::string limits =
       "min_turning_radius: 7.0, max_steering_rate: 0.5, max_curvature_rate: 0.1, "
       "max_speed: {forward: 2, reverse: 1}, max_acceleration: 1, max_braking: 2, "
@@ -28,7 +28,7 @@ std::string scenario() {
 }
 
 /// Two metres ahead and five back.
-Json result() {
+Json speed_result() {
   return Json::parse(R"({"format": "vandplan-result/1", "status": "solved",
     "path": {"start": {"x": 0, "y": 0, "heading": 0},
              "segments": [{"turn": "straight", "length": 2}, {"turn": "straight", "length": -5}]}})");
@@ -37,8 +37,8 @@ Json result() {
 class SpeedCommand : public testing::Test {
  protected:
   void SetUp() override {
-    write_content(scenario_, scenario());
-    write_content(result_, result().dump());
+    write_content(scenario_, speed_scenario());
+    write_content(result_, speed_result().dump());
   }
 
   Outcome speed(const std::vector<std::string>& options = {}) {
@@ -157,9 +157,9 @@ TEST_F(SpeedCommand, APathOfRosHoldsEveryRow) {
 }
 
 TEST_F(SpeedCommand, TheWheelsTurnWhileItStands) {
-  write_content(scenario_, replaced(scenario(), "goal: {x: -3, y: 0, heading: 0",
+  write_content(scenario_, replaced(speed_scenario(), "goal: {x: -3, y: 0, heading: 0",
                                     "goal: {x: 5.890296893, y: 3.217883863, heading: 1"));
-  Json turn = result();
+  Json turn = speed_result();
   turn["path"]["segments"] = Json::parse(R"([{"turn": "left", "length": 7}])");
   write_content(result_, turn.dump());
   const Outcome outcome = speed({"--output", csv_});
@@ -176,7 +176,7 @@ TEST_F(SpeedCommand, TheWheelsTurnWhileItStands) {
 
 TEST_F(SpeedCommand, BeforeTheStartTheWheelsAreAsTheScenarioSays) {
   const auto standing_with = [&](const char* start) {
-    write_content(scenario_, replaced(scenario(), "start: {x: 0, y: 0, heading: 0}", start));
+    write_content(scenario_, replaced(speed_scenario(), "start: {x: 0, y: 0, heading: 0}", start));
     return Json::parse(speed({"--json"}).out).at("standing").get<double>();
   };
   EXPECT_EQ(standing_with("start: {x: 0, y: 0, heading: 0}"), 0);
@@ -186,7 +186,7 @@ TEST_F(SpeedCommand, BeforeTheStartTheWheelsAreAsTheScenarioSays) {
 
 TEST_F(SpeedCommand, ThereIsNothingToDriveWithoutAGoodPath) {
   write_content(csv_, "what was there");
-  Json wrong = result();
+  Json wrong = speed_result();
   wrong["path"]["segments"][1]["length"] = -4;
   write_content(result_, wrong.dump());
   Outcome outcome = speed({"--output", csv_});
@@ -206,7 +206,7 @@ TEST_F(SpeedCommand, SaysWhatCannotBeWrittenOrRead) {
             "vandplan: " + (folder_ / "drive.json") +
                 ": ends in .json, but a drive is CSV, or YAML for a nav_msgs/Path, expected a "
                 "name that ends in .csv\n");
-  write_content(scenario_, replaced(scenario(), "max_braking: 2", "max_braking: 0"));
+  write_content(scenario_, replaced(speed_scenario(), "max_braking: 2", "max_braking: 0"));
   EXPECT_EQ(speed().err, "vandplan: " + scenario_ +
                              ":2: vehicle.max_braking: is 0, expected 0.001 to 1000 m/s^2\n");
   write_content(result_, "{");
@@ -214,15 +214,15 @@ TEST_F(SpeedCommand, SaysWhatCannotBeWrittenOrRead) {
 }
 
 TEST_F(SpeedCommand, OfARowTheFurthestGoalWithAPathIsDriven) {
-  write_content(scenario_, replaced(scenario(), "goal: {x: -3, y: 0, heading: 0}",
+  write_content(scenario_, replaced(speed_scenario(), "goal: {x: -3, y: 0, heading: 0}",
                                     "goals:\n"
                                     "  - {distance: 1, goal: {x: 1, y: 0, heading: 0}}\n"
                                     "  - {distance: 2, goal: {x: -3, y: 0, heading: 0}}\n"
                                     "  - {distance: 3, goal: {x: 3, y: 0, heading: 0}}"));
-  Json near = result();
+  Json near = speed_result();
   near["path"]["segments"] = Json::parse(R"([{"turn": "straight", "length": 1}])");
   Json none = Json::parse(R"({"format": "vandplan-result/1", "status": "time_limit"})");
-  Json row = {{"format", "vandplan-result/1"}, {"goals", {near, result(), none}}};
+  Json row = {{"format", "vandplan-result/1"}, {"goals", {near, speed_result(), none}}};
   write_content(result_, row.dump());
   EXPECT_EQ(Json::parse(speed({"--json"}).out).at("length"), 7);
   EXPECT_EQ(Json::parse(speed({"--json", "--goal", "0"}).out).at("length"), 1);
@@ -231,7 +231,7 @@ TEST_F(SpeedCommand, OfARowTheFurthestGoalWithAPathIsDriven) {
 }
 
 TEST_F(SpeedCommand, OfManyPairsOneIsChosen) {
-  Json pair = result();
+  Json pair = speed_result();
   pair["pair"] = 4;
   pair["start"] = {{"x", 0}, {"y", 0}, {"heading", 0}};
   pair["goal"] = {{"x", -3}, {"y", 0}, {"heading", 0}};

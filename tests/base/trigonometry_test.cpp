@@ -6,18 +6,15 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/exponential.h"
 #include "support/cases.h"
+#include "support/numbers.h"
 #include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// In units of the last place of `expected`.
 double error_of(double actual, long double expected) {

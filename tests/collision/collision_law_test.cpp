@@ -9,13 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
 #include "support/cases.h"
 #include "support/collision_oracle.h"
 #include "support/draws.h"
+#include "support/numbers.h"
 #include "support/problems.h"
 #include "vandplan/collision.h"
 #include "vandplan/path_check.h"
@@ -24,8 +24,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Bounds around{-20, 20, -20, 20};  // edges begin here
 
 struct Case {

@@ -11,7 +11,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Bounds wide{-100, 100, -100, 100};
 // x from -1 to 4, y from -1 to 1.
 constexpr Footprint body{.rear = 1, .front = 4, .half_width = 1};

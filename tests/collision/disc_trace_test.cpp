@@ -22,15 +22,15 @@ namespace {
 constexpr std::int32_t count = 240;  // of rows and columns
 
 /// A segment and one blocked cell beside it.
-struct Case {
+struct TraceCase {
   Footprint body;
   Pose from;
   Segment segment;
   OccupancyGrid grid;  // its frame begins at the origin
 };
 
-Case any_case(Rng& rng) {
-  Case c;
+TraceCase any_trace_case(Rng& rng) {
+  TraceCase c;
   c.body = footprint(any_vehicle(rng));
   c.segment = any_segment(rng);
   const double side = any_size(0.02, 0.3, rng);
@@ -54,7 +54,7 @@ Case any_case(Rng& rng) {
 }
 
 /// Whether the footprint touches an obstacle between two places [m].
-bool touches(const Case& c, const std::vector<Polygon>& squares, double begin, double end) {
+bool touches(const TraceCase& c, const std::vector<Polygon>& squares, double begin, double end) {
   const double gear = c.segment.length < 0 ? -1 : 1;
   const Pose from = advance(c.from, {c.segment.curvature, gear * begin});
   return comes_within(0, c.body, squares, from, {c.segment.curvature, gear * (end - begin)});
@@ -65,7 +65,7 @@ TEST(DiscTrace, WhatIsNotInDoubtIsSo) {
   int hits = 0;
   int partly = 0;
   for_each_case(1, cases_count, [&](Rng& rng) {
-    const Case c = any_case(rng);
+    const TraceCase c = any_trace_case(rng);
     const geometry::DistanceField distances(geometry::BlockedCells(c.grid), 1);
     const collision::PlacedSegment placed(collision::placement_of(c.from), c.segment);
     const collision::DiscTrace trace =

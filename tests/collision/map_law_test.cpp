@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "support/collision_oracle.h"
 #include "support/grids.h"
 #include "support/map_cases.h"
+#include "support/numbers.h"
 #include "support/problems.h"
 #include "vandplan/collision.h"
 #include "vandplan/path_check.h"
@@ -25,7 +25,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Bounds wide{-1e4, 1e4, -1e4, 1e4};
 
 struct Counts {

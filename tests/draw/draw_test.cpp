@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/draw.h"
+#include "support/radius.h"
 
 #include <cairo.h>
 #include <gtest/gtest.h>
@@ -25,8 +26,7 @@ namespace {
 
 using drawing::Colour;
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 7.0;
+using std::numbers::pi;
 
 // A truck drives 20 m ahead, backs off over a quarter turn and passes a 4 m x 4 m block.
 Scenario yard() {

@@ -16,7 +16,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A truck whose wheels follow clothoids of 0.1 1/m^2.
 Vehicle truck() {

@@ -42,7 +42,7 @@ std::vector<Segment> two_bends(double gear) {
           {-0.1, gear * 8, 0}, {-0.1, gear, 0.1}, {0, gear * 2.5, 0}};
 }
 
-const Path there_and_back = [] {
+const Path bends_there_and_back = [] {
   Path path{{1, 2, 0.3}, two_bends(1)};
   std::vector<Segment> back = two_bends(1);
   std::ranges::reverse(back);
@@ -56,8 +56,8 @@ const Path there_and_back = [] {
 }();
 
 TEST(Towing, WhoeverKnowsAllDrivesTheTrailerAsPlanned) {
-  const Problem problem = problem_of_rig(there_and_back, 0.2);
-  const DriveResult result = drive(problem, there_and_back, {.keep_log = true});
+  const Problem problem = problem_of_rig(bends_there_and_back, 0.2);
+  const DriveResult result = drive(problem, bends_there_and_back, {.keep_log = true});
   EXPECT_TRUE(result.has_arrived);
   EXPECT_FALSE(result.contact);
   ASSERT_TRUE(result.trailer);
@@ -70,17 +70,17 @@ TEST(Towing, WhoeverKnowsAllDrivesTheTrailerAsPlanned) {
 
 // The tractor steers the trailer by swinging its front, which is what touches things first.
 TEST(Towing, TheTractorHardlySwingsOutInReverse) {
-  const Problem problem = problem_of_rig(there_and_back, 0.0);
+  const Problem problem = problem_of_rig(bends_there_and_back, 0.0);
   DriveOptions options{.noise = 1.0, .delay = 0.1, .spare_steering = 0.1};
   double largest = 0.0;
   for (options.seed = 1; options.seed <= 20; ++options.seed) {
-    largest = std::max(largest, drive(problem, there_and_back, options).outline_deviation);
+    largest = std::max(largest, drive(problem, bends_there_and_back, options).outline_deviation);
   }
   EXPECT_LT(largest, 0.12);  // it was 0.17
 }
 
 TEST(Towing, InReverseTheTrailerIsSteered) {
-  for (const Path& path : {Path{{0, 0, 0}, {{0, -60}}}, there_and_back}) {
+  for (const Path& path : {Path{{0, 0, 0}, {{0, -60}}}, bends_there_and_back}) {
     const Problem problem = problem_of_rig(path, 0.0);
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const DriveResult result =
@@ -192,7 +192,7 @@ TEST(Towing, ARigThatFoldsUpTooFarTouchesItself) {
 TEST(Towing, ALessHitchAngleThanAllowedKeepsFromFoldingUp) {
   // A path that uses all of its limit, and what noise adds to that.
   Vehicle vehicle = rig();
-  const Path path = there_and_back;
+  const Path path = bends_there_and_back;
   double most = 0.0;
   RigState state{path.start, 0.0};
   for (const Segment& segment : path.segments) {

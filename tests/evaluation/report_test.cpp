@@ -15,7 +15,7 @@
 namespace vandplan::evaluation {
 namespace {
 
-Campaign small_campaign() {
+Campaign reported_campaign() {
   Campaign campaign{.planners = {planner_named("rrt-bsc-euc"), planner_named("rrt-bsc-hlut-1")},
                     .repeats = 3,
                     .repeats_per_goal = 2,
@@ -41,7 +41,7 @@ std::string shared_value(const Report& report, const std::string& name) {
 TEST(Report, RepeatsARunThatWasCutByTheClock) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   campaign.settings = {{"time_limit", "0.003"}, {"goal_bias", "0.2"}, {"max_nodes", "100000"}};
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
@@ -77,7 +77,7 @@ TEST(Report, RepeatsARunThatWasCutByTheClock) {
 TEST(Report, TellsOfTheRunsOfOneEnvironmentAndOptionsOnly) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   limit(campaign, 30);
   run_campaign(campaign, store, {});
   limit(campaign, 40);
@@ -95,7 +95,7 @@ TEST(Report, TellsOfTheRunsOfOneEnvironmentAndOptionsOnly) {
 TEST(Report, TellsOfEachPlannerWithTheOptionsItHadLast) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   limit(campaign, 30);
   run_campaign(campaign, store, {});
   const std::size_t half = store.runs().size();
@@ -110,7 +110,7 @@ TEST(Report, TellsOfEachPlannerWithTheOptionsItHadLast) {
 TEST(Report, TellsOfWhatAFileHoldsNow) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign before = small_campaign();
+  Campaign before = reported_campaign();
   limit(before, 30);
   Campaign after = before;
   after.scenarios[0].scenario.scenario.obstacles = {{{0, 0}, {1, 0}, {0, 1}}};
@@ -131,7 +131,7 @@ TEST(Report, TellsOfWhatAFileHoldsNow) {
 TEST(Report, TellsOfAFileByTheRunsThatItCompares) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign before = small_campaign();
+  Campaign before = reported_campaign();
   limit(before, 30);
   Campaign after = before;
   after.scenarios[0].scenario.scenario.obstacles = {{{0, 0}, {1, 0}, {0, 1}}};
@@ -147,7 +147,7 @@ TEST(Report, TellsOfAFileByTheRunsThatItCompares) {
 TEST(Report, IsOnePageWithEverythingInIt) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   limit(campaign, 100);
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
@@ -193,7 +193,7 @@ TEST(Report, ListsAPartOfVeryManyRuns) {
 TEST(Report, IsATableInTheTerminal) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   limit(campaign, 100);
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
@@ -206,7 +206,7 @@ TEST(Report, IsATableInTheTerminal) {
 TEST(Report, NamesOfOthersAreEscapedInTheText) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   campaign.scenarios = {{open_ground("a|b\n# c\x1b[2J ![d](http://e) <f>"), "one.yaml"}};
   campaign.repeats = 1;
   limit(campaign, 30);
@@ -223,7 +223,7 @@ TEST(Report, NamesOfOthersAreEscapedInTheText) {
 
 TEST(Report, CommandsToRepeatARunQuoteWhatAShellWouldRead) {
   const TemporaryFolder folder;
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   campaign.repeats = 1;
   campaign.planners[0].name = "mine; ls";
   int stores = 0;
@@ -246,7 +246,7 @@ TEST(Report, CommandsToRepeatARunQuoteWhatAShellWouldRead) {
 
 TEST(Report, CommandsToRepeatARunSayHowItSteers) {
   const TemporaryFolder folder;
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   campaign.repeats = 1;
   campaign.planners = {planner_named("rrt-bsc-euc"), planner_named("anytime")};
   const auto commands = [&](const std::string& file) {
@@ -269,7 +269,7 @@ TEST(Report, CommandsToRepeatARunSayHowItSteers) {
 TEST(Report, PutsTheLongerListDown) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   limit(campaign, 30);
   campaign.scenarios.push_back({open_ground("third"), "3.yaml"});
   run_campaign(campaign, store, {});
@@ -319,7 +319,7 @@ TEST(Report, HasAGalleryWithACellForEachScenario) {
 TEST(Report, SaysWhichOptionsDiffer) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = reported_campaign();
   campaign.planners.push_back(planner_named("rrt-bsc-euc-goal"));
   limit(campaign, 30);
   run_campaign(campaign, store, {});

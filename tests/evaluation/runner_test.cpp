@@ -60,7 +60,7 @@ Planner planner(const std::string& name, const PlannerFunction& function) {
   return {.name = name, .summary = "", .function = function};
 }
 
-Campaign small_campaign() {
+Campaign short_campaign() {
   return {
       .scenarios = {{open_ground("first"), "first.yaml"}, {open_ground("second"), "second.yaml"}},
       .planners = {planner("direct", plan_directly), planner("nothing", plan_nothing)},
@@ -72,7 +72,7 @@ Campaign small_campaign() {
 TEST(Runner, DoesNotCountWhatARunWaits) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = short_campaign();
   campaign.planners = {planner("sleeper", sleep_past_the_limit)};
   campaign.settings = {{"time_limit", "0.01"}};
   run_campaign(campaign, store, {});
@@ -85,7 +85,7 @@ TEST(Runner, DoesNotCountWhatARunWaits) {
 TEST(Runner, StoresEveryRunOfACampaign) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  const Progress progress = run_campaign(small_campaign(), store, {});
+  const Progress progress = run_campaign(short_campaign(), store, {});
   EXPECT_EQ(progress.total, 40);
   EXPECT_EQ(progress.done, 40);
   std::map<std::string, int> statuses;
@@ -98,7 +98,7 @@ TEST(Runner, StoresEveryRunOfACampaign) {
 TEST(Runner, KeepsPathsInTheFrameOfTheScenario) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  const Campaign campaign = small_campaign();
+  const Campaign campaign = short_campaign();
   run_campaign(campaign, store, {});
   for (const RunRecord& run : store.runs()) {
     if (!run.result.path) continue;
@@ -110,7 +110,7 @@ TEST(Runner, KeepsPathsInTheFrameOfTheScenario) {
 TEST(Runner, DoesOnlyWhatIsMissing) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = short_campaign();
   campaign.repeats = 2;
   run_campaign(campaign, store, {});
   campaign.repeats = 3;
@@ -125,8 +125,8 @@ TEST(Runner, FindsTheSameWithOneJobAndWithTwo) {
   const TemporaryFolder folder;
   Store one = Store::create(folder / "one.sqlite");
   Store two = Store::create(folder / "two.sqlite");
-  run_campaign(small_campaign(), one, {.jobs = 1});
-  run_campaign(small_campaign(), two, {.jobs = 2});
+  run_campaign(short_campaign(), one, {.jobs = 1});
+  run_campaign(short_campaign(), two, {.jobs = 2});
   const auto paths_of = [](Store& store) {
     std::map<std::tuple<std::size_t, std::string, std::uint64_t, Region>, std::string> paths;
     for (const RunRecord& run : store.runs()) {
@@ -143,7 +143,7 @@ TEST(Runner, FindsTheSameWithOneJobAndWithTwo) {
 TEST(Runner, DropsWhatIsInFlightWhenStopped) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = short_campaign();
   campaign.planners = {planner("direct", plan_directly)};
   run_campaign(campaign, store, {});
   campaign.planners.push_back(planner("endless", plan_endlessly));
@@ -158,7 +158,7 @@ TEST(Runner, DropsWhatIsInFlightWhenStopped) {
 TEST(Runner, KeepsWhatTheJudgeRejectsWithItsReasonAndGoesOn) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = short_campaign();
   campaign.planners.push_back(planner("wrong", plan_wrongly));
   EXPECT_EQ(run_campaign(campaign, store, {.jobs = 2}).done, 60);
   int rejected = 0, solved = 0;
@@ -177,7 +177,7 @@ TEST(Runner, KeepsWhatTheJudgeRejectsWithItsReasonAndGoesOn) {
 TEST(Runner, HandsOnWhatAPlannerThrows) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = short_campaign();
   campaign.planners = {planner("thrower", [](const Task&, const PlanOptions&) -> PlannerAnswer {
     throw std::runtime_error("no");
   })};
@@ -189,7 +189,7 @@ TEST(Runner, TellsHowFarItIs) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   int last_done = 0;
-  run_campaign(small_campaign(), store, {.report = [&](const Progress& progress) {
+  run_campaign(short_campaign(), store, {.report = [&](const Progress& progress) {
                  EXPECT_EQ(progress.total, 40);
                  EXPECT_GE(progress.done, last_done);
                  last_done = progress.done;
@@ -205,7 +205,7 @@ TEST(Runner, ExpectsTheRestToTakeAsLongAsWhatIsDone) {
 TEST(Runner, RefusesMoreJobsThanCoresWhenTimeIsTheLimit) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
-  Campaign campaign = small_campaign();
+  Campaign campaign = short_campaign();
   campaign.repeats = 1;
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   EXPECT_NO_THROW(run_campaign(campaign, store, {.jobs = cores + 1}));

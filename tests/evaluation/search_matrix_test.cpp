@@ -4,14 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "support/made_up_runs.h"
+#include "support/numbers.h"
 
 namespace vandplan::evaluation {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Planner search(const std::string& name, const std::string& search, const std::string& estimate) {
   return {.name = name,

@@ -6,15 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "support/numbers.h"
 #include "vandplan/random.h"
 
 namespace vandplan::evaluation {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Verdict = PairedComparison::Verdict;
 
 std::vector<double> one_to(int n) {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <utility>
 
 #include "evaluation/findings.h"
@@ -12,11 +11,11 @@
 #include "evaluation/pooled.h"
 #include "evaluation/reasons.h"
 #include "support/made_up_runs.h"
+#include "support/numbers.h"
 
 namespace vandplan::evaluation {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Verdict = PairedComparison::Verdict;
 
 Summary summary_of(const std::vector<ScenarioFile>& scenarios, const std::vector<RunRecord>& runs) {

@@ -13,13 +13,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-std::string exchanged(std::string text, const std::string& part, const std::string& by) {
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
-}
+using std::numbers::pi;
 
 const std::string movingai_map = "type octile\nheight 3\nwidth 4\nmap\n.GS@\nOTW.\n....\n";
 const std::string problems =

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/reader_test.h"
 #include "support/temporary_folder.h"
 #include "support/yard.h"
 #include "vandplan/input_error.h"
@@ -55,12 +56,6 @@ class MapFile : public testing::Test {
 
   TemporaryFolder folder_;
 };
-
-std::string exchanged(std::string text, const std::string& part, const std::string& by) {
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
-}
 
 std::string png(int format, int columns, int rows, const std::vector<png_byte>& bytes) {
   png_image image{};

@@ -28,7 +28,7 @@ Scenario quay() {
   return scenario;
 }
 
-ResultRecord planned(const Scenario& scenario) {
+ResultRecord planned_record(const Scenario& scenario) {
   ResultRecord record{.scenario = scenario.name, .planner = "anytime"};
   record.options.budget.seed = std::numeric_limits<std::uint64_t>::max();
   record.options.cost.gear_change_cost = 5.5;
@@ -46,7 +46,7 @@ ResultRecord planned(const Scenario& scenario) {
 }
 
 ResultRecord without_path(const Scenario& scenario) {
-  ResultRecord record = planned(scenario);
+  ResultRecord record = planned_record(scenario);
   record.result.path.reset();
   record.result.status = PlanStatus::goal_in_collision;
   record.result.reason = "the footprint hits obstacles[3]";
@@ -113,7 +113,8 @@ class BinaryResult : public testing::Test {
   }
 
   std::string good() {
-    return read_file(written({planned(quay()), without_path(quay())}, "good.vpr"), 1U << 20U);
+    return read_file(written({planned_record(quay()), without_path(quay())}, "good.vpr"),
+                     1U << 20U);
   }
 
   /// The same with other bytes at a place of the first result, counted from its mark.
@@ -134,8 +135,8 @@ class BinaryResult : public testing::Test {
 };
 
 TEST_F(BinaryResult, SaysOfPairsWhatJsonSays) {
-  const std::vector<ResultRecord> records = {planned(quay()), without_path(quay()),
-                                             planned(quay())};
+  const std::vector<ResultRecord> records = {planned_record(quay()), without_path(quay()),
+                                             planned_record(quay())};
   const auto binary = read(written(records, "r.vpr"));
   const auto json = read(written(records, "r.jsonl"));
   ASSERT_EQ(binary.size(), 3U);
@@ -157,7 +158,7 @@ TEST_F(BinaryResult, SaysOfGoalsWhatJsonSays) {
   for (const ScenarioFile& file : {file_, row}) {
     std::vector<ResultRecord> records;
     for (std::size_t i = 0; i < file.size(); ++i) {
-      records.push_back(i == 0 ? planned(quay()) : without_path(quay()));
+      records.push_back(i == 0 ? planned_record(quay()) : without_path(quay()));
       if (file.is_row()) records.back().distance = file.row[i].distance;
     }
     write_results(folder_ / "r.VPR", file, records);
@@ -170,13 +171,13 @@ TEST_F(BinaryResult, SaysOfGoalsWhatJsonSays) {
     EXPECT_FALSE(ResultReader(folder_ / "r.VPR", file).has_pairs());
   }
   EXPECT_THROW((void)read_results(folder_ / "r.VPR", file_), InputError);
-  write_results(folder_ / "one.vpr", file_, {planned(quay())});
+  write_results(folder_ / "one.vpr", file_, {planned_record(quay())});
   EXPECT_THROW((void)read_results(folder_ / "one.vpr", row), InputError);
-  EXPECT_THROW((void)read_results(written({planned(quay())}, "r.vpr"), file_), InputError);
+  EXPECT_THROW((void)read_results(written({planned_record(quay())}, "r.vpr"), file_), InputError);
 }
 
 TEST_F(BinaryResult, CarriesTheTimesOfADrive) {
-  ResultRecord record = planned(quay());
+  ResultRecord record = planned_record(quay());
   record.result.speeds = SpeedProfile{
       .knots = {{0, 0, 0, 1, 0.5}, {2, 2, 2, -1, 0}}, .stops = {{1, 2, 3, 4, 5}}, .duration = 9};
   const PairRecord read_back = read(written({record}, "r.vpr")).front();
@@ -196,7 +197,7 @@ TEST_F(BinaryResult, CarriesTheAngleOfATrailer) {
   scenario.vehicle = vehicle_named("tractor-semitrailer");
   scenario.hitch_angles.start = 0.3;
   const ScenarioFile file{scenario};
-  write_results(folder_ / "r.vpr", file, {planned(scenario)});
+  write_results(folder_ / "r.vpr", file, {planned_record(scenario)});
   EXPECT_EQ(read_results(folder_ / "r.vpr", file).front().claims.start_hitch_angle, 0.3);
 }
 
@@ -252,8 +253,8 @@ TEST_F(BinaryResult, AsksForNoMemoryOnTheWordOfACount) {
 TEST_F(BinaryResult, LeavesWhatWasThereUntilItIsWhole) {
   const std::string file = folder_.put("r.vpr", "old");
   {
-    PairWriter writer(file, planned(quay()));
-    writer.write(1, make_problem(quay()), planned(quay()));
+    PairWriter writer(file, planned_record(quay()));
+    writer.write(1, make_problem(quay()), planned_record(quay()));
   }
   EXPECT_EQ(read_file(file, 100), "old");
 }

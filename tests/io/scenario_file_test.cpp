@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "support/reader_test.h"
 #include "support/shared_files.h"
 #include "support/temporary_folder.h"
 #include "vandplan/files.h"
@@ -41,19 +42,13 @@ goals:
 obstacles: []
 )";
 
-std::string message_for(const std::string& text) {
+std::string message_for_scenario(const std::string& text) {
   try {
     (void)scenario_from_yaml(text, "s.yaml");
   } catch (const InputError& error) {
     return error.what();
   }
   return "no error";
-}
-
-std::string exchanged(std::string text, const std::string& part, const std::string& by) {
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
 }
 
 void expect_equal(const ScenarioFile& one, const ScenarioFile& other) {
@@ -178,7 +173,7 @@ TEST(ScenarioFile, KerbsAreReadAndWritten) {
   const Scenario& scenario = file.scenario;
   EXPECT_EQ(scenario.kerbs, (std::vector<Polygon>{{{10, 2}, {12, 2}, {12, 4}}}));
   EXPECT_EQ(scenario_from_yaml(to_yaml(file), "s.yaml").scenario.kerbs, scenario.kerbs);
-  EXPECT_EQ(message_for(valid + "kerbs: [[[10, 2], [12, 2]]]\n"),
+  EXPECT_EQ(message_for_scenario(valid + "kerbs: [[[10, 2], [12, 2]]]\n"),
             "s.yaml:15: kerbs[0]: has 2 corners, expected at least 3");
 }
 
@@ -200,15 +195,15 @@ TEST(ScenarioFile, WhatMovesIsReadAndWritten) {
        .inflate = 0.25}};
   EXPECT_EQ(file.scenario.moving, expected);
   EXPECT_EQ(scenario_from_yaml(to_yaml(file), "s.yaml").scenario.moving, expected);
-  EXPECT_EQ(message_for(exchanged(text, "leaves", "gone")),
+  EXPECT_EQ(message_for_scenario(exchanged(text, "leaves", "gone")),
             "s.yaml:19: moving[1].after: is \"gone\", expected stays or leaves");
   EXPECT_EQ(
-      message_for(exchanged(text, "[8, 40, 5, 0.1]", "[8, 40, 5]")),
+      message_for_scenario(exchanged(text, "[8, 40, 5, 0.1]", "[8, 40, 5]")),
       "s.yaml:18: moving[1].trajectory[1]: has 3 elements, expected a row [t, x, y, heading]");
-  EXPECT_EQ(message_for(exchanged(text, "[8, 40", "[-2, 40")),
+  EXPECT_EQ(message_for_scenario(exchanged(text, "[8, 40", "[-2, 40")),
             "s.yaml:18: moving[1].trajectory[1]: has the time -2, expected more than that of the "
             "row before, -1.5");
-  EXPECT_EQ(message_for(exchanged(text, "inflate", "inflated")),
+  EXPECT_EQ(message_for_scenario(exchanged(text, "inflate", "inflated")),
             "s.yaml:20: moving[1]: unknown key \"inflated\", did you mean inflate? Expected one of "
             "outline, trajectory, "
             "after, inflate");
@@ -223,7 +218,7 @@ TEST(ScenarioFile, AVehicleMayBeNamed) {
   const Scenario scenario = scenario_from_yaml(with_vehicle("city-bus"), "s.yaml").scenario;
   EXPECT_TRUE(same_lengths(scenario.vehicle, {7.6, 2.1, 2.4, 2.6, 8.66}));
   EXPECT_EQ(scenario.vehicle.limits.max_steering_rate, 0.71);
-  EXPECT_EQ(message_for(with_vehicle("city-buss")),
+  EXPECT_EQ(message_for_scenario(with_vehicle("city-buss")),
             "s.yaml:3: vehicle: is \"city-buss\", did you mean city-bus? Expected one of "
             "car-caravan, city-bus, coach, "
             "three-axle-truck, tpcap-car, tractor-semitrailer, truck-drawbar-trailer, "
@@ -265,19 +260,22 @@ TEST(ScenarioFile, SteeringAndTrackMayBeGiven) {
           .scenario.vehicle;
   EXPECT_NEAR(car.min_turning_radius, 3.005593, 1e-6);
   EXPECT_EQ(car.track_width, 1.7);
-  EXPECT_EQ(message_for(with_vehicle(lengths + ", max_steering_angle: 1.6}")),
+  EXPECT_EQ(message_for_scenario(with_vehicle(lengths + ", max_steering_angle: 1.6}")),
             "s.yaml:3: vehicle.max_steering_angle: is 1.6, expected more than 0 and less than "
             "1.5707 rad");
-  EXPECT_EQ(message_for(with_vehicle(lengths + ", max_steering_angle: 1, min_turning_radius: 7}")),
+  EXPECT_EQ(message_for_scenario(
+                with_vehicle(lengths + ", max_steering_angle: 1, min_turning_radius: 7}")),
             "s.yaml:3: vehicle.max_steering_angle: is given beside min_turning_radius, expected "
             "one of the two");
-  EXPECT_EQ(message_for(with_vehicle(lengths + "}")),
+  EXPECT_EQ(message_for_scenario(with_vehicle(lengths + "}")),
             "s.yaml:3: vehicle: key \"min_turning_radius\" is missing, expected either it or "
             "max_steering_angle");
-  EXPECT_EQ(message_for(with_vehicle(lengths + ", min_turning_radius: 7, track_width: 0}")),
-            "s.yaml:3: vehicle.track_width: is 0, expected more than 0 m");
-  EXPECT_EQ(message_for(with_vehicle(lengths + ", min_turning_radius: 7, track_width: 2}")),
-            "s.yaml:3: vehicle.track_width: is 2, expected at most the width, 1.942");
+  EXPECT_EQ(
+      message_for_scenario(with_vehicle(lengths + ", min_turning_radius: 7, track_width: 0}")),
+      "s.yaml:3: vehicle.track_width: is 0, expected more than 0 m");
+  EXPECT_EQ(
+      message_for_scenario(with_vehicle(lengths + ", min_turning_radius: 7, track_width: 2}")),
+      "s.yaml:3: vehicle.track_width: is 2, expected at most the width, 1.942");
 }
 
 TEST(ScenarioFile, ARowOfGoalsIsRead) {
@@ -462,7 +460,7 @@ std::vector<BadFile> bad_files() {
 
 TEST(ScenarioFile, EveryErrorNamesLineKeyAndWhatWasExpected) {
   for (const BadFile& bad : bad_files()) {
-    const std::string message = message_for(bad.text);
+    const std::string message = message_for_scenario(bad.text);
     // Where the wording is the parser's own only the place is promised.
     if (bad.message.ends_with(": ")) {
       EXPECT_EQ(message.substr(0, bad.message.size()), bad.message);

@@ -26,7 +26,7 @@ ScenarioFile one_goal() {
   return file;
 }
 
-ScenarioFile row() {
+ScenarioFile row_of_three() {
   ScenarioFile file = one_goal();
   file.row = {{20.0, {20, 0, 0}, {}},
               {40.0, {40, 0, 0}, {{{5, 5}, {6, 5}, {6, 6}}}, -0.05},
@@ -38,13 +38,13 @@ TEST(ScenarioRow, OneGoalIsNoRow) {
   EXPECT_FALSE(one_goal().is_row());
   EXPECT_EQ(one_goal().size(), 1U);
   EXPECT_EQ(make_problems(one_goal()).size(), 1U);
-  EXPECT_TRUE(row().is_row());
-  EXPECT_EQ(row().size(), 3U);
+  EXPECT_TRUE(row_of_three().is_row());
+  EXPECT_EQ(row_of_three().size(), 3U);
 }
 
 TEST(ScenarioRow, EachGoalIsAScenarioOfItsOwn) {
-  EXPECT_EQ(scenario_at(row(), 0).obstacles.size(), 1U);
-  const Scenario second = scenario_at(row(), 1);
+  EXPECT_EQ(scenario_at(row_of_three(), 0).obstacles.size(), 1U);
+  const Scenario second = scenario_at(row_of_three(), 1);
   EXPECT_EQ(second.goal, (Pose{40, 0, 0}));
   EXPECT_EQ(second.curvatures, (EndCurvatures{0.1, -0.05}));
   EXPECT_EQ(second.obstacles,
@@ -52,15 +52,15 @@ TEST(ScenarioRow, EachGoalIsAScenarioOfItsOwn) {
 }
 
 TEST(ScenarioRow, GoalsWithoutObstaclesOfTheirOwnShareAWorld) {
-  const std::vector<Problem> problems = make_problems(row());
+  const std::vector<Problem> problems = make_problems(row_of_three());
   ASSERT_EQ(problems.size(), 3U);
   EXPECT_EQ(problems[0].world(), problems[2].world());
   EXPECT_NE(problems[0].world(), problems[1].world());
   for (std::size_t i = 0; i < problems.size(); ++i) {
-    const Problem alone = make_problem(scenario_at(row(), i));
+    const Problem alone = make_problem(scenario_at(row_of_three(), i));
     EXPECT_EQ(problems[i].start(), alone.start());
     EXPECT_EQ(problems[i].goal(), alone.goal());
-    EXPECT_EQ(problems[i].curvatures(), (EndCurvatures{0.1, row().row[i].curvature}));
+    EXPECT_EQ(problems[i].curvatures(), (EndCurvatures{0.1, row_of_three().row[i].curvature}));
     EXPECT_EQ(alone.curvatures(), problems[i].curvatures());
     EXPECT_EQ(problems[i].task().start, alone.task().start);
     EXPECT_EQ(problems[i].task().goal, alone.task().goal);
@@ -93,7 +93,7 @@ TEST(ScenarioRow, AGoalThatIsNotThereIsRefused) {
 TEST(ScenarioRow, ErrorsNameTheGoal) {
   for (const auto& [spoil, message] : bad_rows) {
     SCOPED_TRACE(message);
-    ScenarioFile file = row();
+    ScenarioFile file = row_of_three();
     spoil(file);
     try {
       (void)make_problems(file);

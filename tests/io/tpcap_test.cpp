@@ -34,13 +34,13 @@ class Tpcap : public testing::Test {
 };
 
 // Two obstacles, of three and four corners.
-const std::string valid =
+const std::string two_obstacles =
     "1.5,-2,0.25,10,3e0,-1.5,2,3,4,"
     "0,0,1,0,1,1,"
     "5.1234,5,6,5,6,6.25,5,6\n";
 
 TEST_F(Tpcap, ReadsPosesObstaclesAndDrawsBoundsAroundThem) {
-  const Scenario scenario = read(valid);
+  const Scenario scenario = read(two_obstacles);
   EXPECT_EQ(scenario.name, "Case7");
   EXPECT_TRUE(same_lengths(scenario.vehicle, {2.8, 0.96, 0.929, 1.942, 3.005593}));
   EXPECT_EQ(scenario.vehicle.limits.max_speed, (GearSpeeds{2.5, 2.5}));
@@ -52,11 +52,11 @@ TEST_F(Tpcap, ReadsPosesObstaclesAndDrawsBoundsAroundThem) {
 }
 
 TEST_F(Tpcap, BlanksAndLinesMaySeparateNumbersToo) {
-  std::string text = valid;
+  std::string text = two_obstacles;
   for (char& c : text) {
     if (c == ',') c = '\n';
   }
-  EXPECT_EQ(read(text).obstacles, read(valid).obstacles);
+  EXPECT_EQ(read(text).obstacles, read(two_obstacles).obstacles);
   EXPECT_TRUE(read("0, 0, 0,\t9, 9, 0, 0\r\n").obstacles.empty());
 }
 
@@ -77,7 +77,8 @@ TEST_F(Tpcap, EveryErrorNamesTheValue) {
       "the rest of the file has room for");
   EXPECT_EQ(message_for("0,0,0,1,1,0,1,3,0,0,1,0,1"),
             "Case7.csv:1: ends after value 13, expected corner of obstacle 0");
-  EXPECT_EQ(message_for(valid + "7"), "Case7.csv:2: goes on after value 23, expected its end");
+  EXPECT_EQ(message_for(two_obstacles + "7"),
+            "Case7.csv:2: goes on after value 23, expected its end");
   EXPECT_EQ(message_for("0,0,0,1,1,0,1,2,0,0,1,0"),
             "Case7.csv:1: obstacles[0]: has 2 corners, expected at least 3");
 }

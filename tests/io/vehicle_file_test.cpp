@@ -24,13 +24,13 @@ std::string scenario_with(const std::string& vehicle) {
          "goal: {x: 1, y: 0, heading: 0}\nobstacles: []\n";
 }
 
-Vehicle read(const std::string& vehicle) {
+Vehicle vehicle_read(const std::string& vehicle) {
   return scenario_from_yaml(scenario_with(vehicle), "s.yaml").scenario.vehicle;
 }
 
-std::string message_for(const std::string& vehicle) {
+std::string message_for_vehicle(const std::string& vehicle) {
   try {
-    (void)read(vehicle);
+    (void)vehicle_read(vehicle);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -47,15 +47,15 @@ std::string written(const Vehicle& vehicle) {
 }
 
 TEST(VehicleFile, WithoutLimitsItHasTheDefaults) {
-  EXPECT_EQ(read("{" + truck + "}").limits, DrivingLimits{});
+  EXPECT_EQ(vehicle_read("{" + truck + "}").limits, DrivingLimits{});
 }
 
 TEST(VehicleFile, EveryLimitIsRead) {
-  const Vehicle vehicle =
-      read("{" + truck +
-           ", max_steering_rate: 0.71, max_curvature_rate: 0.08, max_speed: {forward: 3, "
-           "reverse: 2}, max_acceleration: 1.1, max_braking: 1.2, max_lateral_acceleration: 1.6, "
-           "max_jerk: 2.5}");
+  const Vehicle vehicle = vehicle_read(
+      "{" + truck +
+      ", max_steering_rate: 0.71, max_curvature_rate: 0.08, max_speed: {forward: 3, "
+      "reverse: 2}, max_acceleration: 1.1, max_braking: 1.2, max_lateral_acceleration: 1.6, "
+      "max_jerk: 2.5}");
   EXPECT_EQ(vehicle.limits, (DrivingLimits{.max_steering_rate = 0.71,
                                            .max_curvature_rate = 0.08,
                                            .max_speed = {3, 2},
@@ -63,35 +63,35 @@ TEST(VehicleFile, EveryLimitIsRead) {
                                            .max_braking = 1.2,
                                            .max_lateral_acceleration = 1.6,
                                            .max_jerk = 2.5}));
-  EXPECT_EQ(read("{" + truck + ", max_speed: {reverse: 2}}").limits.max_speed,
+  EXPECT_EQ(vehicle_read("{" + truck + ", max_speed: {reverse: 2}}").limits.max_speed,
             (GearSpeeds{GearSpeeds{}.forward, 2}));
-  EXPECT_EQ(read("{" + truck + ", max_jerk: none}").limits, DrivingLimits{});
+  EXPECT_EQ(vehicle_read("{" + truck + ", max_jerk: none}").limits, DrivingLimits{});
 }
 
 TEST(VehicleFile, WhatALimitMayNotBeIsSaid) {
-  EXPECT_EQ(message_for("{" + truck + ", max_jerk: -2}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_jerk: -2}"),
             "s.yaml:2: vehicle.max_jerk: is -2, expected 0.001 to 1000 m/s^3");
-  EXPECT_EQ(message_for("{" + truck + ", max_steering_rate: 0}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_steering_rate: 0}"),
             "s.yaml:2: vehicle.max_steering_rate: is 0, expected 0.001 to 1000 rad/s");
-  EXPECT_EQ(message_for("{" + truck + ", max_curvature_rate: 0}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_curvature_rate: 0}"),
             "s.yaml:2: vehicle.max_curvature_rate: is 0, expected 0.001 to 1000 1/m^2");
-  EXPECT_EQ(message_for("{" + truck + ", max_speed: {forward: 0}}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_speed: {forward: 0}}"),
             "s.yaml:2: vehicle.max_speed.forward: is 0, expected 0.001 to 1000 m/s");
-  EXPECT_EQ(message_for("{" + truck + ", max_speed: {reverse: 1e9}}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_speed: {reverse: 1e9}}"),
             "s.yaml:2: vehicle.max_speed.reverse: is 1e+09, expected 0.001 to 1000 m/s");
-  EXPECT_EQ(message_for("{" + truck + ", max_acceleration: 0}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_acceleration: 0}"),
             "s.yaml:2: vehicle.max_acceleration: is 0, expected 0.001 to 1000 m/s^2");
-  EXPECT_EQ(message_for("{" + truck + ", max_braking: 0}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_braking: 0}"),
             "s.yaml:2: vehicle.max_braking: is 0, expected 0.001 to 1000 m/s^2");
-  EXPECT_EQ(message_for("{" + truck + ", max_lateral_acceleration: 0}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_lateral_acceleration: 0}"),
             "s.yaml:2: vehicle.max_lateral_acceleration: is 0, expected 0.001 to 1000 m/s^2");
-  EXPECT_EQ(message_for("{" + truck + ", max_speed: 3}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_speed: 3}"),
             "s.yaml:2: vehicle.max_speed: is \"3\", expected a map of keys");
-  EXPECT_EQ(message_for("{" + truck + ", max_speed: {forwards: 3}}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_speed: {forwards: 3}}"),
             "s.yaml:2: vehicle.max_speed: unknown key \"forwards\", did you mean forward? Expected "
             "one of forward, "
             "reverse");
-  EXPECT_EQ(message_for("{" + truck + ", max_acceleration: none}"),
+  EXPECT_EQ(message_for_vehicle("{" + truck + ", max_acceleration: none}"),
             "s.yaml:2: vehicle.max_acceleration: is \"none\", expected a number");
 }
 
@@ -106,26 +106,26 @@ TEST(VehicleFile, UsualLimitsAreNotWritten) {
 TEST(VehicleFile, TheLengthsOfAVehicleOfTheCatalogueBringItsLimits) {
   for (const std::string& name : vehicle_names()) {
     const Vehicle named = vehicle_named(name);
-    EXPECT_EQ(read(written(named)), named) << name;
+    EXPECT_EQ(vehicle_read(written(named)), named) << name;
     EXPECT_NE(named.limits.max_steering_rate, 0) << name;
   }
   Vehicle slow = vehicle_named("tpcap-car");
   slow.limits.max_speed = {};
-  EXPECT_EQ(read(written(slow)), slow);
+  EXPECT_EQ(vehicle_read(written(slow)), slow);
 }
 
 TEST(VehicleFile, AnOutlineReadsBackAndBringsTheLengthsOfItsBox) {
-  const Vehicle vehicle = read(
+  const Vehicle vehicle = vehicle_read(
       "{wheelbase: 3.6, min_turning_radius: 6, outline: [[5, -0.5], [5, 0.7], [-0.9, 1.2], [-0.9, "
       "-1]]}");
   EXPECT_EQ(vehicle.outline, (Polygon{{5, -0.5}, {5, 0.7}, {-0.9, 1.2}, {-0.9, -1}}));
   EXPECT_DOUBLE_EQ(vehicle.front_overhang, 1.4);
   EXPECT_EQ(vehicle.rear_overhang, 0.9);
   EXPECT_EQ(vehicle.width, 2.4);
-  EXPECT_EQ(read(written(vehicle)), vehicle);
+  EXPECT_EQ(vehicle_read(written(vehicle)), vehicle);
   Vehicle rig = vehicle_named("tractor-semitrailer");
   rig.trailer->outline = {{9, -1}, {9, 1}, {-4, 1.2}, {-4, -1.2}};
-  EXPECT_EQ(read(written(rig)), rig);
+  EXPECT_EQ(vehicle_read(written(rig)), rig);
 }
 
 TEST(VehicleFile, AnyLimitsReadBackUnchanged) {
@@ -141,7 +141,7 @@ TEST(VehicleFile, AnyLimitsReadBackUnchanged) {
     if (uniform01(rng) < 0.5) limits.max_braking = size();
     if (uniform01(rng) < 0.5) limits.max_lateral_acceleration = size();
     if (uniform01(rng) < 0.5) limits.max_jerk = size();
-    EXPECT_EQ(read(written(vehicle)), vehicle);
+    EXPECT_EQ(vehicle_read(written(vehicle)), vehicle);
   });
 }
 
@@ -166,7 +166,8 @@ TEST_F(FilesOfVehicles, AVehicleFileReadsBackExactly) {
   vehicle.wheelbase += 0.1;
   vehicle.limits.max_speed.forward = 1.75;
   EXPECT_EQ(read_vehicle(folder_.put("v.yaml", to_yaml(vehicle))), vehicle);
-  EXPECT_EQ(read_vehicle(folder_.put("v.yaml", "{" + truck + "}")), read("{" + truck + "}"));
+  EXPECT_EQ(read_vehicle(folder_.put("v.yaml", "{" + truck + "}")),
+            vehicle_read("{" + truck + "}"));
   const auto refused = [&](const std::string& text) {
     return message_of([&] { return read_vehicle(folder_.put("v.yaml", text)); });
   };

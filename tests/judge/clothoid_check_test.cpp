@@ -20,7 +20,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Vehicle nimble{.min_turning_radius = 4};  // its curvature: at most 0.25
 
 PathCheck check_open(const Path& path, const PathClaims& claims = {},

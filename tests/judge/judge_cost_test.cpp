@@ -21,7 +21,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Buildings of 10 m, 30 m apart, in so many rows and columns around the origin.
 std::vector<Polygon> yard(int columns) {

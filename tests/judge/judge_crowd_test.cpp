@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/judge_oracle.h"
+#include "support/numbers.h"
 #include "support/problems.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
@@ -27,8 +27,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using std::numbers::pi;
 constexpr double furthest = 3e6;  // coordinate of a corner [m]
 constexpr Bounds wide{-1e6, 1e6, -1e6, 1e6};
 

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -16,6 +15,7 @@
 #include "support/cases.h"
 #include "support/judge_oracle.h"
 #include "support/map_cases.h"
+#include "support/numbers.h"
 #include "support/problems.h"
 #include "vandplan/path_check.h"
 #include "vandplan/random.h"
@@ -23,9 +23,8 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Bounds wide{-1e4, 1e4, -1e4, 1e4};
+using std::numbers::pi;
+constexpr Bounds wide_ground{-1e4, 1e4, -1e4, 1e4};
 
 /// Around the origin, with blocked cells wherever one looks, and walls around it at times.
 OccupancyGrid crowded_grid(Rng& rng) {
@@ -115,7 +114,7 @@ TEST(JudgeLaw, NothingOnAPassageIsNearerThanTheJudgeSays) {
 
 // ---- Whole paths ----
 
-struct Verdicts {
+struct LawVerdicts {
   int valid = 0;
   int grazing = 0;  // valid by less than 5 mm
   int far = 0;      // valid by more than 10 m
@@ -124,12 +123,12 @@ struct Verdicts {
 };
 
 void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& path,
-                    Verdicts& verdicts) {
+                    LawVerdicts& verdicts) {
   const std::vector<Polygon> squares = squares_of(grid);
   SCOPED_TRACE(as_code(path) + " on cells of " + as_code(grid.resolution) + " m at " +
                as_code(grid.origin) + ": " + as_code(squares));
-  for (const Surroundings& surroundings :
-       {Surroundings{.bounds = wide, .map = grid}, {.bounds = wide, .obstacles = squares}}) {
+  for (const Surroundings& surroundings : {Surroundings{.bounds = wide_ground, .map = grid},
+                                           {.bounds = wide_ground, .obstacles = squares}}) {
     const PathCheck check = check_path(problem_of_path(surroundings, path, vehicle), path);
     ASSERT_TRUE(check.clearance);
     const std::vector<Foes> foes = {{footprint(vehicle), squares}};
@@ -144,7 +143,7 @@ void expect_verdict(const Vehicle& vehicle, const OccupancyGrid& grid, const Pat
 
 TEST(JudgeLaw, VerdictAndClearanceAreThoseOfLookingEverywhere) {
   constexpr int count = 1000;
-  Verdicts verdicts;
+  LawVerdicts verdicts;
   for_each_case(2, count, [&](Rng& rng) {
     const Vehicle vehicle = any_vehicle(rng);
     const Path path = any_edge(rng);

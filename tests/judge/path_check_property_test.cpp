@@ -9,14 +9,14 @@
 #include "support/cases.h"
 #include "support/naive_check.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/path_check.h"
 #include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 7.0;
+using std::numbers::pi;
 
 Path random_path(double length, Rng& rng) {
   Path path{uniform_pose({-5, 5, -5, 5}, rng), {}};
@@ -52,7 +52,7 @@ std::vector<Polygon> random_obstacles(int count, double spread, Rng& rng) {
   return obstacles;
 }
 
-std::string as_code(const Problem& problem, const Path& path) {
+std::string check_as_code(const Problem& problem, const Path& path) {
   return vandplan::as_code(path) + "\nto " + vandplan::as_code(problem.goal()) + " among " +
          vandplan::as_code(obstacles_of(problem));
 }
@@ -64,7 +64,7 @@ TEST(PathCheckLaw, AgreesWithLookingAtEveryMillimetre) {
     const Path path = random_path(3, rng);
     const Problem problem = problem_of(path.start, end_pose(path), random_obstacles(2, 14, rng));
     const std::vector<Polygon>& obstacles = obstacles_of(problem);
-    SCOPED_TRACE(as_code(problem, path));
+    SCOPED_TRACE(check_as_code(problem, path));
     const PathCheck check = check_path(problem, path, {});
     ASSERT_TRUE(check.clearance);
 
@@ -192,7 +192,7 @@ TEST(PathCheckLaw, SpoiledPathsAreRejected) {
       Case c = valid_case(rng);
       spoils[kind](c, rng);
       const PathCheck check = check_path(c.problem, c.path, c.claims);
-      EXPECT_FALSE(check.valid) << as_code(c.problem, c.path);
+      EXPECT_FALSE(check.valid) << check_as_code(c.problem, c.path);
       EXPECT_NE(check.reason, "");
     });
   }
@@ -203,7 +203,7 @@ TEST(PathCheckLaw, SpoiledPathsAreRejected) {
 TEST(PathCheckLaw, TheWayBackIsJudgedAlike) {
   for_each_case(2, 500, [&](Rng& rng) {
     const Case c = valid_case(rng);
-    SCOPED_TRACE(as_code(c.problem, c.path));
+    SCOPED_TRACE(check_as_code(c.problem, c.path));
     Path back{end_pose(c.path), {c.path.segments.rbegin(), c.path.segments.rend()}};
     for (Segment& segment : back.segments) segment.length = -segment.length;
     const Problem problem =
@@ -217,7 +217,7 @@ TEST(PathCheckLaw, TheWayBackIsJudgedAlike) {
 TEST(PathCheckLaw, MovingEverythingChangesNothing) {
   for_each_case(3, 500, [&](Rng& rng) {
     const Case c = valid_case(rng);
-    SCOPED_TRACE(as_code(c.problem, c.path));
+    SCOPED_TRACE(check_as_code(c.problem, c.path));
     const Pose frame = uniform_pose({-50, 50, -50, 50}, rng);
     std::vector<Polygon> obstacles = obstacles_of(c.problem);
     for (Polygon& polygon : obstacles) {
@@ -237,7 +237,7 @@ TEST(PathCheckLaw, MovingEverythingChangesNothing) {
 TEST(PathCheckLaw, CuttingSegmentsChangesNothing) {
   for_each_case(4, 500, [&](Rng& rng) {
     const Case c = valid_case(rng);
-    SCOPED_TRACE(as_code(c.problem, c.path));
+    SCOPED_TRACE(check_as_code(c.problem, c.path));
     Path cut{c.path.start, {}};
     for (const Segment& segment : c.path.segments) {
       const double part = segment.length * uniform01(rng);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/path_check.h"
+#include "support/numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "support/grids.h"
@@ -18,9 +18,7 @@ namespace {
 
 // The default truck: from 1.6 m behind the rear axle to 5.9 m before it, 1.275 m to either side,
 // turning radius 7 m.
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using std::numbers::pi;
 
 /// Ten metres straight ahead from the origin.
 const Path ahead{{0, 0, 0}, {{0, 10}}};

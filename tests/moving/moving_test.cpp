@@ -20,7 +20,7 @@ namespace vandplan {
 namespace {
 
 // The default truck: from 1.6 m behind the rear axle to 5.9 m before it, 1.275 m to either side.
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A car of 4 m by 2 m.
 const Polygon car = box(-2, -1, 2, 1);

@@ -21,8 +21,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double radius = query_radius;
-
 // ---- our planners as OMPL's ----
 
 PlanOptions few_iterations() {
@@ -56,13 +54,14 @@ TEST(OurPlannersInOmpl, StatesAreJoinedByThePathItself) {
   for_each_case(8, 200, [](Rng& rng) {
     Path path{uniform_pose({-100, 100, -100, 100}, rng), {}};
     for (int i = 0; i < 6; ++i) {
-      const double curvature = (static_cast<double>(rng() % 3) - 1) / radius;
-      path.segments.push_back({curvature, uniform(-2 * radius * 3.14, 2 * radius * 3.14, rng)});
+      const double curvature = (static_cast<double>(rng() % 3) - 1) / query_radius;
+      path.segments.push_back(
+          {curvature, uniform(-2 * query_radius * 3.14, 2 * query_radius * 3.14, rng)});
     }
     const std::vector<Pose> poses = ompl::way_points(path);
     double s = 0;
     for (std::size_t i = 1; i < poses.size(); ++i) {
-      const Piece piece = reeds_shepp(poses[i - 1], poses[i], radius);
+      const Piece piece = reeds_shepp(poses[i - 1], poses[i], query_radius);
       const Pose middle =
           pose_at(Path{poses[i - 1], {piece.view().begin(), piece.view().end()}}, piece.length / 2);
       const Pose expected = pose_at(path, s + piece.length / 2);
@@ -156,7 +155,7 @@ TEST(OurPlannersInOmpl, WhatDoesNotFitIsRefused) {
   PlanOptions margin = few_iterations();
   margin.clearance.margin = 0.5;
   refuses(query, margin);
-  Query dubins(yard_scenario(), std::make_shared<ompl::DubinsStateSpace>(radius));
+  Query dubins(yard_scenario(), std::make_shared<ompl::DubinsStateSpace>(query_radius));
   refuses(dubins, few_iterations());
   query.simple.setStateValidityChecker([](const ob::State*) { return true; });
   refuses(query, few_iterations());

@@ -18,8 +18,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double radius = query_radius;
-
 // ---- poses and edges ----
 
 TEST(OmplWorld, StatesAreInTheFrameOfTheScenario) {
@@ -100,12 +98,14 @@ void expect_exact_edges(Query query, std::uint64_t seed) {
 
 TEST(OmplWorld, EdgesAreCheckedExactlyInEverySpace) {
   expect_exact_edges(Query(yard_scenario()), 1);
-  expect_exact_edges(Query(yard_scenario(), std::make_shared<ompl::DubinsStateSpace>(radius)), 2);
-  expect_exact_edges(Query(yard_scenario(), std::make_shared<ompl::DubinsStateSpace>(radius, true)),
-                     3);
-  expect_exact_edges(Query(yard_scenario(), std::make_shared<ob::ReedsSheppStateSpace>(radius)), 4);
-  expect_exact_edges(Query(yard_scenario(), std::make_shared<ob::DubinsStateSpace>(radius, true)),
-                     5);
+  expect_exact_edges(Query(yard_scenario(), std::make_shared<ompl::DubinsStateSpace>(query_radius)),
+                     2);
+  expect_exact_edges(
+      Query(yard_scenario(), std::make_shared<ompl::DubinsStateSpace>(query_radius, true)), 3);
+  expect_exact_edges(
+      Query(yard_scenario(), std::make_shared<ob::ReedsSheppStateSpace>(query_radius)), 4);
+  expect_exact_edges(
+      Query(yard_scenario(), std::make_shared<ob::DubinsStateSpace>(query_radius, true)), 5);
   expect_exact_edges(Query(yard_scenario(), std::make_shared<ompl::ReedsSheppStateSpace>(12.0)), 6);
 }
 
@@ -133,7 +133,7 @@ struct Node {
 };
 
 TEST(OmplNearest, IsWhatComparingAllLengthsGives) {
-  const auto space = std::make_shared<ompl::ReedsSheppStateSpace>(radius);
+  const auto space = std::make_shared<ompl::ReedsSheppStateSpace>(query_radius);
   const auto length = [&](Node* const& a, Node* const& b) {
     return space->distance(a->state, b->state);
   };
@@ -192,11 +192,11 @@ TEST(OmplNearest, IsWhatComparingAllLengthsGives) {
 }
 
 TEST(OmplNearest, EqualStatesAreToldApart) {
-  const auto space = std::make_shared<ompl::ReedsSheppStateSpace>(radius);
+  const auto space = std::make_shared<ompl::ReedsSheppStateSpace>(query_radius);
   ob::ScopedState<> state(space);
   ompl::set_pose(state.get(), {1, 2, 3});
   std::vector<Node> nodes(3, Node{state.get()});
-  ompl::NearestByLength<Node*> ours(radius, [](Node* const& node) { return node->state; });
+  ompl::NearestByLength<Node*> ours(query_radius, [](Node* const& node) { return node->state; });
   for (Node& node : nodes) ours.add(&node);
   EXPECT_EQ(ours.nearest(&nodes[2]), &nodes[0]);
   EXPECT_TRUE(ours.remove(&nodes[1]));
@@ -205,7 +205,7 @@ TEST(OmplNearest, EqualStatesAreToldApart) {
 }
 
 TEST(OmplNearest, NoneAndWrongSpacesAreErrors) {
-  const auto space = std::make_shared<ob::ReedsSheppStateSpace>(radius);
+  const auto space = std::make_shared<ob::ReedsSheppStateSpace>(query_radius);
   ob::ScopedState<> state(space);
   Node node{state.get()};
   ompl::NearestByLength<Node*> ours;
@@ -255,7 +255,7 @@ TEST(OmplPlanners, OursAreThereWhereTheSpaceIsOurs) {
   planner.setProblemDefinition(ours.simple.getProblemDefinition());
   planner.setup();
   EXPECT_NE(dynamic_cast<const OpenRrt::Nodes*>(planner.nodes()), nullptr);
-  Query theirs(yard_scenario(), std::make_shared<ob::ReedsSheppStateSpace>(radius));
+  Query theirs(yard_scenario(), std::make_shared<ob::ReedsSheppStateSpace>(query_radius));
   OpenRrt other(theirs.si);
   other.setProblemDefinition(theirs.simple.getProblemDefinition());
   other.setup();

@@ -13,6 +13,7 @@
 
 #include "support/leads.h"
 #include "support/pair_cases.h"
+#include "support/radius.h"
 #include "vandplan/dubins.h"
 #include "vandplan/ompl_spaces.h"
 #include "vandplan/reeds_shepp.h"
@@ -21,8 +22,6 @@ namespace vandplan {
 namespace {
 
 namespace ob = ::ompl::base;
-
-constexpr double radius = 7;
 
 /// Ours and OMPL's, with a few states of each.
 template <typename Ours, typename Theirs>

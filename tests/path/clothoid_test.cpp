@@ -20,7 +20,7 @@ namespace {
 
 using search::end_of, search::prefix, search::suffix;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Bounds around{-20, 20, -20, 20};
 
 double distance(const Pose& a, const Pose& b) { return std::hypot(a.x - b.x, a.y - b.y); }

@@ -9,7 +9,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Advance, QuarterTurnLeftEndsOneRadiusAheadAndLeft) {
   const Pose end = advance({0, 0, 0}, {1.0 / 7, 7 * pi / 2});

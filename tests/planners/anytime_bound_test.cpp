@@ -12,6 +12,7 @@
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/dubins.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
@@ -120,9 +121,8 @@ TEST(AnytimeBound, IsTheCostOfTheOnlyWayWithPrices) {
 
 using search::CostRule;
 
-constexpr double radius = 7;
-constexpr CostRule rules[] = {{1, 2, 20, 0},  {1, 2, 5, 0}, {1, 1, 0.1, 0},
-                              {1, 1.5, 0, 0}, {1, 3, 5, 1}, {2, 1, 5, -1}};
+constexpr CostRule bound_rules[] = {{1, 2, 20, 0},  {1, 2, 5, 0}, {1, 1, 0.1, 0},
+                                    {1, 1.5, 0, 0}, {1, 3, 5, 1}, {2, 1, 5, -1}};
 
 /// As far away as the judge allows, or nearer.
 Pose beside(const Pose& pose, Rng& rng) {
@@ -158,7 +158,7 @@ TEST(AnytimeBound, HoldsForEveryPathThatTheJudgeAccepts) {
       const Piece drive = random_drive(rng);
       const Problem problem =
           problem_of(beside(from, rng), beside(search::end_of(from, drive), rng), {});
-      const CostRule& rule = rules[rng() % std::size(rules)];
+      const CostRule& rule = bound_rules[rng() % std::size(bound_rules)];
       search::Driven driven = rule.initial_gear;
       const double cost = drive_cost(rule, drive.view(), driven);
       EXPECT_LE(bound_of(problem, rule), cost)
@@ -174,7 +174,7 @@ TEST(AnytimeBound, IsCloseBelowTheLeastOfForwardReverseAndOneChange) {
       const Pose from = uniform_pose({-50, 50, -50, 50}, rng);
       const Pose to = uniform_pose({-50, 50, -50, 50}, rng);
       const Problem problem = problem_of(from, to, {});
-      const CostRule& rule = rules[rng() % 4];
+      const CostRule& rule = bound_rules[rng() % 4];
       const double bound = bound_of(problem, rule);
       const double leeway = anytime::open_ground(problem.task(), rule).leeway;
       const double forward = dubins_length(from, to, radius);
@@ -192,13 +192,13 @@ TEST(AnytimeBound, DoesNotJumpWhereAnArcVanishes) {
   for (const double off : {-1e-7, 0.0, 1e-7}) {
     for (const Pose& goal : {Pose{7 + off, 7, 1.570796}, Pose{7, 7 + off, 1.570797}}) {
       const Problem problem = problem_of({}, goal, {});
-      EXPECT_NEAR(bound_of(problem, rules[0]), 10.9956, 1e-3);
+      EXPECT_NEAR(bound_of(problem, bound_rules[0]), 10.9956, 1e-3);
     }
   }
   const Pose lane = end_pose({{}, {{1 / radius, 5}, {-1 / radius, 5}}});
   for (const double off : {-1e-7, 0.0, 1e-7}) {
     const Problem problem = problem_of({}, {lane.x + off, lane.y, lane.heading}, {});
-    EXPECT_NEAR(bound_of(problem, rules[0]), 10, 0.02);
+    EXPECT_NEAR(bound_of(problem, bound_rules[0]), 10, 0.02);
   }
 }
 

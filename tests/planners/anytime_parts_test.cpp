@@ -64,7 +64,7 @@ void expect_valid(const Problem& problem, const CostRule& rule, const Route& rou
               route.cost, 1e-6);
 }
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr CostRule rules[] = {{}, {1.0, 2.0, 3.0, 0}};
 
 TEST(TwoTrees, WhatTheyFindIsARoute) {

@@ -15,7 +15,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 PlanResult run(const Problem& problem, const PlanOptions& options) {
   PlanResult result = plan(problem, planner_named("anytime"), options);

@@ -18,6 +18,7 @@
 #include "support/continuity.h"
 #include "support/draws.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 
@@ -31,7 +32,6 @@ using search::CostRule, search::Driven, search::Route;
 constexpr std::array kinds = {Steering::reeds_shepp, Steering::continuous_between_stops,
                               Steering::continuous};
 constexpr CostRule priced{.reverse_weight = 2, .gear_change_cost = 5, .curvature_change_cost = 50};
-constexpr double radius = Vehicle{}.min_turning_radius;
 
 Pose end_of(const Path& path) {
   Pose pose = path.start;

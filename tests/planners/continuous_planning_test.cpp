@@ -15,7 +15,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Steering both_kinds[] = {Steering::continuous_between_stops, Steering::continuous};
 
 PlanOptions iterations(std::int64_t count, Steering steering, const CostOptions& cost) {
@@ -33,7 +33,7 @@ Vehicle any_truck(Rng& rng) {
 }
 
 /// Two poses in a square, with a few boxes on it.
-Problem random_problem(Rng& rng) {
+Problem random_problem_on_a_square(Rng& rng) {
   const Bounds square{-25, 25, -25, 25};
   std::vector<Polygon> boxes;
   for (int i = 0; i < 6; ++i) {
@@ -48,7 +48,7 @@ Problem random_problem(Rng& rng) {
 TEST(ContinuousPlanning, EveryPathCanBeFollowed) {
   int solved = 0;
   for_each_case(1, 300, [&](Rng& rng) {
-    const Problem problem = random_problem(rng);
+    const Problem problem = random_problem_on_a_square(rng);
     const Steering steering = both_kinds[rng() % 2];
     const CostOptions costs[] = {shortest_style, by_length_and(2, 5), driver_style};
     PlanOptions options = iterations(400, steering, costs[rng() % 3]);
@@ -68,7 +68,7 @@ TEST(ContinuousPlanning, EveryPathCanBeFollowed) {
 // The path may go on from a bend, and end in one.
 TEST(ContinuousPlanning, KeepsTheCurvaturesOfStartAndGoal) {
   for_each_case(2, 100, [](Rng& rng) {
-    const Problem drawn = random_problem(rng);
+    const Problem drawn = random_problem_on_a_square(rng);
     const double full_lock = 1 / drawn.vehicle().min_turning_radius;
     const EndCurvatures ends{uniform(-full_lock, full_lock, rng),
                              uniform(-full_lock, full_lock, rng)};

@@ -19,7 +19,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 enum class Who { truck, rig };
 enum class Cost { length, driver, time };

@@ -18,7 +18,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 PlanOptions by(CostMeasure measure, std::int64_t iterations) {
   PlanOptions options;

@@ -7,17 +7,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "search/cost_field.h"
 #include "support/cases.h"
+#include "support/numbers.h"
 #include "support/problems.h"
 #include "vandplan/planner.h"
 
 namespace vandplan {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Bounds square{0, 40, 0, 40};
 
 using search::CostCells, search::CostField;
@@ -40,7 +39,7 @@ double cost_between(const CostCells& cells, const Point& a, const Point& b) {
   return settled(cells, b, a).at(a);
 }
 
-double length_of(const std::vector<Point>& points) {
+double length_through(const std::vector<Point>& points) {
   double sum = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
   return sum;
@@ -131,8 +130,8 @@ TEST(CostField, ItsRouteCostsWhatItSays) {
     ++found;
     EXPECT_EQ(route.front(), root);
     EXPECT_EQ(route.back(), target);
-    EXPECT_LE(length_of(route), field.at(root) * 1.02 + 1e-6);
-    EXPECT_GE(length_of(route), distance(root, target) * (1 - 1e-9));
+    EXPECT_LE(length_through(route), field.at(root) * 1.02 + 1e-6);
+    EXPECT_GE(length_through(route), distance(root, target) * (1 - 1e-9));
     for (std::size_t i = 1; i < route.size(); ++i) {  // through cells that are open
       const Point middle{(route[i - 1].x + route[i].x) / 2, (route[i - 1].y + route[i].y) / 2};
       const auto is_open = [&](double dx, double dy) {

@@ -14,6 +14,7 @@
 
 #include "support/continuity.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/random.h"
 
 namespace vandplan {
@@ -21,8 +22,7 @@ namespace {
 
 using anytime::Follower;
 
-constexpr std::array continuous_kinds = {Steering::continuous_between_stops, Steering::continuous};
-constexpr double radius = Vehicle{}.min_turning_radius;
+constexpr std::array kinds_to_follow = {Steering::continuous_between_stops, Steering::continuous};
 
 /// Left and right around things, and at last backwards.
 std::vector<Segment> slalom() {
@@ -73,7 +73,7 @@ std::optional<Path> followed(const Task& task, std::span<const Segment> way, int
 TEST(Follower, StaysNearTheWay) {
   const std::vector<Segment> way = slalom();
   const Problem problem = problem_along(way);
-  for (const Steering steering : continuous_kinds) {
+  for (const Steering steering : kinds_to_follow) {
     const Task task = task_of(problem, {}, steering);
     const std::optional<Path> path = followed(task, way);
     ASSERT_TRUE(path) << name_of(steering);

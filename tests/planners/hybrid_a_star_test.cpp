@@ -31,11 +31,11 @@ PlanOptions by_length(std::vector<Setting> settings = {}, std::int64_t iteration
   return options;
 }
 
-Problem around_the_wall() {
+Problem around_the_wall_in_bounds() {
   return problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -8, 16, 8)}, {-40, 70, -40, 40});
 }
 
-Problem walled_in() {
+Problem walled_in_within_bounds() {
   return problem_of(
       {0, 0, 0}, {60, 0, 0},
       {box(40, -20, 80, -18), box(40, 18, 80, 20), box(40, -20, 42, 20), box(78, -20, 80, 20)},
@@ -51,8 +51,8 @@ TEST(HybridAStar, EndsAtOnceWhereNothingIsInTheWay) {
 
 TEST(HybridAStar, CostsNoMoreThanTheWeightTimesWhatAFinerSearchFinds) {
   const auto cost = [](const char* weight) {
-    const PlanResult result =
-        plan(around_the_wall(), hybrid(), by_length({{"weight", weight}, {"shorten", "false"}}));
+    const PlanResult result = plan(around_the_wall_in_bounds(), hybrid(),
+                                   by_length({{"weight", weight}, {"shorten", "false"}}));
     EXPECT_EQ(result.status, PlanStatus::solved);
     EXPECT_LE(result.lower_bound, result.cost);
     return result.cost;
@@ -66,7 +66,7 @@ TEST(HybridAStar, CostsNoMoreThanTheWeightTimesWhatAFinerSearchFinds) {
 
 TEST(HybridAStar, ImprovesOnlyWhenItIsTold) {
   const auto run = [](const char* improve) {
-    return plan(around_the_wall(), hybrid(),
+    return plan(around_the_wall_in_bounds(), hybrid(),
                 by_length({{"improve", improve}, {"weight", "2"}, {"shorten", "false"}}, 100'000));
   };
   const PlanResult first = run("false");
@@ -77,15 +77,17 @@ TEST(HybridAStar, ImprovesOnlyWhenItIsTold) {
 }
 
 TEST(HybridAStar, ShortensItsPath) {
-  const PlanResult rough = plan(around_the_wall(), hybrid(), by_length({{"shorten", "false"}}));
-  const PlanResult result = plan(around_the_wall(), hybrid(), by_length());
+  const PlanResult rough =
+      plan(around_the_wall_in_bounds(), hybrid(), by_length({{"shorten", "false"}}));
+  const PlanResult result = plan(around_the_wall_in_bounds(), hybrid(), by_length());
   ASSERT_TRUE(rough.path && result.path);
   EXPECT_LT(result.cost, rough.cost);
   EXPECT_EQ(counter(result, "expansions"), counter(rough, "expansions"));
 }
 
 TEST(HybridAStar, KeepsTheTreeInOrderOfExpansion) {
-  const PlanResult result = plan(around_the_wall(), hybrid(), by_length({{"keep_tree", "true"}}));
+  const PlanResult result =
+      plan(around_the_wall_in_bounds(), hybrid(), by_length({{"keep_tree", "true"}}));
   ASSERT_TRUE(result.tree);
   const auto& [poses, parents] = *result.tree;
   EXPECT_EQ(static_cast<std::int64_t>(poses.size()), counter(result, "expansions"));
@@ -98,7 +100,7 @@ TEST(HybridAStar, KeepsTheTreeInOrderOfExpansion) {
 }
 
 TEST(HybridAStar, ProvesThatThereIsNoWay) {
-  const PlanResult result = plan(walled_in(), hybrid(), by_length());
+  const PlanResult result = plan(walled_in_within_bounds(), hybrid(), by_length());
   EXPECT_EQ(result.status, PlanStatus::no_path);
   EXPECT_FALSE(result.reason.empty());
 }
@@ -106,7 +108,7 @@ TEST(HybridAStar, ProvesThatThereIsNoWay) {
 // An estimate that knows no obstacles proves nothing: all cells are searched.
 TEST(HybridAStar, DoesNotTakeAnExhaustedLatticeForAProof) {
   const PlanResult result = plan(
-      walled_in(), hybrid(),
+      walled_in_within_bounds(), hybrid(),
       by_length({{"estimate", "euclid"}, {"max_with", "none"}, {"cell", "4"}, {"headings", "12"}},
                 1'000'000));
   EXPECT_EQ(result.status, PlanStatus::node_limit);
@@ -114,8 +116,8 @@ TEST(HybridAStar, DoesNotTakeAnExhaustedLatticeForAProof) {
 }
 
 TEST(HybridAStar, EndsWhenItsTreeIsFull) {
-  const PlanResult result =
-      plan(around_the_wall(), hybrid(), by_length({{"max_nodes", "20"}, {"shot_spacing", "0.01"}}));
+  const PlanResult result = plan(around_the_wall_in_bounds(), hybrid(),
+                                 by_length({{"max_nodes", "20"}, {"shot_spacing", "0.01"}}));
   EXPECT_EQ(result.status, PlanStatus::node_limit);
   EXPECT_EQ(result.reason, "the search tree is full");
   EXPECT_LT(counter(result, "nodes"), 20 + 6);
@@ -132,7 +134,7 @@ TEST(HybridAStar, MindsPrices) {
   EXPECT_LT(result.cost, 120.0);
   PlanOptions driver = by_length();
   driver.cost = driver_style;
-  const PlanResult around = plan(around_the_wall(), hybrid(), driver);
+  const PlanResult around = plan(around_the_wall_in_bounds(), hybrid(), driver);
   ASSERT_EQ(around.status, PlanStatus::solved);
   EXPECT_EQ(around.check->gear_changes, 0);
   EXPECT_GT(around.cost, length(*around.path));  // of turning the wheels
@@ -205,7 +207,7 @@ TEST(HybridAStar, TakesEveryEstimate) {
     if (name == search::user_table) continue;
     const Planner planner = planner_named("hybrid-a-star:" + std::string(name));
     EXPECT_EQ(planner.properties.estimate, name);
-    const PlanResult result = plan(around_the_wall(), planner, by_length());
+    const PlanResult result = plan(around_the_wall_in_bounds(), planner, by_length());
     ASSERT_EQ(result.status, PlanStatus::solved) << name;
     const bool is_proven =
         name == "euclid" || name == "bound" || name == "reeds-shepp" || name == "any-angle";
@@ -222,9 +224,9 @@ TEST(HybridAStar, LooksUpAUsersTable) {
   EXPECT_TRUE(asks_for_table(planner, options));
   EXPECT_THROW((void)complete(planner, options), InputError);
   options.table = std::make_shared<const HeuristicTable>(thesis_table(4));
-  const PlanResult result = plan(around_the_wall(), planner, options);
-  const PlanResult same =
-      plan(around_the_wall(), planner_named("hybrid-a-star:max-hlut-4-any-angle"), by_length());
+  const PlanResult result = plan(around_the_wall_in_bounds(), planner, options);
+  const PlanResult same = plan(around_the_wall_in_bounds(),
+                               planner_named("hybrid-a-star:max-hlut-4-any-angle"), by_length());
   ASSERT_TRUE(result.path && same.path);
   EXPECT_EQ(result.path->segments, same.path->segments);
 }

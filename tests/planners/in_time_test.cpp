@@ -17,7 +17,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A car of 4 m by 2 m.
 const Polygon car = box(-2, -1, 2, 1);

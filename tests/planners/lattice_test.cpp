@@ -22,7 +22,7 @@ Problem bay() {
                     {box(-10, 6, 40, 7), box(2, -16, 11.6, -5), box(16.4, -16, 26, -5)});
 }
 
-Problem around_the_wall() { return problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -8, 16, 8)}); }
+Problem around_the_short_wall() { return problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -8, 16, 8)}); }
 
 PlanResult run(const Problem& problem, const std::string& planner,
                const std::vector<Setting>& settings = {}, std::int64_t iterations = 100'000) {
@@ -71,7 +71,8 @@ TEST(LatticeAStar, IsAtMostSoManyTimesAsLongAsItsWeightSays) {
 TEST(LatticeAStar, SaysWhatItHasProvenAndNotMore) {
   EXPECT_EQ(factor_of(run(bay(), "lattice-a-star")), 1.0);
   EXPECT_EQ(factor_of(run(bay(), "lattice-a-star:hlut-4")), 0.0);  // it over-estimates
-  EXPECT_EQ(factor_of(run(around_the_wall(), "lattice-a-star", {}, 300)), 0.0);  // not at its end
+  EXPECT_EQ(factor_of(run(around_the_short_wall(), "lattice-a-star", {}, 300)),
+            0.0);  // not at its end
 }
 
 TEST(LatticeAStar, ARoomThatTheLatticeCannotLeaveProvesNothing) {
@@ -111,22 +112,23 @@ TEST(Primitives, OfAUserAreUsedAndThoseThatTurnTooSharplyRefused) {
   options.budget.max_iterations = 20'000;
   const Planner planner = planner_named("lattice-a-star");
   options.primitives = search::make_primitives(9.0, {.largest_coordinate = 1});
-  const PlanResult result = plan(around_the_wall(), planner, options);
+  const PlanResult result = plan(around_the_short_wall(), planner, options);
   EXPECT_EQ(result.status, PlanStatus::solved);
   options.primitives = search::make_primitives(6.9);
-  EXPECT_THROW((void)plan(around_the_wall(), planner, options), InputError);
+  EXPECT_THROW((void)plan(around_the_short_wall(), planner, options), InputError);
   EXPECT_THROW((void)complete(planner_named("rrt-bsc-euc"), options), InputError);
 }
 
 TEST(LtbaStar, WithoutHasteItIsTheWayOfAStar) {
-  const PlanResult best = run(around_the_wall(), "lattice-a-star");
-  const PlanResult result = run(around_the_wall(), "ltba-star", {{"cycle_expansions", "1000000"}});
+  const PlanResult best = run(around_the_short_wall(), "lattice-a-star");
+  const PlanResult result =
+      run(around_the_short_wall(), "ltba-star", {{"cycle_expansions", "1000000"}});
   EXPECT_EQ(result.path, best.path);
   EXPECT_EQ(counter(result, "cycles"), 0);
 }
 
 TEST(LtbaStar, CommitsWhileItSearches) {
-  const PlanResult result = run(around_the_wall(), "ltba-star", {{"cycle_expansions", "2"}});
+  const PlanResult result = run(around_the_short_wall(), "ltba-star", {{"cycle_expansions", "2"}});
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_GT(counter(result, "cycles"), 10);
   EXPECT_GT(counter(result, "committed_mm"), 0);
@@ -136,7 +138,7 @@ TEST(LtbaStar, CommitsWhileItSearches) {
 // Starts all around, with more or less haste: at every tick it can stop, and it gets there.
 TEST(LtbaStar, CanAlwaysStopAndStillArrives) {
   for_each_case(3, 40, [](Rng& rng) {
-    const Problem base = around_the_wall();
+    const Problem base = around_the_short_wall();
     const Pose start =
         compose(base.start(), {uniform(-4, 4, rng), uniform(-1, 1, rng), uniform(-0.4, 0.4, rng)});
     const Problem problem = make_problem(base.world(), base.vehicle(), start, base.goal());

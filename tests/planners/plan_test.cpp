@@ -20,9 +20,9 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-PlanOptions iterations(std::int64_t count) {
+PlanOptions plan_iterations(std::int64_t count) {
   PlanOptions options;
   options.budget.max_iterations = count;
   return options;
@@ -55,7 +55,7 @@ class OneFrame : public testing::TestWithParam<const char*> {};
 
 TEST_P(OneFrame, APlanFarAwayIsTheSamePlanMoved) {
   const Planner planner = planner_named(GetParam());
-  PlanOptions options = iterations(800);
+  PlanOptions options = plan_iterations(800);
   if (honours(planner, "keep_tree")) options.planner.set("keep_tree", true);
   const Problem here = make_problem(yard());
   const Problem there = make_problem(far_yard());
@@ -108,7 +108,7 @@ TEST(OneFrame, TheJudgeSaysWhereInTheScenariosFrame) {
 
 TEST(OneFrame, StatedPosesAreInTheScenariosFrame) {
   const Problem problem = make_problem(far_yard());
-  const PlanResult result = plan(problem, iterations(800));
+  const PlanResult result = plan(problem, plan_iterations(800));
   ASSERT_TRUE(result.path);
   PathClaims claims;
   for (const PathPoint& point : sampled(*result.path, 0.1)) {
@@ -121,9 +121,9 @@ TEST(OneFrame, StatedPosesAreInTheScenariosFrame) {
 }
 
 TEST(Plan, AScenarioIsPlannedLikeItsProblem) {
-  const PlanResult result = plan(yard(), iterations(800));
+  const PlanResult result = plan(yard(), plan_iterations(800));
   ASSERT_TRUE(result.path);
-  EXPECT_EQ(result.path, plan(make_problem(yard()), iterations(800)).path);
+  EXPECT_EQ(result.path, plan(make_problem(yard()), plan_iterations(800)).path);
 }
 
 // ---- margins ----
@@ -137,7 +137,7 @@ Problem beside_a_kerb(double gap) {
 }
 
 PlanOptions with_margin(double margin, double ramp = 0.0) {
-  PlanOptions options = iterations(3000);
+  PlanOptions options = plan_iterations(3000);
   options.cost = shortest_style;
   options.clearance = {.margin = margin, .margin_ramp = ramp};
   return options;
@@ -330,7 +330,7 @@ TEST(OwnPlanner, IsToldHowTheVehicleSteers) {
                     in_options = options.steering;
                     return PlannerAnswer{.status = PlanStatus::time_limit};
                   }};
-  PlanOptions options = iterations(3);
+  PlanOptions options = plan_iterations(3);
   options.steering = Steering::continuous;
   (void)plan(straight_ahead(), planner, options);
   EXPECT_EQ(in_task, Steering::continuous);
@@ -349,7 +349,7 @@ TEST(OwnPlanner, IsAskedWhereOnlyTheWheelsAreToTurn) {
       make_problem(here.world(), here.vehicle(), here.start(), here.goal(), {0.0, 0.1});
   const auto runs_for = [&](const Problem& problem, Steering steering) {
     *runs = 0;
-    PlanOptions options = iterations(3);
+    PlanOptions options = plan_iterations(3);
     options.steering = steering;
     (void)plan(problem, planner, options);
     return *runs;
@@ -429,7 +429,7 @@ TEST(OwnPlanner, ARunWithoutALimitIsToldTheDefaultTime) {
       }};
   (void)plan(straight_ahead(), planner, PlanOptions{});
   EXPECT_EQ(told, default_time_limit);
-  (void)plan(straight_ahead(), planner, iterations(3));
+  (void)plan(straight_ahead(), planner, plan_iterations(3));
   EXPECT_EQ(told, std::nullopt);
 }
 

@@ -15,7 +15,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class PlannerConformance : public testing::TestWithParam<Planner> {
  protected:
@@ -35,9 +35,9 @@ class PlannerConformance : public testing::TestWithParam<Planner> {
 };
 
 // A wall between start and goal, to be driven around.
-std::vector<Polygon> wall() { return {box(14, -8, 16, 8)}; }
+std::vector<Polygon> easy_wall() { return {box(14, -8, 16, 8)}; }
 
-Problem around_the_wall() { return problem_of({0, 0, 0}, {30, 0, 0}, wall()); }
+Problem around_the_wall() { return problem_of({0, 0, 0}, {30, 0, 0}, easy_wall()); }
 
 // The goal lies in a closed room.
 Problem walled_in() {
@@ -127,31 +127,31 @@ TEST_P(PlannerConformance, FindsNothingWhereThereIsNothing) {
 }
 
 TEST_P(PlannerConformance, StartEqualsGoal) {
-  const PlanResult result = run(problem_of({3, 4, 1}, {3, 4, 1}, wall()), iterations(10));
+  const PlanResult result = run(problem_of({3, 4, 1}, {3, 4, 1}, easy_wall()), iterations(10));
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_TRUE(result.path->segments.empty());
   EXPECT_EQ(result.cost, 0.0);
 }
 
 TEST_P(PlannerConformance, NamesABlockedStart) {
-  const Problem problem = problem_of({15, 0, 0}, {40, 0, 0}, wall());
+  const Problem problem = problem_of({15, 0, 0}, {40, 0, 0}, easy_wall());
   EXPECT_EQ(run(problem, iterations(10)).status, PlanStatus::start_in_collision);
 }
 
 TEST_P(PlannerConformance, NamesABlockedGoal) {
-  const Problem problem = problem_of({0, 0, 0}, {15, 0, 0}, wall());
+  const Problem problem = problem_of({0, 0, 0}, {15, 0, 0}, easy_wall());
   EXPECT_EQ(run(problem, iterations(10)).status, PlanStatus::goal_in_collision);
 }
 
 TEST_P(PlannerConformance, NamesAGoalOutOfBounds) {
-  const Problem problem = problem_of({0, 0, 0}, {300, 0, 0}, wall());
+  const Problem problem = problem_of({0, 0, 0}, {300, 0, 0}, easy_wall());
   EXPECT_EQ(run(problem, iterations(10)).status, PlanStatus::goal_in_collision);
 }
 
 // The same scene seen from elsewhere: `move` is applied to every point and pose.
 template <typename Move>
 Problem moved(Move move) {
-  std::vector<Polygon> obstacles = wall();
+  std::vector<Polygon> obstacles = easy_wall();
   for (Polygon& polygon : obstacles) {
     for (Point& p : polygon) {
       const Pose q = move(Pose{p.x, p.y, 0});

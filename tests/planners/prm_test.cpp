@@ -6,12 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 
 #include "search/milestones.h"
 #include "support/cases.h"
+#include "support/numbers.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
@@ -20,8 +21,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double radius = 7.0;
 constexpr Local<Bounds> yard(Bounds{-40, 40, -40, 40});
 
 /// Two walls with openings, one after the other.
@@ -197,7 +196,7 @@ TEST(Roadmap, IsBuiltForAWorldAndAVehicle) {
 
 // ---- the planner ----
 
-PlanOptions iterations(std::int64_t count, std::uint64_t seed = 1) {
+PlanOptions roadmap_iterations(std::int64_t count, std::uint64_t seed = 1) {
   PlanOptions options;
   options.budget.max_iterations = count;
   options.budget.seed = seed;
@@ -235,11 +234,11 @@ TEST(Prm, AnswersTheSameWhetherTheRoadmapWasThereOrNot) {
     SCOPED_TRACE(count);
     std::vector<PlanResult> alone;
     for (std::size_t i = 0; i < problems_in(shared).size(); ++i) {
-      alone.push_back(plan(problems_in(walls())[i], prm, iterations(count)));
+      alone.push_back(plan(problems_in(walls())[i], prm, roadmap_iterations(count)));
       EXPECT_LE(alone.back().iterations, count);
     }
     for (const int jobs : {1, 4}) {
-      plan_many(problems_in(shared), prm, iterations(count), jobs,
+      plan_many(problems_in(shared), prm, roadmap_iterations(count), jobs,
                 [&](std::size_t i, const PlanResult& result) { expect_same(result, alone[i]); });
     }
   }
@@ -249,8 +248,8 @@ TEST(Prm, ManyThreadsGrowOneRoadmap) {
   const Planner prm = planner_named("prm");
   const std::vector<Problem> apart = problems_in(walls());
   std::vector<PlanResult> alone;
-  for (const Problem& problem : apart) alone.push_back(plan(problem, prm, iterations(900)));
-  plan_many(problems_in(walls()), prm, iterations(900), 8,
+  for (const Problem& problem : apart) alone.push_back(plan(problem, prm, roadmap_iterations(900)));
+  plan_many(problems_in(walls()), prm, roadmap_iterations(900), 8,
             [&](std::size_t i, const PlanResult& result) { expect_same(result, alone[i]); });
 }
 
@@ -261,7 +260,7 @@ TEST(Prm, RoadmapsOfOtherOptionsAreOthers) {
   wide.width = 3.5;
   const Problem problem = make_problem(world, {}, {-30, 0, 0}, {30, -20, 0});
   const Problem of_wide = make_problem(world, wide, {-30, 0, 0}, {30, -20, 0});
-  std::vector<PlanOptions> variants(6, iterations(1500));
+  std::vector<PlanOptions> variants(6, roadmap_iterations(1500));
   variants[1].budget.seed = 2;
   variants[2].clearance.margin = 0.5;
   variants[3].planner.set("neighbours", std::int64_t{4});
@@ -280,7 +279,7 @@ TEST(Prm, RoadmapsOfOtherOptionsAreOthers) {
 TEST(Prm, KeepsAMarginWithARampAroundItsEnds) {
   const auto world = walls();
   const Pose near_a_wall{-14, 0, 3.1415926};  // 0.4 m before it
-  PlanOptions options = iterations(3000);
+  PlanOptions options = roadmap_iterations(3000);
   options.clearance = {.margin = 0.8, .margin_ramp = 8.0};
   const Problem problem = make_problem(world, {}, near_a_wall, {0, 0, 0});
   const PlanResult result = plan(problem, planner_named("prm"), options);
@@ -289,7 +288,7 @@ TEST(Prm, KeepsAMarginWithARampAroundItsEnds) {
 
 TEST(Prm, AFreePieceIsProvenToBeTheShortestPath) {
   const Problem problem = make_problem(walls(), {}, {-30, 0, 0}, {-25, 20, 2});
-  const PlanResult result = plan(problem, planner_named("prm"), iterations(500));
+  const PlanResult result = plan(problem, planner_named("prm"), roadmap_iterations(500));
   EXPECT_EQ(result.iterations, 0);
   EXPECT_EQ(result.lower_bound, result.cost);
 }
@@ -297,7 +296,7 @@ TEST(Prm, AFreePieceIsProvenToBeTheShortestPath) {
 TEST(Prm, EndsWithItsLastMilestone) {
   const auto world = world_of({.bounds = yard, .obstacles = {box(-1, -40, 1, 40)}});
   const Problem problem = make_problem(world, {}, {-20, 0, 0}, {20, 0, 0});
-  const PlanResult result = plan(problem, planner_named("prm"), iterations(1'000'000));
+  const PlanResult result = plan(problem, planner_named("prm"), roadmap_iterations(1'000'000));
   EXPECT_EQ(result.status, PlanStatus::node_limit);
   EXPECT_EQ(result.reason, "there is no way through 1000 milestones");
   EXPECT_EQ(counter(result, "nodes"), 1000);

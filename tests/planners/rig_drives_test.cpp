@@ -19,7 +19,7 @@
 namespace vandplan::rig {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Where the commands lead from the start of the task.
 RigState end_of(const Task& task, std::span<const Segment> commands) {

@@ -16,9 +16,9 @@ namespace vandplan {
 namespace {
 
 /// A car of 4 m by 2 m.
-const Polygon car = box(-2, -1, 2, 1);
+const Polygon other_car = box(-2, -1, 2, 1);
 
-PlanOptions few_iterations() {
+PlanOptions few_rig_iterations() {
   PlanOptions options;
   options.budget.max_iterations = 1500;
   return options;
@@ -38,17 +38,17 @@ TEST(RigInTime, KnowsWhereATrailerStandsAtBothEnds) {
                                 .trajectory = {{0, {-4, 6, 0}}}};
   MovingObstacle at_goal = at_start;
   at_goal.trajectory[0].pose.x += 60;
-  EXPECT_EQ(plan(rig_among({60, 0, 0}, {1, 0}, {at_start}), few_iterations()).reason,
+  EXPECT_EQ(plan(rig_among({60, 0, 0}, {1, 0}, {at_start}), few_rig_iterations()).reason,
             "moving[0] is where the start is, or nearer to it than the margin");
-  EXPECT_EQ(plan(rig_among({60, 0, 0}, {0, 1}, {at_goal}), few_iterations()).reason,
+  EXPECT_EQ(plan(rig_among({60, 0, 0}, {0, 1}, {at_goal}), few_rig_iterations()).reason,
             "moving[0] stays where the goal is, or nearer to it than the margin");
-  EXPECT_EQ(plan(rig_among({60, 0, 0}, {0, 0}, {at_start, at_goal}), few_iterations()).status,
+  EXPECT_EQ(plan(rig_among({60, 0, 0}, {0, 0}, {at_start, at_goal}), few_rig_iterations()).status,
             PlanStatus::solved);
 }
 
 TEST(RigInTime, ATrailerThatStandsOtherwiseIsNotAtTheGoal) {
-  const MovingObstacle far{.outline = car, .trajectory = {{0, {100, 100, 0}}}};
-  const PlanResult result = plan(rig_among({0, 0, 0}, {0, 0.3}, {far}), few_iterations());
+  const MovingObstacle far{.outline = other_car, .trajectory = {{0, {100, 100, 0}}}};
+  const PlanResult result = plan(rig_among({0, 0, 0}, {0, 0.3}, {far}), few_rig_iterations());
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   EXPECT_GT(length(result.path->segments), 0);
 }
@@ -59,13 +59,13 @@ TEST(RigInTimeLaw, DrivesOfRigsAreGoodInTheEyesOfTheJudge) {
     const Pose goal{uniform(15, 45, rng), uniform(-15, 15, rng), uniform(-1, 1, rng)};
     std::vector<MovingObstacle> moving;
     for (int k = 0; k < 3; ++k) {
-      MovingObstacle& mover = moving.emplace_back(MovingObstacle{.outline = car});
+      MovingObstacle& mover = moving.emplace_back(MovingObstacle{.outline = other_car});
       mover.trajectory = {{0, {uniform(-10, 40, rng), uniform(-30, 30, rng), 0}},
                           {uniform(5, 30, rng), {uniform(-10, 40, rng), uniform(-30, 30, rng), 2}}};
       if (rng() % 2 == 0) mover.after = Afterwards::leaves;
     }
     const EndHitchAngles angles{uniform(-1, 1, rng), uniform(-0.5, 0.5, rng)};
-    PlanOptions options = few_iterations();
+    PlanOptions options = few_rig_iterations();
     options.budget.max_iterations = 600;
     const PlanResult result = plan(rig_among(goal, angles, moving), options);
     EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;

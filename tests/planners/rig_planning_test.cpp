@@ -27,7 +27,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Scenario dock() { return dock_for(semitrailer()); }
 

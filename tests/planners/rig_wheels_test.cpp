@@ -29,8 +29,8 @@ namespace {
 
 using search::Driven;
 
-constexpr double pi = std::numbers::pi;
-constexpr std::array continuous_kinds = {Steering::continuous_between_stops, Steering::continuous};
+using std::numbers::pi;
+constexpr std::array kinds_for_rigs = {Steering::continuous_between_stops, Steering::continuous};
 
 Vehicle towing_vehicle() {
   Vehicle vehicle{3.6, 1.4, 0.9, 2.55, 5.9};
@@ -79,7 +79,7 @@ Problem problem_along(const Vehicle& vehicle, const RigState& from, const RigSta
 TEST(RigWheelsLaw, EveryChainOfCommandsIsAContinuousDrive) {
   const Vehicle vehicle = towing_vehicle();
   for_each_case(1, 2000, [&](Rng& rng) {
-    for (const Steering steering : continuous_kinds) {
+    for (const Steering steering : kinds_for_rigs) {
       const commands::Wheels wheels(vehicle, steering);
       const double first = uniform(-1, 1, rng) / 5.9;
       const std::vector<Segment> commands = any_commands(6, rng);
@@ -99,7 +99,7 @@ TEST(RigWheelsLaw, EveryChainOfCommandsIsAContinuousDrive) {
 TEST(RigWheelsLaw, CommandsLeadAlongWhatIsDriven) {
   const Vehicle vehicle = towing_vehicle();
   for_each_case(2, 2000, [&](Rng& rng) {
-    for (const Steering steering : continuous_kinds) {
+    for (const Steering steering : kinds_for_rigs) {
       const commands::Wheels wheels(vehicle, steering);
       const commands::WheelEnds ends = ends_for(steering, uniform(-1, 1, rng) / 5.9);
       const std::vector<Segment> commands = any_commands(6, rng);
@@ -121,7 +121,7 @@ TEST(RigWheelsLaw, CommandsLeadAlongWhatIsDriven) {
 TEST(RigWheels, LeadAlongArcsWhoseCurvatureJumps) {
   const std::vector<Segment> arcs = {{0, 8}, {0.1, 6}, {-0.1, 7}};
   const std::vector<Segment> back = {{0, 8}, {0.05, 6}, {-0.1, -7}};
-  for (const Steering steering : continuous_kinds) {
+  for (const Steering steering : kinds_for_rigs) {
     const commands::Wheels wheels(towing_vehicle(), steering);
     const commands::WheelEnds ends = ends_for(steering, 0.0);
     const Pose rolled = end_pose({{}, wheels.driven(wheels.commands(arcs, ends), ends.before)});
@@ -200,8 +200,7 @@ std::string kind_name(const testing::TestParamInfo<Steering>& info) {
   return info.param == Steering::continuous ? "throughout" : "between_stops";
 }
 
-INSTANTIATE_TEST_SUITE_P(RigWheels, ContinuousCloser, testing::ValuesIn(continuous_kinds),
-                         kind_name);
+INSTANTIATE_TEST_SUITE_P(RigWheels, ContinuousCloser, testing::ValuesIn(kinds_for_rigs), kind_name);
 
 // The trailer goes on folding up while the wheels turn back, and unfolds then.
 TEST(RigWheels, ACloserHoldsTheHitchAngleInsideOfAClothoid) {
@@ -284,7 +283,7 @@ TEST_P(ContinuousRigs, GetFromAnyStateToAnyOther) {
   EXPECT_GE(solved, 0.9 * tried) << solved << " of " << tried;
 }
 
-INSTANTIATE_TEST_SUITE_P(RigWheels, ContinuousRigs, testing::ValuesIn(continuous_kinds), kind_name);
+INSTANTIATE_TEST_SUITE_P(RigWheels, ContinuousRigs, testing::ValuesIn(kinds_for_rigs), kind_name);
 
 // With nobody asking, a driver's rig has arcs and lines: docs/algorithms/trailers.md says why.
 TEST(RigWheels, TurnAtOnceUnlessTheyAreAskedNotTo) {

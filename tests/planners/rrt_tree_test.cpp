@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {
 
-constexpr double radius = 7.0;
 constexpr double of_float = 1e-3;  // ranks are floats: so much may two of them differ [m]
 
 /// A tree on open ground, where every parent may be taken, with all of them tried.

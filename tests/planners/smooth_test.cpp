@@ -29,7 +29,7 @@ std::optional<Path> jumping_path(const Problem& problem, std::uint64_t seed) {
   return plan(problem, options).path;
 }
 
-Problem random_problem(Rng& rng) {
+Problem random_problem_to_smooth(Rng& rng) {
   const Bounds square{-25, 25, -25, 25};
   std::vector<Polygon> boxes;
   for (int i = 0; i < 5; ++i) {
@@ -57,7 +57,7 @@ double largest_distance(const Path& path, const Path& other) {
 TEST(Smooth, WhatItGivesCanBeFollowedAndIsFree) {
   int paths = 0, smoothed = 0;
   for_each_case(1, 120, [&](Rng& rng) {
-    const Problem problem = random_problem(rng);
+    const Problem problem = random_problem_to_smooth(rng);
     const std::optional<Path> path = jumping_path(problem, rng());
     if (!path || path->segments.empty()) return;
     ++paths;
@@ -100,7 +100,7 @@ TEST(Smooth, AnOptimisedPathIsNoDearer) {
 // What can be followed as it is comes back as it is, or better.
 TEST(Smooth, NeverMakesAGoodPathDearer) {
   for_each_case(2, 40, [](Rng& rng) {
-    const Problem problem = random_problem(rng);
+    const Problem problem = random_problem_to_smooth(rng);
     const PlanOptions options = iterations(800, Steering::continuous);
     const PlanResult given = plan(problem, options);
     if (!given.path) return;
@@ -214,7 +214,7 @@ bool expect_no_worse(const Problem& problem, const PlanOptions& options, SmoothM
 TEST(SmoothDoor, IsNeverWorseByTheOptionsOfTheRun) {
   int better = 0;
   for_each_case(3, 80, [&](Rng& rng) {
-    const Problem problem = random_problem(rng);
+    const Problem problem = random_problem_to_smooth(rng);
     const PlanOptions options = random_options(rng);
     for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
       if (expect_no_worse(problem, options, method)) ++better;

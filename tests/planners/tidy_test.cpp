@@ -25,7 +25,7 @@ using search::CostRule;
 using search::Driven;
 
 constexpr double k = 1.0 / 7;
-constexpr CostRule priced{.reverse_weight = 2, .gear_change_cost = 5};
+constexpr CostRule dear_gears{.reverse_weight = 2, .gear_change_cost = 5};
 
 double cost_of(const CostRule& rule, std::span<const Segment> segments) {
   Driven driven = rule.initial_gear;
@@ -35,7 +35,7 @@ double cost_of(const CostRule& rule, std::span<const Segment> segments) {
 std::vector<Segment> tidied(const Problem& problem, const Path& path, double min_stroke,
                             Steering steering = Steering::reeds_shepp) {
   const Task task = task_of(problem, {}, steering);
-  Connector connector(task, priced);
+  Connector connector(task, dear_gears);
   return anytime::tidied(connector, Local(path.start), path.segments, min_stroke);
 }
 
@@ -63,7 +63,7 @@ void expect_no_crumbs(const std::vector<Segment>& crumbly, Steering steering) {
   const std::vector<Segment> tidy = tidied(problem, path, 0, steering);
   EXPECT_LT(tidy.size(), crumbly.size());
   EXPECT_GT(shortest(tidy), 0.1);
-  EXPECT_LE(cost_of(priced, tidy), cost_of(priced, crumbly) * (1 + 1e-4));
+  EXPECT_LE(cost_of(dear_gears, tidy), cost_of(dear_gears, crumbly) * (1 + 1e-4));
   const PathCheck check = check_path(problem, {{}, tidy}, {.steering = steering});
   EXPECT_TRUE(check.valid) << check.reason << as_code(tidy);
 }
@@ -141,7 +141,7 @@ TEST(Tidied, CostsNextToNothing) {
     const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
     const std::vector<Segment> tidy = tidied(problem, path, 0);
     EXPECT_LE(tidy.size(), path.segments.size());
-    EXPECT_LE(cost_of(priced, tidy), cost_of(priced, path.segments) * (1 + 1e-4) + 1e-12);
+    EXPECT_LE(cost_of(dear_gears, tidy), cost_of(dear_gears, path.segments) * (1 + 1e-4) + 1e-12);
     const PathCheck check = check_path(problem, {{}, tidy});
     EXPECT_TRUE(check.valid) << check.reason << " " << as_code(path.segments);
   });
@@ -194,7 +194,7 @@ TEST(MinStroke, StaysShortBetweenWalls) {
   for (const double stroke : strokes(tidy)) EXPECT_LT(stroke, 1.0);
 }
 
-Problem narrow_road() {
+Problem road_to_turn_on() {
   return problem_of({0, -2, 0}, {0, 2, 3.141592653589793},
                     {box(-60, 6, 60, 8), box(-60, -8, 60, -6)});
 }
@@ -203,7 +203,7 @@ TEST(Tidied, WhatIsPlannedUnderPricesHasNoCrumbs) {
   PlanOptions options{.budget = {.max_iterations = 3000}, .cost = by_length_and(2, 1)};
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     options.budget.seed = seed;
-    const PlanResult result = plan(narrow_road(), options);
+    const PlanResult result = plan(road_to_turn_on(), options);
     ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
     EXPECT_GT(shortest(result.path->segments), 1e-3) << as_code(result.path->segments);
     EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-9);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <string>
@@ -17,7 +16,9 @@
 
 #include "search/rewired_tree.h"
 #include "support/cases.h"
+#include "support/numbers.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 #include "vandplan/reeds_shepp.h"
@@ -26,29 +27,26 @@
 namespace vandplan {
 namespace {
 
-constexpr double radius = 7.0;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 double length_between(const Pose& from, const Pose& to) {
   return reeds_shepp_length(from, to, radius);
 }
 
 Problem open_ground() { return problem_of({0, 0, 0}, {40, 30, 1}, {}, {-1e3, 1e3, -1e3, 1e3}); }
 
-Problem around_the_wall() {
+Problem around_the_bent_wall() {
   return problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -12, 16, 12), box(-10, 12, 16, 14)});
 }
 
-Problem walled_in() {
+Problem goal_walled_in() {
   return problem_of(
       {0, 0, 0}, {60, 0, 0},
       {box(40, -20, 80, -18), box(40, 18, 80, 20), box(40, -20, 42, 20), box(78, -20, 80, 20)});
 }
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using TextSettings = std::vector<std::pair<std::string, std::string>>;
 
 PlanResult run(const Problem& problem, const std::string& name, std::int64_t iterations,
-               const Settings& settings = {}) {
+               const TextSettings& settings = {}) {
   const Planner planner = planner_named(name);
   PlanOptions options{.cost = shortest_style};
   options.budget.max_iterations = iterations;
@@ -116,8 +114,8 @@ class GuidedTree : public testing::TestWithParam<Reading> {};
 
 TEST_P(GuidedTree, GrowsAsItsPaperSays) {
   const Reading& reading = GetParam();
-  Settings settings = {{"floor", std::to_string(reading.floor)},
-                       {"floor_reading", reading.floor_reading}};
+  TextSettings settings = {{"floor", std::to_string(reading.floor)},
+                           {"floor_reading", reading.floor_reading}};
   if (reading.planner != "hrrt") settings.emplace_back("k", std::to_string(reading.k));
   const int iterations = std::max(cases(600), 100);
   const PlanResult result = run(open_ground(), reading.planner, iterations, settings);
@@ -214,7 +212,7 @@ std::map<std::tuple<double, double, double>, Pose> edges_of(
 }
 
 TEST(RrtStar, RewiresAsItsPaperSays) {
-  const Problem problem = around_the_wall();
+  const Problem problem = around_the_bent_wall();
   const int iterations = std::max(cases(1000), 200);
   const PlanResult result = run(problem, "rrt-star", iterations,
                                 {{"goal_bias", "0"}, {"informed", "false"}, {"range", "1000"}});
@@ -232,7 +230,7 @@ TEST(RrtStar, RewiresAsItsPaperSays) {
 }
 
 TEST(RrtStar, ItsTreeHasParentsBeforeChildren) {
-  const PlanResult result = run(around_the_wall(), "rrt-star", 2000);
+  const PlanResult result = run(around_the_bent_wall(), "rrt-star", 2000);
   const auto& parents = result.tree->parents;
   EXPECT_EQ(parents[0], -1);
   EXPECT_GT(counter(result, "rewired"), 0);
@@ -244,9 +242,9 @@ TEST(RrtStar, ItsTreeHasParentsBeforeChildren) {
 
 TEST(RrtStar, SamplesThatAreOfUseImproveTheSamePathFurther) {
   for (const char* seed : {"1", "2", "3"}) {
-    const Settings plain = {{"seed", seed}, {"informed", "false"}};
-    const PlanResult all = run(around_the_wall(), "rrt-star", 2000, plain);
-    const PlanResult informed = run(around_the_wall(), "rrt-star", 2000, {{"seed", seed}});
+    const TextSettings plain = {{"seed", seed}, {"informed", "false"}};
+    const PlanResult all = run(around_the_bent_wall(), "rrt-star", 2000, plain);
+    const PlanResult informed = run(around_the_bent_wall(), "rrt-star", 2000, {{"seed", seed}});
     ASSERT_TRUE(all.path && informed.path);
     EXPECT_EQ(informed.anytime.front(),
               (CostSample{informed.anytime.front().time, all.anytime.front().iteration,
@@ -255,20 +253,21 @@ TEST(RrtStar, SamplesThatAreOfUseImproveTheSamePathFurther) {
     EXPECT_LT(informed.cost, all.cost);
   }
   // Once the path is the shortest of all, no sample is of use.
-  const Settings goals = {{"goal_bias", "0.9"}};
+  const TextSettings goals = {{"goal_bias", "0.9"}};
   EXPECT_EQ(counter(run(open_ground(), "rrt-star", 500, goals), "nodes"), 1);
 }
 
 TEST(RrtStar, WithoutTryingTheGoalItIsReachedBySamplesOfIt) {
-  const PlanResult sampled = run(around_the_wall(), "rrt-star", 2000, {{"try_goal", "false"}});
+  const PlanResult sampled = run(around_the_bent_wall(), "rrt-star", 2000, {{"try_goal", "false"}});
   ASSERT_TRUE(sampled.path);
   EXPECT_EQ(
-      run(around_the_wall(), "rrt-star", 2000, {{"try_goal", "false"}, {"goal_bias", "0"}}).status,
+      run(around_the_bent_wall(), "rrt-star", 2000, {{"try_goal", "false"}, {"goal_bias", "0"}})
+          .status,
       PlanStatus::iteration_limit);
 }
 
 TEST(RrtStar, StepsAreNoLongerThanTheRange) {
-  const Settings steps = {{"range", "1"}, {"rewire_factor", "0.1"}, {"informed", "false"}};
+  const TextSettings steps = {{"range", "1"}, {"rewire_factor", "0.1"}, {"informed", "false"}};
   const std::vector<Pose> poses = run(open_ground(), "rrt-star", 300, steps).tree->poses;
   ASSERT_GT(poses.size(), 50U);
   for (const Pose& pose : poses) {
@@ -287,7 +286,7 @@ TEST(RrtConnect, TriesTheGoalFirst) {
 }
 
 TEST(RrtConnect, GrowsOneTreeFromTheStartAndOneFromTheGoal) {
-  const Problem problem = walled_in();
+  const Problem problem = goal_walled_in();
   const PlanResult result = run(problem, "rrt-connect", 500);
   const auto& [poses, parents] = *result.tree;
   ASSERT_GT(poses.size(), 100U);
@@ -317,7 +316,7 @@ TEST(RrtConnect, ConnectsStepByStep) {
 }
 
 TEST(RrtConnect, EndsWithItsFirstPath) {
-  const PlanResult result = run(around_the_wall(), "rrt-connect", 100'000);
+  const PlanResult result = run(around_the_bent_wall(), "rrt-connect", 100'000);
   ASSERT_TRUE(result.path);
   EXPECT_EQ(result.anytime.size(), 1U);
   EXPECT_EQ(result.anytime.front().iteration, result.iterations);
@@ -329,7 +328,7 @@ TEST(RrtConnect, EndsWithItsFirstPath) {
 class FamilyTree : public testing::TestWithParam<std::string> {};
 
 TEST_P(FamilyTree, EndsWhenItIsFull) {
-  const PlanResult result = run(walled_in(), GetParam(), 100'000, {{"max_nodes", "200"}});
+  const PlanResult result = run(goal_walled_in(), GetParam(), 100'000, {{"max_nodes", "200"}});
   EXPECT_EQ(result.status, PlanStatus::node_limit);
   EXPECT_EQ(counter(result, "nodes"), 200);
 }
@@ -338,7 +337,7 @@ TEST_P(FamilyTree, SteersContinuouslyWhereItIsTold) {
   for (const char* steering : {"continuous-between-stops", "continuous"}) {
     for (const char* seed : {"1", "2", "3"}) {
       const PlanResult result =
-          run(around_the_wall(), GetParam(), 1500, {{"steering", steering}, {"seed", seed}});
+          run(around_the_bent_wall(), GetParam(), 1500, {{"steering", steering}, {"seed", seed}});
       EXPECT_EQ(result.status, PlanStatus::solved) << steering << ", seed " << seed;
       ASSERT_FALSE(result.anytime.empty());
       EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-6);
@@ -347,7 +346,7 @@ TEST_P(FamilyTree, SteersContinuouslyWhereItIsTold) {
 }
 
 TEST_P(FamilyTree, KeepsAMargin) {
-  const PlanResult result = run(around_the_wall(), GetParam(), 1500, {{"margin", "0.5"}});
+  const PlanResult result = run(around_the_bent_wall(), GetParam(), 1500, {{"margin", "0.5"}});
   ASSERT_TRUE(result.check);
   EXPECT_GT(result.check->clearance, 0.5);
 }

@@ -12,7 +12,8 @@
 namespace vandplan {
 namespace {
 
-PlanOptions iterations(std::int64_t count, Steering steering = Steering::continuous_between_stops) {
+PlanOptions warm_iterations(std::int64_t count,
+                            Steering steering = Steering::continuous_between_stops) {
   PlanOptions options{.steering = steering};
   options.budget.max_iterations = count;
   return options;
@@ -24,17 +25,17 @@ constexpr Pose start{0, 0, 0};
 constexpr Pose goal{25, 0, 0};
 
 Path known_path(Steering steering = Steering::continuous_between_stops, std::int64_t count = 5000) {
-  return plan(problem_of(start, goal, wall), iterations(count, steering)).path.value();
+  return plan(problem_of(start, goal, wall), warm_iterations(count, steering)).path.value();
 }
 
 TEST(WarmStart, ThePathItselfIsTheFirstOne) {
   const Problem problem = problem_of(start, goal, wall);
   const Path known = known_path();
-  const PlanResult without = plan(problem, iterations(0));
+  const PlanResult without = plan(problem, warm_iterations(0));
   EXPECT_EQ(without.status, PlanStatus::iteration_limit);
-  const PlanResult with = plan(problem, warm_started(known), iterations(0));
+  const PlanResult with = plan(problem, warm_started(known), warm_iterations(0));
   ASSERT_EQ(with.status, PlanStatus::solved) << with.reason;
-  const double cost = plan(problem, iterations(5000)).cost;
+  const double cost = plan(problem, warm_iterations(5000)).cost;
   EXPECT_LE(with.cost, cost * (1 + 1e-9));
 }
 
@@ -42,10 +43,12 @@ TEST(WarmStart, FollowsAGoalAndAStartThatMove) {
   const Path known = known_path();
   for (const double by : {-1.0, -0.1, 0.1, 1.0}) {
     const Pose end{goal.x + 2 * by, goal.y + by, 0.3 * by};
-    const PlanResult to = plan(problem_of(start, end, wall), warm_started(known), iterations(0));
+    const PlanResult to =
+        plan(problem_of(start, end, wall), warm_started(known), warm_iterations(0));
     EXPECT_EQ(to.status, PlanStatus::solved) << by;
     const Pose begin{start.x + by, start.y - by, -0.3 * by};
-    const PlanResult from = plan(problem_of(begin, goal, wall), warm_started(known), iterations(0));
+    const PlanResult from =
+        plan(problem_of(begin, goal, wall), warm_started(known), warm_iterations(0));
     EXPECT_EQ(from.status, PlanStatus::solved) << by;
   }
 }
@@ -59,7 +62,7 @@ TEST(WarmStart, DrivesPastWhatStandsInItsWay) {
     std::vector<Polygon> more = wall;
     more.push_back(box(there.x - 0.1, there.y + 1.2, there.x + 0.1, there.y + 1.4));
     const PlanResult result = plan(problem_of(start, goal, more), warm_started(known),
-                                   iterations(0, Steering::reeds_shepp));
+                                   warm_iterations(0, Steering::reeds_shepp));
     solved += result.status == PlanStatus::solved;
   }
   EXPECT_GE(solved, 5);
@@ -76,7 +79,7 @@ TEST(WarmStart, APathThatTheVehicleCannotDriveIsSteeredAnew) {
     for (const Steering now : kinds) {
       for (const Vehicle& vehicle : {Vehicle{}, slow_wheels, wide_turns}) {
         const Problem problem = problem_of(start, goal, wall, wide_bounds, vehicle);
-        const PlanResult result = plan(problem, warm_started(known), iterations(300, now));
+        const PlanResult result = plan(problem, warm_started(known), warm_iterations(300, now));
         EXPECT_EQ(result.status, PlanStatus::solved)
             << name_of(before) << ", " << name_of(now) << ": " << result.reason;
       }
@@ -87,7 +90,7 @@ TEST(WarmStart, APathThatTheVehicleCannotDriveIsSteeredAnew) {
 // Arcs that are wider than steering knows are cheaper where the wheels have a price.
 TEST(WarmStart, WhatTheVehicleCanDriveStaysAsItWas) {
   const Path known{start, {{0.05, 10}, {-0.05, 10}, {0, 4}}};
-  PlanOptions options = iterations(0, Steering::reeds_shepp);
+  PlanOptions options = warm_iterations(0, Steering::reeds_shepp);
   options.cost = shortest_style;
   options.cost.curvature_change_cost = 100;
   const Problem problem = problem_of(start, end_pose(known), {});
@@ -97,18 +100,19 @@ TEST(WarmStart, WhatTheVehicleCanDriveStaysAsItWas) {
 
 TEST(WarmStart, ThePathIsBetteredBeforeOthersAreLookedFor) {
   const Problem problem = problem_of(start, goal, wall);
-  PlanOptions first_path = iterations(5000);
+  PlanOptions first_path = warm_iterations(5000);
   first_path.budget.target_gap = 1000;
   const Path crooked = plan(problem, first_path).path.value();
-  const double first = plan(problem, warm_started(crooked), iterations(0)).cost;
-  EXPECT_LT(plan(problem, warm_started(crooked), iterations(50)).cost, first);
+  const double first = plan(problem, warm_started(crooked), warm_iterations(0)).cost;
+  EXPECT_LT(plan(problem, warm_started(crooked), warm_iterations(50)).cost, first);
 }
 
 TEST(WarmStart, ThePathIsInTheFrameOfTheScenario) {
   Scenario far{.bounds = wide_bounds, .start = start, .goal = goal, .obstacles = wall};
   far = moved_by(far, 12345, -6789);
-  const Path known = plan(far, iterations(5000)).path.value();
-  EXPECT_EQ(plan(make_problem(far), warm_started(known), iterations(0)).status, PlanStatus::solved);
+  const Path known = plan(far, warm_iterations(5000)).path.value();
+  EXPECT_EQ(plan(make_problem(far), warm_started(known), warm_iterations(0)).status,
+            PlanStatus::solved);
 }
 
 TEST(WarmStart, IsNeverRejectedWhateverHasChanged) {
@@ -127,7 +131,7 @@ TEST(WarmStart, IsNeverRejectedWhateverHasChanged) {
     const std::vector<Polygon> before = boxes(5);
     const Pose from = uniform_pose(square, rng);
     const Pose to = uniform_pose(square, rng);
-    const PlanResult old = plan(problem_of(from, to, before), iterations(400, kind()));
+    const PlanResult old = plan(problem_of(from, to, before), warm_iterations(400, kind()));
     if (!old.path) return;
     ++known_ones;
     const double by = std::exp2(uniform(-8.0, 2.0, rng));
@@ -138,7 +142,7 @@ TEST(WarmStart, IsNeverRejectedWhateverHasChanged) {
     const Problem now =
         problem_of(moves_start ? moved(from) : from, moved(to), rng() % 2 == 0 ? before : boxes(6),
                    wide_bounds, {.min_turning_radius = uniform(5.0, 9.0, rng)});
-    const PlanOptions options = iterations(static_cast<std::int64_t>(rng() % 300), kind());
+    const PlanOptions options = warm_iterations(static_cast<std::int64_t>(rng() % 300), kind());
     const PlanResult result = plan(now, warm_started(*old.path), options);
     EXPECT_NE(result.status, PlanStatus::rejected) << result.reason;
     solved += result.status == PlanStatus::solved;

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/plan_options.h"
+#include "support/numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 
 namespace vandplan {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 OptionValue whole(std::int64_t number) { return number; }
 

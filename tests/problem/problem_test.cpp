@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/problem.h"
+#include "support/numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "support/cases.h"
@@ -177,9 +177,6 @@ struct BadScenario {
   std::function<void(Scenario&)> spoil;
   std::string message;
 };
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const BadScenario bad_scenarios[] = {
     {[](Scenario& s) { s.vehicle.wheelbase = 0; },

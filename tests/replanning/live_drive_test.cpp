@@ -7,15 +7,12 @@
 #include <cmath>
 
 #include "replanning/sensor.h"
+#include "support/problems.h"
 #include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {
 namespace {
-
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 Scenario yard() {
   Scenario scenario;

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
+#include "support/numbers.h"
 #include "support/place_of_error.h"
 #include "support/problems.h"
 #include "vandplan/planner.h"
@@ -14,9 +14,6 @@
 
 namespace vandplan {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Scenario open_ground() {
   Scenario scenario;

@@ -8,6 +8,7 @@
 
 #include "replanning/timed_path.h"
 #include "speed/moving_start.h"
+#include "support/problems.h"
 #include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
@@ -29,10 +30,6 @@ Scenario lane() {
   scenario.obstacles = {{{-20, 25}, {80, 25}, {80, 26}, {-20, 26}},
                         {{-20, -26}, {80, -26}, {80, -25}, {-20, -25}}};
   return scenario;
-}
-
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
 CutDrive rest(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {

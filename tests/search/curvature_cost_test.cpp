@@ -9,6 +9,7 @@
 #include "search/route.h"
 #include "support/cases.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
@@ -20,7 +21,6 @@ namespace {
 using search::CostRule;
 using search::Driven;
 
-constexpr double radius = 7;
 constexpr CostRule steering{.curvature_change_cost = 10};
 
 double cost_of(const CostRule& rule, std::span<const Segment> segments) {

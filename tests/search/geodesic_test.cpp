@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -14,12 +13,12 @@
 #include "../support/cases.h"
 #include "../support/problems.h"
 #include "search/geodesic_field.h"
+#include "support/numbers.h"
 #include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double disc = 1.275;  // [m] half the width of the default truck
 
 double bound_of(const Problem& problem, double longest = infinity) {

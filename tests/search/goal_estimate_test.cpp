@@ -23,7 +23,7 @@ namespace {
 using search::GoalEstimate;
 using search::make_goal_estimate;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<Polygon> wall() { return {box(14, -8, 16, 8)}; }
 

@@ -11,6 +11,7 @@
 #include "steering/words.h"
 #include "support/leads.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/dubins.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
@@ -25,7 +26,6 @@ using search::Connector;
 using search::CostRule;
 using search::end_of;
 
-constexpr double radius = 7;
 constexpr CostRule rules[] = {{1, 2, 20, 0},  {1, 2, 5, 0}, {1, 1, 0.1, 0},
                               {1, 1.5, 0, 0}, {1, 3, 5, 1}, {2, 1, 5, -1}};
 constexpr CostOptions dear = by_length_and(2, 20);

@@ -18,15 +18,15 @@ using search::Connector;
 using search::part_of;
 using search::Route;
 
-constexpr Local<Bounds> region(Bounds{-30, 30, -30, 30});
+constexpr Local<Bounds> local_region(Bounds{-30, 30, -30, 30});
 
 Route random_route(Rng& rng) {
   const Problem problem = problem_of({0, 0, 0}, {1, 0, 0}, {});
   Connector connector(problem.task());
-  Route route{uniform_pose(region, rng), {}, 0.0};
+  Route route{uniform_pose(local_region, rng), {}, 0.0};
   LocalPose at = route.start;
   for (int leg = 0; leg < 4; ++leg) {
-    const LocalPose next = uniform_pose(region, rng);
+    const LocalPose next = uniform_pose(local_region, rng);
     route.legs.push_back({*connector.steer(at, next), next});
     at = next;
   }

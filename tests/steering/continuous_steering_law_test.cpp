@@ -15,7 +15,6 @@ namespace vandplan {
 namespace {
 
 constexpr int million = 1'000'000;
-constexpr double radius = law_radius;
 
 double length_of(const ContinuousCase& c) {
   return c.steering.length(c.pair.from, c.pair.to, c.query);
@@ -29,7 +28,7 @@ ContinuousSteering with(const ContinuousSteering& s, Continuity continuity) {
 /// is as the cube root of the shift.
 double tolerance(const ContinuousCase& c, double length, double shift) {
   const double rate = c.steering.curvature_rate();
-  return shift * (10 + 8 * radius / std::max(length, std::sqrt(shift))) +
+  return shift * (10 + 8 * law_radius / std::max(length, std::sqrt(shift))) +
          8 * shift / rate / std::max(length * length, std::pow(shift / rate, 2.0 / 3));
 }
 
@@ -62,7 +61,7 @@ TEST(ContinuousLaw, PartsThatVanishAreLeftOut) {
   };
   for_each_case(14, 20'000, [&](Rng& rng) {
     const auto continuity = chance(0.5, rng) ? Continuity::throughout : Continuity::between_stops;
-    const ContinuousSteering steering(radius, any_size(0.01, 0.5, rng), continuity);
+    const ContinuousSteering steering(law_radius, any_size(0.01, 0.5, rng), continuity);
     const Pose from{0, 0, 0};
     const Pose to = uniform_pose({-20, 20, -20, 20}, rng);
     Pose place = from;
@@ -80,7 +79,7 @@ TEST(ContinuousLaw, PartsThatVanishAreLeftOut) {
 
 TEST(ContinuousLaw, IsNoShorterThanReedsShepp) {
   for_each_continuous_case(2, million / 2, [](const ContinuousCase& c, Rng&) {
-    const double least = reeds_shepp_length(c.pair.from, c.pair.to, radius);
+    const double least = reeds_shepp_length(c.pair.from, c.pair.to, law_radius);
     EXPECT_GE(length_of(c), least - tolerance(c, least, 1e-13) - 1e-12 * least) << as_code(c);
   });
 }
@@ -92,7 +91,7 @@ TEST(ContinuousLaw, JumpsAtStopsMakeNothingLonger) {
     const double throughout =
         with(c.steering, Continuity::throughout).length(c.pair.from, c.pair.to, straight_stands(c));
     // Where jumps save nearly all that there is to save, nothing else is looked at.
-    const double near = 1.2 * reeds_shepp_length(c.pair.from, c.pair.to, radius);
+    const double near = 1.2 * reeds_shepp_length(c.pair.from, c.pair.to, law_radius);
     EXPECT_LE(between, std::max(near, throughout) * (1 + 1e-12)) << as_code(c);
   });
 }
@@ -103,7 +102,7 @@ TEST(ContinuousLaw, StandingAtAnEndMakesNothingLonger) {
   int longer = 0, all = 0;
   double lost = 0, sum = 0;
   for_each_continuous_case(11, million / 10, [&](const ContinuousCase& c, Rng&) {
-    if (c.steering.curvature_rate() * radius * radius < 1) return;
+    if (c.steering.curvature_rate() * law_radius * law_radius < 1) return;
     const ContinuousSteering steering = with(c.steering, Continuity::between_stops);
     const auto length = [&](bool start_stands, bool goal_stands) {
       ContinuousQuery query = c.query;
@@ -129,7 +128,7 @@ class Share {
  public:
   void count(double length, double expected, const std::string& what) {
     ++all_;
-    if (std::abs(length - expected) <= 1e-6 * (radius + expected)) return;
+    if (std::abs(length - expected) <= 1e-6 * (law_radius + expected)) return;
     ++other_;
     last_ = what + ": " + as_code(length) + " instead of " + as_code(expected);
   }
@@ -170,7 +169,7 @@ TEST(ContinuousLaw, LengthsScale) {
   Share share;
   for_each_continuous_case(6, million / 8, [&](const ContinuousCase& c, Rng& rng) {
     const double k = std::exp(uniform(-3, 3, rng));
-    const ContinuousSteering steering(radius * k, c.steering.curvature_rate() / k / k,
+    const ContinuousSteering steering(law_radius * k, c.steering.curvature_rate() / k / k,
                                       c.steering.continuity());
     const auto scaled = [&](const Pose& p) { return Pose{k * p.x, k * p.y, p.heading}; };
     const ContinuousQuery query{c.query.start_curvature / k, c.query.goal_curvature / k,
@@ -198,11 +197,12 @@ TEST(ContinuousLaw, PlacesFarFromTheOriginAreAsGood) {
 TEST(ContinuousLaw, TendsToReedsSheppAsTheRateGrows) {
   for_each_pair(8, million / 20, near_or_far_pair, [](const DrawnPair& pair, Rng& rng) {
     const double ramp = any_size(1e-6, 1e-3, rng);
-    const double rate = 1 / (ramp * radius * radius);
-    const double least = reeds_shepp_length(pair.from, pair.to, radius);
+    const double rate = 1 / (ramp * law_radius * law_radius);
+    const double least = reeds_shepp_length(pair.from, pair.to, law_radius);
     for (const Continuity kind : {Continuity::between_stops, Continuity::throughout}) {
-      const double length = ContinuousSteering(radius, rate, kind).length(pair.from, pair.to);
-      EXPECT_LE(length, least + 10 * ramp * radius) << as_code(pair) << " ramp " << as_code(ramp);
+      const double length = ContinuousSteering(law_radius, rate, kind).length(pair.from, pair.to);
+      EXPECT_LE(length, least + 10 * ramp * law_radius)
+          << as_code(pair) << " ramp " << as_code(ramp);
     }
   });
 }
@@ -257,7 +257,7 @@ TEST(ContinuousLaw, IsTheLeastOfAllWords) {
   for_each_case(9, 1500, [&](Rng& rng) {
     const double ramp = any_size(1e-2, 0.5, rng);
     const Continuity kind = chance(0.5, rng) ? Continuity::throughout : Continuity::between_stops;
-    const ContinuousSteering steering(radius, 1 / (ramp * radius * radius), kind);
+    const ContinuousSteering steering(law_radius, 1 / (ramp * law_radius * law_radius), kind);
     loss.count({steering, near_or_far_pair(rng), {}});
   });
 }
@@ -266,10 +266,11 @@ TEST(ContinuousLaw, IsTheLeastOfAllWordsWithGivenCurvatures) {
   Loss loss;
   for_each_case(13, 1000, [&](Rng& rng) {
     const double ramp = any_size(1e-2, 0.5, rng);
-    const ContinuousSteering steering(radius, 1 / (ramp * radius * radius), Continuity::throughout);
+    const ContinuousSteering steering(law_radius, 1 / (ramp * law_radius * law_radius),
+                                      Continuity::throughout);
     loss.count({steering,
                 near_or_far_pair(rng),
-                {any_curvature(radius, rng), any_curvature(radius, rng)}});
+                {any_curvature(law_radius, rng), any_curvature(law_radius, rng)}});
   });
 }
 
@@ -277,12 +278,12 @@ TEST(ContinuousLaw, IsTheLeastOfAllWordsWhereAnEndRolls) {
   Loss loss;
   for_each_case(12, 1500, [&](Rng& rng) {
     const double ramp = any_size(1e-2, 0.5, rng);
-    const ContinuousSteering steering(radius, 1 / (ramp * radius * radius),
+    const ContinuousSteering steering(law_radius, 1 / (ramp * law_radius * law_radius),
                                       Continuity::between_stops);
     ContinuousCase c{steering, near_or_far_pair(rng), {}};
     if (chance(0.3, rng)) {
-      c.query.start_curvature = any_curvature(radius, rng);
-      c.query.goal_curvature = any_curvature(radius, rng);
+      c.query.start_curvature = any_curvature(law_radius, rng);
+      c.query.goal_curvature = any_curvature(law_radius, rng);
     }
     c.query.start_stands = chance(0.3, rng);
     c.query.goal_stands = !c.query.start_stands && chance(0.5, rng);
@@ -295,11 +296,13 @@ TEST(ContinuousLaw, IsTheLeastOfAllWordsBetweenNearPoses) {
   Loss loss(5e-3, 20);
   for_each_case(14, 1000, [&](Rng& rng) {
     const double ramp = any_size(0.05, 0.5, rng);
-    const ContinuousSteering steering(radius, 1 / (ramp * radius * radius), Continuity::throughout);
-    const double way = uniform(-0.9, 0.9, rng) * ramp * radius;
+    const ContinuousSteering steering(law_radius, 1 / (ramp * law_radius * law_radius),
+                                      Continuity::throughout);
+    const double way = uniform(-0.9, 0.9, rng) * ramp * law_radius;
     Pose goal = chance(0.5, rng) ? Pose{way, 0, 0} : Pose{1e-3 * way, 1e-3 * way, 1e-3 * way};
     if (chance(0.3, rng)) goal = {0, way / 10, 0};
-    loss.count({steering, {{}, goal}, {any_curvature(radius, rng), any_curvature(radius, rng)}});
+    loss.count(
+        {steering, {{}, goal}, {any_curvature(law_radius, rng), any_curvature(law_radius, rng)}});
   });
 }
 

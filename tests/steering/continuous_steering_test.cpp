@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/continuous_steering.h"
+#include "support/radius.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double radius = 7;
 constexpr double rate = 0.11;  // 1.3 m from straight to full lock
 
 const ContinuousSteering between(radius, rate, Continuity::between_stops);

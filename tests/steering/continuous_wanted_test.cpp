@@ -15,8 +15,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double radius = law_radius;
-
 /// What a metre in reverse, a change of gear and turning the wheels to full lock may cost.
 struct Prices {
   double reverse, gear_change, full_lock;
@@ -38,7 +36,7 @@ double cost(const Piece& piece, const ContinuousCase& c, const Prices& prices) {
     const double length = std::abs(s.length);
     const double change = std::abs(s.curvature - curvature) + std::abs(s.curvature_rate) * length;
     curvature = curvature_at(s, length);
-    sum += length * (s.length < 0 ? prices.reverse : 1) + change * radius * prices.full_lock;
+    sum += length * (s.length < 0 ? prices.reverse : 1) + change * law_radius * prices.full_lock;
     sum += last * s.length < 0 ? prices.gear_change : 0;
     last = s.length;
   }
@@ -48,12 +46,13 @@ double cost(const Piece& piece, const ContinuousCase& c, const Prices& prices) {
 ContinuousCase drawn_case(Rng& rng) {
   const double ramp = any_size(1e-2, 0.5, rng);
   const Continuity kind = chance(0.3, rng) ? Continuity::throughout : Continuity::between_stops;
-  ContinuousCase c{{radius, 1 / (ramp * radius * radius), kind}, near_or_far_pair(rng), {}};
+  ContinuousCase c{
+      {law_radius, 1 / (ramp * law_radius * law_radius), kind}, near_or_far_pair(rng), {}};
   c.query.start_stands = chance(0.5, rng);
   c.query.goal_stands = chance(0.5, rng);
   if (chance(0.3, rng)) {
-    c.query.start_curvature = any_curvature(radius, rng);
-    c.query.goal_curvature = any_curvature(radius, rng);
+    c.query.start_curvature = any_curvature(law_radius, rng);
+    c.query.goal_curvature = any_curvature(law_radius, rng);
   }
   return c;
 }
@@ -121,7 +120,7 @@ TEST(ContinuousWanted, WithoutGearChangeThereIsOneGear) {
     ContinuousCase c = drawn_case(rng);
     c.query.start_curvature = c.query.goal_curvature = 0;
     const auto length = c.steering.length(c.pair.from, c.pair.to, c.query);
-    for (const Piece& word : words_of(c, 0, 3 * length + 10 * radius)) {
+    for (const Piece& word : words_of(c, 0, 3 * length + 10 * law_radius)) {
       EXPECT_EQ(gear_changes(word.view()), 0) << as_code(c);
     }
     for (const Piece& word : words_of(c, 1, 3 * length)) {
@@ -131,7 +130,7 @@ TEST(ContinuousWanted, WithoutGearChangeThereIsOneGear) {
 }
 
 TEST(ContinuousWanted, StraightOnIsOneLine) {
-  const ContinuousSteering steering(radius, 0.11, Continuity::throughout);
+  const ContinuousSteering steering(law_radius, 0.11, Continuity::throughout);
   const DrawnPair pair{{0, 0, 0}, {5, 0, 0}};
   const std::vector<Piece> words = words_of({steering, pair, {}}, 0, 6);
   ASSERT_FALSE(words.empty());
@@ -143,7 +142,7 @@ TEST(ContinuousWanted, StraightOnIsOneLine) {
 
 // Straight on, 5 m. What is driven before and after is part of the cost.
 TEST(ContinuousWanted, WhatCostsTooMuchIsLeftOut) {
-  const ContinuousSteering steering(radius, 0.11, Continuity::between_stops);
+  const ContinuousSteering steering(law_radius, 0.11, Continuity::between_stops);
   const auto count = [&](double x, int before, int after, double cutoff) {
     const std::array ends{steering::WantedEnds{}};
     int words = 0;

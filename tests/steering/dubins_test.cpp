@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/dubins.h"
+#include "support/radius.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 7;
+using std::numbers::pi;
 
 TEST(Dubins, EqualPosesNeedNoSegments) {
   const Piece piece = dubins({1, 2, 3}, {1, 2, 3}, radius);

@@ -4,6 +4,7 @@
 
 #include "support/leads.h"
 #include "support/pair_cases.h"
+#include "support/radius.h"
 #include "vandplan/dubins.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -16,7 +17,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double radius = 7;
 constexpr int million = 1'000'000;
 
 /// The distance that one of OMPL's spaces gives for two poses.

@@ -19,7 +19,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The error of the float length as a share of length + radius.
 double error(const Pose& node, const Pose& sample, double radius) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/reeds_shepp.h"
+#include "support/radius.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +17,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 7;
+using std::numbers::pi;
 
 TEST(ReedsShepp, EqualPosesNeedNoSegments) {
   const Piece piece = reeds_shepp({1, 2, 3}, {1, 2, 3}, radius);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/rig_steering.h"
+#include "support/numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -19,8 +19,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using std::numbers::pi;
 
 Vehicle rig(double radius, double wheelbase, double hitch, double most) {
   Vehicle vehicle;
@@ -47,7 +46,7 @@ RigState any_state(const Vehicle& vehicle, double reach, Rng& rng) {
   return {{uniform(-reach, reach, rng), uniform(-reach, reach, rng), uniform(-pi, pi, rng)}, angle};
 }
 
-std::string as_code(const Vehicle& v, const RigState& a, const RigState& b) {
+std::string case_as_code(const Vehicle& v, const RigState& a, const RigState& b) {
   return braced({v.min_turning_radius, v.trailer->wheelbase, v.hitch, v.max_hitch_angle}) + " " +
          vandplan::as_code(a.pose) + " " + vandplan::as_code(a.hitch_angle) + " to " +
          vandplan::as_code(b.pose) + " " + vandplan::as_code(b.hitch_angle);
@@ -57,7 +56,7 @@ std::string as_code(const Vehicle& v, const RigState& a, const RigState& b) {
 testing::AssertionResult leads(const Vehicle& vehicle, const RigState& from, const RigState& to,
                                const Piece& piece) {
   const auto wrong = [&](const std::string& what) {
-    return testing::AssertionFailure() << what << ": " << as_code(vehicle, from, to) << " by "
+    return testing::AssertionFailure() << what << ": " << case_as_code(vehicle, from, to) << " by "
                                        << vandplan::as_code(piece.view());
   };
   RigState end = from;
@@ -88,7 +87,7 @@ TEST(RigSteering, LeadsFromAnyStateToAnyOther) {
     const double reach = vehicle.min_turning_radius * any_size(0.1, 20, rng);
     const RigState from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
     const auto piece = RigSteering(vehicle).steer(from, to);
-    ASSERT_TRUE(piece) << as_code(vehicle, from, to);
+    ASSERT_TRUE(piece) << case_as_code(vehicle, from, to);
     EXPECT_TRUE(leads(vehicle, from, to, *piece));
   });
 }
@@ -112,7 +111,7 @@ TEST(RigSteering, LeadsBetweenNastyStates) {
                        one_of({0, 0, pi / 2, -pi / 2, pi, 1e-9, 1e-6, 1e-3})},
                       angle()};
     const auto piece = RigSteering(vehicle).steer(from, to);
-    ASSERT_TRUE(piece) << as_code(vehicle, from, to);
+    ASSERT_TRUE(piece) << case_as_code(vehicle, from, to);
     EXPECT_TRUE(leads(vehicle, from, to, *piece));
   });
 }
@@ -166,8 +165,8 @@ TEST(RigSteering, MovesLittleWhereTheGoalIsNear) {
     to.pose.heading += uniform(-size, size, rng);
     to.hitch_angle = std::clamp(from.hitch_angle + uniform(-size, size, rng), -most, most);
     const auto piece = RigSteering(vehicle).steer(from, to);
-    ASSERT_TRUE(piece) << as_code(vehicle, from, to);
-    EXPECT_LT(piece->length, 12 * radius * std::cbrt(size)) << as_code(vehicle, from, to);
+    ASSERT_TRUE(piece) << case_as_code(vehicle, from, to);
+    EXPECT_LT(piece->length, 12 * radius * std::cbrt(size)) << case_as_code(vehicle, from, to);
   });
 }
 
@@ -199,7 +198,7 @@ TEST(RigSteering, DrivesBackTheWayItCame) {
     const auto there = steering.steer(from, to), back = steering.steer(to, from);
     ASSERT_TRUE(there && back);
     const Piece expected = reversed(*back);
-    ASSERT_EQ(there->count, expected.count) << as_code(vehicle, from, to);
+    ASSERT_EQ(there->count, expected.count) << case_as_code(vehicle, from, to);
     for (std::size_t i = 0; i < there->count; ++i) {
       EXPECT_EQ(there->segments[i], expected.segments[i]);
     }
@@ -238,12 +237,13 @@ TEST(RigSteering, GivesTheCheapestOfItsCandidates) {
     for (const Piece& candidate : all) EXPECT_TRUE(leads(vehicle, from, to, candidate));
     const double least = price_of(prices, all[0].view());
     // The search stops where it is within a hundredth of the bound.
-    EXPECT_LE(price_of(prices, piece->view()), 1.01 * least + 1e-9) << as_code(vehicle, from, to);
+    EXPECT_LE(price_of(prices, piece->view()), 1.01 * least + 1e-9)
+        << case_as_code(vehicle, from, to);
     prices.cutoff = least * 0.9;
     const auto cheaper = steering.steer(from, to, prices);  // a detour at most
     EXPECT_LE(cheaper ? price_of(prices, cheaper->view()) : 0.0, prices.cutoff);
     prices.cutoff = least * 0.1;
-    EXPECT_FALSE(steering.steer(from, to, prices)) << as_code(vehicle, from, to);
+    EXPECT_FALSE(steering.steer(from, to, prices)) << case_as_code(vehicle, from, to);
     EXPECT_TRUE(steering.candidates(from, to, prices).empty());
   });
 }

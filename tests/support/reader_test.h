@@ -12,6 +12,13 @@
 
 namespace vandplan {
 
+/// The text with another part in place of `part`, which is in it.
+inline std::string exchanged(std::string text, const std::string& part, const std::string& by) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), by);
+}
+
 class ReaderTest : public testing::Test {
  protected:
   /// The message of the InputError that `read` throws, without the name of the folder.

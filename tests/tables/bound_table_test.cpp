@@ -22,7 +22,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(BoundTable, HoldsTenMillionRandomPairs) { expect_all_inside(1, 10'000'000); }
 

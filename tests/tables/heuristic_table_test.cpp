@@ -17,7 +17,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A table whose entries are their own positions: a look-up shows which cell it read.
 HeuristicTable numbered_table(const HeuristicTableOptions& options) {

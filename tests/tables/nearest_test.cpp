@@ -19,7 +19,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The oracle, and how many nodes are as near as the nearest.
 struct Expected {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include "vandplan/table_file.h"
+#include "support/numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -83,9 +84,6 @@ TEST(TableFile, NoticesEveryAlteredByte) {
 }
 
 // ---- files whose checksum fits, and whose numbers do not ----
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // What reading a table of lengths says with a number of the head exchanged; of the head alone, too.
 std::string refusal_with(std::size_t parameter, std::uint64_t value) {

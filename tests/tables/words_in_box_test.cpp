@@ -25,7 +25,7 @@ namespace {
 
 using namespace words_in_box;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array<bool, 4> all_circles{true, true, true, true};
 
 /// The radial coordinate of a distance.

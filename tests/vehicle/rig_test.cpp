@@ -15,7 +15,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A European semitrailer behind its tractor.
 Vehicle semitrailer(double hitch = 0.0) {
