@@ -11,6 +11,14 @@ function(vandplan_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
 endfunction()
 
+# With VANDPLAN_FUZZ, code counts which of its lines run, for fuzz targets. A target that none of them
+# links need not.
+function(vandplan_count_no_lines target)
+  if(VANDPLAN_FUZZ)
+    target_compile_options(${target} PRIVATE -fno-sanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
 # With VANDPLAN_UNITY, the files of a target are compiled a dozen at a time, so that what they take
 # from large headers of others is made once. It needs names that differ within the target, those of
 # unnamed namespaces too.
