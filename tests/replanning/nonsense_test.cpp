@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <memory>
 #include <vector>
 
+#include "support/numbers.h"
 #include "support/place_of_error.h"
 #include "vandplan/bound_table.h"
 #include "vandplan/collision.h"
@@ -27,13 +27,11 @@
 namespace vandplan {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const Pose there{10, 3, 1};
 const Path straight{{}, {{0, 10}}};
 const Path endless{{}, {{0, infinity}}};
 
-Problem open_ground() {
+Problem problem_on_open_ground() {
   Scenario scenario;
   scenario.bounds = {-50, 50, -50, 50};
   scenario.goal = {10, 0, 0};
@@ -150,7 +148,7 @@ TEST(Nonsense, AVehicleWithoutATrailerHasNoHitchAngle) {
 
 // A checker says free of nothing that it cannot look at.
 TEST(Nonsense, WhatIsNotFiniteIsNotFree) {
-  const Problem problem = open_ground();
+  const Problem problem = problem_on_open_ground();
   const CollisionChecker& checker = *problem.task().checker;
   for (const Segment& segment : {Segment{0, nan}, Segment{nan, 1}, Segment{0, infinity},
                                  Segment{0, 1, nan}, Segment{0, 1, infinity}}) {
@@ -163,7 +161,7 @@ TEST(Nonsense, WhatIsNotFiniteIsNotFree) {
 
 // The judge throws nothing: what it cannot look at is not valid.
 TEST(Nonsense, TheJudgePassesNothingThatItCannotSee) {
-  const Problem problem = open_ground();
+  const Problem problem = problem_on_open_ground();
   const TimedPath drive{straight, speed_profile(straight, {})};
   EXPECT_FALSE(check_path(Problem{}, straight).valid);
   EXPECT_FALSE(check_drive(Problem{}, drive).valid);
@@ -188,7 +186,7 @@ TEST(Nonsense, ABoundThatIsNoNumberIsRejected) {
         return PlannerAnswer{
             .status = PlanStatus::solved, .segments = straight.segments, .lower_bound = nan};
       }};
-  const PlanResult result = plan(open_ground(), liar);
+  const PlanResult result = plan(problem_on_open_ground(), liar);
   EXPECT_EQ(result.status, PlanStatus::rejected);
   EXPECT_NE(result.reason.find("lower bound"), std::string::npos);
   EXPECT_EQ(place_of_error([&] { (void)warm_started(endless); }), "segments[0]");
