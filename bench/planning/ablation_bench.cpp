@@ -41,7 +41,7 @@ using Group = std::vector<std::string>;
 
 PlannerAnswer plan_without(const Group& off, const Task& task, const PlanOptions& options) {
   const search::Budget budget(options.budget);
-  anytime::Portfolio portfolio = anytime::compose(task, options, 0.0, nullptr, budget);
+  anytime::Portfolio portfolio = anytime::compose(task, options, 0.0, {});
   for (anytime::Slot& slot : portfolio.slots) {
     if (std::ranges::find(off, slot.name) == off.end()) continue;
     slot.share = [](const anytime::Progress&) { return std::int64_t{0}; };
@@ -66,8 +66,7 @@ Group workers_of(const Problem& problem, const PlanOptions& options) {
   Group names;
   Planner planner = default_planner();
   planner.function = [&](const Task& task, const PlanOptions& complete) {
-    const search::Budget budget(complete.budget);
-    for (const anytime::Slot& slot : anytime::compose(task, complete, 0.0, nullptr, budget).slots) {
+    for (const anytime::Slot& slot : anytime::compose(task, complete, 0.0, {}).slots) {
       names.emplace_back(slot.name);
     }
     return PlannerAnswer{};

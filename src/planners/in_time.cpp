@@ -7,6 +7,7 @@
 #include <deque>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,8 +56,12 @@ struct Way {
 /// One run: the best way so far, the sources, and the budget.
 class Run {
  public:
-  Run(const Task& task, const PlanOptions& options)
-      : task_(task), options_(options), pricing_(task, options.cost), budget_(options.budget) {}
+  Run(const Task& task, const PlanOptions& options, std::span<const NamedSource> sources)
+      : task_(task),
+        options_(options),
+        paths_(sources),
+        pricing_(task, options.cost),
+        budget_(options.budget) {}
 
   [[nodiscard]] PlannerAnswer answer() {
     // 0. What needs no search: somebody is where the vehicle begins or stays, or it is there.
@@ -93,14 +98,14 @@ class Run {
     return reeds_shepp_length(task_.start, task_.goal, task_.vehicle.min_turning_radius) == 0.0;
   }
 
-  [[nodiscard]] std::unique_ptr<PathSearch> search_of(const Task& task, const Path& known) const {
+  [[nodiscard]] std::unique_ptr<PathSearch> search_of(const Task& task,
+                                                      const anytime::Given& given) const {
     PlanOptions options = options_;
     options.budget.max_iterations.reset();
     if (options.budget.time_limit) {
       *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
     }
-    return anytime::drive_search(task, options, time_price,
-                                 known.segments.empty() ? nullptr : &known);
+    return anytime::drive_search(task, options, time_price, given);
   }
 
   /// One piece of work. False: nothing is left to do.
@@ -171,9 +176,9 @@ class Run {
   }
 
   [[nodiscard]] std::unique_ptr<PathSearch> make_search(const Source& source) const {
-    if (!source.detour) return search_of(source.task, {});
+    if (!source.detour) return search_of(source.task, {.sources = paths_});
     const auto of_leg = [this](const Task& leg, const Path& known) {
-      return search_of(leg, known);
+      return search_of(leg, {.known = known.segments.empty() ? nullptr : &known});
     };
     return search_through(source.task, *source.detour, of_leg);
   }
@@ -370,7 +375,8 @@ class Run {
 
   const Task& task_;
   const PlanOptions& options_;
-  planning::Pricing pricing_;  // of a path, if nothing moves
+  std::span<const NamedSource> paths_;  // of the caller
+  planning::Pricing pricing_;           // of a path, if nothing moves
   Budget budget_;
   std::deque<Source> sources_;                 // the first one without ghosts
   std::vector<std::vector<Ghost>> tried_;      // of all sources, also those that cannot be planned
@@ -388,8 +394,9 @@ class Run {
 
 }  // namespace
 
-PlannerAnswer plan(const Task& task, const PlanOptions& options) {
-  return Run(task, options).answer();
+PlannerAnswer plan(const Task& task, const PlanOptions& options,
+                   std::span<const NamedSource> sources) {
+  return Run(task, options, sources).answer();
 }
 
 }  // namespace vandplan::in_time

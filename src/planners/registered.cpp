@@ -18,6 +18,8 @@
 #include "planners/rrt_connect.h"
 #include "planners/rrt_star.h"
 #include "planners/shared_options.h"
+#include "vandplan/input_error.h"
+#include "vandplan/path_source.h"
 
 namespace vandplan::planning {
 namespace {
@@ -129,6 +131,11 @@ std::vector<Planner> registered_planners() {
 }  // namespace vandplan::planning
 
 namespace vandplan {
+namespace {
+
+constexpr std::int64_t most_of_a_source = 10'000;  // iterations of a round
+
+}  // namespace
 
 Planner warm_started(const Path& path) {
   path::check_finite(path);
@@ -136,7 +143,24 @@ Planner warm_started(const Path& path) {
   planner.function = [path](const Task& task, const PlanOptions& options) {
     if (!task.moving.empty()) return in_time::plan(task, options);
     const Path known{to_local(*task.world, path.start), path.segments};
-    return anytime::plan_anytime(task, options, &known);
+    return anytime::plan_anytime(task, options, {.known = &known});
+  };
+  return planner;
+}
+
+Planner with_sources(std::vector<NamedSource> sources) {
+  for (const NamedSource& source : sources) {
+    if (!source.make) throw InputError("source " + source.name, "has nothing that makes it");
+    if (source.share < 1 || source.share > most_of_a_source) {
+      throw InputError("source " + source.name, "share: expected 1 to " +
+                                                    std::to_string(most_of_a_source) + ", not " +
+                                                    std::to_string(source.share));
+    }
+  }
+  Planner planner = default_planner();
+  planner.function = [sources = std::move(sources)](const Task& task, const PlanOptions& options) {
+    return task.moving.empty() ? anytime::plan_anytime(task, options, {.sources = sources})
+                               : in_time::plan(task, options, sources);
   };
   return planner;
 }

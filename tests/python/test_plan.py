@@ -152,6 +152,39 @@ def test_a_plan_begins_with_a_path_that_was_good(yard):
     assert vp.plan(yard, vp.warm_started(known.path), max_iterations=0).path == again.path
 
 
+def test_a_source_proposes_paths(yard):
+    known = vp.plan(yard, max_iterations=5000)
+    heard = []
+
+    def source(task):
+        assert np.allclose(task.start, yard.start)
+        heard.append((yield None))
+        heard.append((yield known))
+        while True:
+            heard.append((yield None))
+
+    planner = vp.with_sources({"known": source})
+    result = vp.plan(yard, planner, max_iterations=300)
+    assert result and result.cost <= known.cost * (1 + 1e-3)
+    assert heard[0] is None and any(isinstance(path, vp.Path) for path in heard)
+    assert vp.plan(yard, planner, max_iterations=300, threads=4).path == result.path
+    with pytest.raises(TypeError, match="pickled"):
+        pickle.dumps(planner)
+
+
+def test_a_source_that_fails_ends_the_run(yard):
+    def fails(task):
+        yield None
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        vp.plan(yard, vp.with_sources({"fails": fails}), max_iterations=300)
+    with pytest.raises(TypeError, match="yield"):
+        vp.plan(yard, vp.with_sources({"no generator": lambda task: 3}), max_iterations=300)
+    with pytest.raises(vp.InputError, match="share"):
+        vp.with_sources({"idle": fails}, share=0)
+
+
 def test_a_path_is_smoothed(yard):
     arcs = vp.plan(yard, max_iterations=500, style="shortest")
     smooth = vp.smooth(yard, arcs, max_iterations=200)

@@ -13,6 +13,7 @@
 
 #include "bindings/python/core/bind.h"
 #include "bindings/python/core/options.h"
+#include "bindings/python/core/path_source.h"
 #include "bindings/python/core/result.h"
 #include "bindings/python/core/task.h"
 #include "vandplan/input_error.h"
@@ -138,6 +139,9 @@ py::tuple planner_state(const Planner& planner) {
   if (const auto* const warm = planner.function.target<WarmFunction>()) {
     return py::make_tuple("warm", warm->path);
   }
+  if (planner.function.target<SourcesFunction>() != nullptr) {
+    throw py::type_error("a planner with sources of paths cannot be pickled");
+  }
   const auto* const own = planner.function.target<PythonFunction>();
   if (own == nullptr) return py::make_tuple("named", planner.name);
   py::list options;
@@ -228,6 +232,7 @@ what moves.)");
         return all;
       },
       "planners() -> list of Planner\n\nThe planners of the library, the default one first.");
+  bind_path_source(module);
 }
 
 }  // namespace vandplan::python

@@ -67,6 +67,7 @@ from vandplan._core import (
     smooth,
     speed_profile,
     warm_started,
+    with_sources,
 )
 from vandplan.plotting import plot
 from vandplan.stores import read_store
@@ -127,4 +128,5 @@ __all__ = [
     "smooth",
     "speed_profile",
     "warm_started",
+    "with_sources",
 ]

@@ -4,7 +4,7 @@
 # Types of what is written in C++; what it does is said by help().
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from typing import Any, Literal, Union, overload
 
 import numpy as np
@@ -624,6 +624,11 @@ def read_tpcap(file: _File) -> Scenario: ...
 def read_result(file: _File, scenario: Scenario) -> Result: ...
 def planners() -> list[Planner]: ...
 def warm_started(path: Path | SpeedProfile | Result) -> Planner: ...
+def with_sources(
+    sources: Mapping[str, Callable[[Task], Generator[Path | SpeedProfile | Result | None, Path | None, None]]],
+    *,
+    share: int = 16,
+) -> Planner: ...
 def plan(
     scenario: Scenario,
     planner: _AnyPlanner = "anytime",

@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/anytime/anytime.h"
 
-#include "planners/anytime/compose.h"
 #include "planners/anytime/run.h"
 #include "planners/pricing.h"
 #include "planners/rig/rig_planner.h"
@@ -11,9 +10,9 @@
 namespace vandplan::anytime {
 namespace {
 
-Run begin(const Task& task, const PlanOptions& options, double time_price, const Path* known) {
+Run begin(const Task& task, const PlanOptions& options, double time_price, const Given& given) {
   const search::Budget budget(options.budget);
-  return {compose(task, options, time_price, known, budget), budget, options.budget};
+  return {compose(task, options, time_price, given), budget, options.budget};
 }
 
 class RunSearch final : public planning::PathSearch {
@@ -34,18 +33,18 @@ class RunSearch final : public planning::PathSearch {
 
 }  // namespace
 
-PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const Path* known) {
+PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const Given& given) {
   if (task.vehicle.trailer) return rig::plan_rig(task, options, {task, options.cost});
-  Run run = begin(task, options, 0.0, known);
+  Run run = begin(task, options, 0.0, given);
   while (run.advance()) {
   }
   return run.answer();
 }
 
 std::unique_ptr<planning::PathSearch> drive_search(const Task& task, const PlanOptions& options,
-                                                   double time_price, const Path* known) {
+                                                   double time_price, const Given& given) {
   if (!task.vehicle.trailer) {
-    return std::make_unique<RunSearch>(begin(task, options, time_price, known));
+    return std::make_unique<RunSearch>(begin(task, options, time_price, given));
   }
   const auto rig = [&task, time_price](const PlanOptions& round) {
     return rig::plan_rig(task, round, {task, round.cost, time_price});

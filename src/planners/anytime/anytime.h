@@ -6,27 +6,26 @@
 
 #include <memory>
 
+#include "planners/anytime/compose.h"
 #include "planners/path_search.h"
 #include "vandplan/outcome.h"
-#include "vandplan/path.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::anytime {
 
 /// Searches and shortens until the budget is spent or the path is proven optimal.
-/// Expects start and goal to be free. `known`, in the frame of the task, was good for a like one:
-/// if a route along it is free, it is the first one, and bettered before others are looked for.
+/// Expects start and goal to be free. With a trailer no notice is taken of what is given.
 [[nodiscard]] PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options,
-                                         const Path* known = nullptr);
+                                         const Given& given = {});
 
 /// A search for the path whose prices and fastest drive cost least together: each second costs
 /// `time_price` [m]. Where the cost is the time, the seconds are all that counts. Expects start and
-/// goal to be free. The task outlives the search. `known`, in the frame of the task, is bettered
-/// before other routes are looked for if it is free; ignored with a trailer.
+/// goal to be free. The task and the sources outlive the search. With a trailer no notice is taken
+/// of what is given.
 [[nodiscard]] std::unique_ptr<planning::PathSearch> drive_search(const Task& task,
                                                                  const PlanOptions& options,
                                                                  double time_price,
-                                                                 const Path* known = nullptr);
+                                                                 const Given& given = {});
 
 }  // namespace vandplan::anytime

@@ -14,6 +14,7 @@ namespace {
 constexpr double curvature_rounding = 1e-12;
 constexpr double sideways = 0.3;         // of repairs that bring nothing, those that are kept
 constexpr std::size_t most_spanned = 6;  // legs at an end
+constexpr int repairs = 12;              // trials to free a route along a path
 
 }  // namespace
 
@@ -251,6 +252,15 @@ Route Chain::route() const {
   }
   price(connector_, route);
   return route;
+}
+
+std::optional<Route> route_along(const Task& task, Connector& connector, const Path& path,
+                                 std::uint64_t seed) {
+  Chain chain(task, connector, path, seed);
+  if (!chain.take_over()) return std::nullopt;
+  for (int i = 0; i < repairs && !chain.is_free(); ++i) chain.repair();
+  if (!chain.is_free()) return std::nullopt;
+  return chain.route();
 }
 
 }  // namespace vandplan::anytime

@@ -71,4 +71,10 @@ class Chain {
   std::vector<Link> legs_;  // from each place to the next
 };
 
+/// A free route that keeps to the way of a path, which is in the frame of the task; its ends need
+/// not be those of the task. What is in the way of something is moved at random, some trials long.
+/// None if none is found.
+[[nodiscard]] std::optional<Route> route_along(const Task& task, Connector& connector,
+                                               const Path& path, std::uint64_t seed);
+
 }  // namespace vandplan::anytime

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "planners/anytime/chain.h"
 #include "planners/anytime/detours.h"
 #include "planners/anytime/fastest_worker.h"
+#include "planners/anytime/proposals.h"
 #include "planners/anytime/provers.h"
 #include "planners/anytime/refiner.h"
 #include "planners/anytime/seeker.h"
@@ -56,9 +58,6 @@ constexpr double shortest_stroke = 0.1;
 // How much more a finished drive may cost, relative: by its time, or by both prices.
 constexpr double slack_of_time = 1e-12;
 constexpr double slack_of_both = 1e-2;
-// Trials to free a route along a known path.
-constexpr int repairs_of_known = 12;
-
 /// Streams of random numbers.
 namespace stream {
 constexpr std::uint64_t search_from_goal = 0;
@@ -69,13 +68,13 @@ constexpr std::uint64_t detours = 5;
 constexpr std::uint64_t bend = 6;
 constexpr std::uint64_t fastest = 7;
 constexpr std::uint64_t survey = 7;
+constexpr std::uint64_t proposals = 8;
 }  // namespace stream
 
 /// Puts the portfolio of one run together.
 class Composer {
  public:
-  Composer(const Task& task, const PlanOptions& options, double time_price, const Path* known,
-           const Budget& budget);
+  Composer(const Task& task, const PlanOptions& options, double time_price, const Given& given);
 
   [[nodiscard]] Portfolio portfolio() &&;
 
@@ -103,11 +102,12 @@ class Composer {
   void add_survey();
   void add_wall_prover();
   void add_fastest();
+  void add_proposals(const NamedSource& source, std::uint64_t number);
   void feed(std::string_view listener);
 
   const Task& task_;
   const PlanOptions& options_;
-  const Budget& budget_;
+  std::span<const NamedSource> sources_;
   std::unique_ptr<const planning::Pricing> pricing_;
   const CostRule& rule_;
   Bounds region_;                     // where samples are drawn
@@ -122,10 +122,10 @@ class Composer {
 };
 
 Composer::Composer(const Task& task, const PlanOptions& options, double time_price,
-                   const Path* known, const Budget& budget)
+                   const Given& given)
     : task_(task),
       options_(options),
-      budget_(budget),
+      sources_(given.sources),
       pricing_(std::make_unique<planning::Pricing>(task, options.cost, time_price)),
       rule_(pricing_->rule()),
       region_(sampling_region(task, planning::region_of(options))),
@@ -143,7 +143,7 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
   if (bends_) bend_ = std::make_unique<BendWorker>(task, rule_, seed(stream::bend));
   take_open_ground({});  // [1]
   if (!rule_.is_length()) take_open_ground(rule_);
-  if (known != nullptr) take_known(*known);
+  if (given.known != nullptr) take_known(*given.known);
   looks_around_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
 }
 
@@ -174,14 +174,10 @@ void Composer::take_open_ground(const CostRule& rule) {
 // A route along a path that was good for a like task.
 void Composer::take_known(const Path& known) {
   Connector connector(task_, rule_);
-  Chain chain(task_, connector, known, 0);
-  if (!chain.take_over()) return;
-  for (int i = 0; i < repairs_of_known && !chain.is_free() && !budget_.is_interrupted(); ++i) {
-    chain.repair();
-  }
-  if (!chain.is_free()) return;
+  std::optional<Route> route = route_along(task_, connector, known, 0);
+  if (!route) return;
   is_warm_ = true;
-  portfolio_.routes.push_back(chain.route());
+  portfolio_.routes.push_back(*std::move(route));
   if (bend_) portfolio_.drive = bend_->begin_with(known);
 }
 
@@ -321,6 +317,18 @@ void Composer::add_fastest() {
   slot.phase = Phase::after;
 }
 
+// What a source of the caller proposes, as routes of a search.
+void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
+  const std::uint64_t own_seed = stream_seed(seed(stream::proposals), number);
+  auto make = [&task = task_, &rule = rule_, options = options_, &source, own_seed] {
+    return std::make_unique<Proposals>(task, rule, source.make(task, options), own_seed);
+  };
+  add(source.name, std::make_unique<Seeker>(task_, rule_, scope_, own_seed, std::move(make)),
+      [share = source.share](const Progress& now) {
+        return now.has_route ? growing_share(share, now.rounds_with_route) : share;
+      });
+}
+
 // Lets a slot hear of all routes that are given up.
 void Composer::feed(std::string_view name) {
   std::vector<Slot>& slots = portfolio_.slots;
@@ -351,6 +359,7 @@ Portfolio Composer::portfolio() && {
   if (looks_around_) add_survey();
   add_wall_prover();
   if (pricing_->counts_time()) add_fastest();
+  for (std::size_t i = 0; i < sources_.size(); ++i) add_proposals(sources_[i], i);
   feed("bend");
   feed("fastest");
   portfolio_.pricing = std::move(pricing_);
@@ -360,8 +369,8 @@ Portfolio Composer::portfolio() && {
 }  // namespace
 
 Portfolio compose(const Task& task, const PlanOptions& options, double time_price,
-                  const Path* known, const search::Budget& budget) {
-  return Composer(task, options, time_price, known, budget).portfolio();
+                  const Given& given) {
+  return Composer(task, options, time_price, given).portfolio();
 }
 
 }  // namespace vandplan::anytime

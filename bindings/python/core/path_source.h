@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How does Python propose paths while the default planner runs?
+
+#include <pybind11/pybind11.h>
+
+#include "vandplan/planner.h"
+
+namespace vandplan::python {
+
+/// The function of a planner with sources: functions of Python, which cannot be sent elsewhere.
+struct SourcesFunction {
+  PlannerFunction function;
+  PlannerAnswer operator()(const Task& task, const PlanOptions& options) const {
+    return function(task, options);
+  }
+};
+
+/// Binds `with_sources`.
+void bind_path_source(pybind11::module_& module);
+
+}  // namespace vandplan::python

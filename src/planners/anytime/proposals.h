@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which routes follow the paths that somebody else proposes?
+
+#include <memory>
+
+#include "planners/anytime/source.h"
+#include "vandplan/path_source.h"
+#include "vandplan/search.h"
+
+namespace vandplan::anytime {
+
+/// Makes a free route of each path that a source of the caller proposes, if there is one.
+class Proposals final : public Source {
+ public:
+  Proposals(const Task& task, const search::CostRule& rule, std::unique_ptr<PathSource> paths,
+            std::uint64_t seed);
+
+  [[nodiscard]] bool step() override;
+  [[nodiscard]] search::Route route() const override { return found_; }
+  [[nodiscard]] bool has_work() const override { return paths_->has_work(); }
+  void set_route(const search::Route& best) override;
+  [[nodiscard]] std::int64_t solves() const override { return connector_.solves(); }
+  [[nodiscard]] std::int64_t checks() const override { return connector_.checks(); }
+
+ private:
+  const Task& task_;
+  search::Connector connector_;
+  std::unique_ptr<PathSource> paths_;
+  std::uint64_t seed_;
+  std::uint64_t proposed_ = 0;  // paths so far; each has a seed
+  search::Route found_;
+};
+
+}  // namespace vandplan::anytime
