@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which planners does the library bring? A line here and in registered.cpp for each kind.
+// Which planners does the library bring?
 
 #include <vector>
 
@@ -11,5 +11,9 @@ namespace vandplan::planning {
 
 /// All of them, the default one first, in the order of the documentation.
 [[nodiscard]] std::vector<Planner> registered_planners();
+
+/// Those that the default one is compared with: the thesis' trees and others' methods. They are the
+/// folder `lab`, which nothing else of the library uses.
+[[nodiscard]] std::vector<Planner> laboratory();
 
 }  // namespace vandplan::planning

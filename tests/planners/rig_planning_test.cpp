@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "lab/grown_tree.h"
 #include "planners/commands/closer.h"
-#include "planners/grown_tree.h"
 #include "planners/pricing.h"
 #include "planners/rig/towed.h"
 #include "support/cases.h"

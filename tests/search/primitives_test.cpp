@@ -11,8 +11,8 @@
 #include <set>
 #include <tuple>
 
-#include "search/lattice_graph.h"
-#include "search/lattice_table.h"
+#include "lab/lattice_graph.h"
+#include "lab/lattice_table.h"
 #include "support/cases.h"
 #include "support/problems.h"
 #include "vandplan/dubins.h"

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "lab/lattice_planners.h"
+
+#include "lab/lattice_a_star.h"
+#include "lab/ltba_star.h"
+
+namespace vandplan::lattice {
+namespace {
+
+Planner planner(const char* name, const char* summary, std::vector<OptionInfo> options,
+                PlannerAnswer (*function)(const Task&, const PlanOptions&)) {
+  return {.name = name,
+          .summary = summary,
+          .properties = {.family = name,
+                         .honours_primitives = true,
+                         .anytime = true,
+                         .groups = {"family"}},
+          .options = std::move(options),
+          .function = function};
+}
+
+}  // namespace
+
+std::vector<Planner> planners() {
+  return {planner("lattice-a-star", "A* over a state lattice of exact primitives", a_star_options(),
+                  plan_a_star),
+          planner("lattice-ara-star", "ARA* over a state lattice: falling weights, a proven factor",
+                  ara_star_options(), plan_ara_star),
+          planner("ltba-star", "A* over a state lattice while the vehicle drives: time-bounded",
+                  ltba_star_options(), plan_ltba_star)};
+}
+
+}  // namespace vandplan::lattice
