@@ -225,16 +225,6 @@ TEST_F(Scheduling, WhatIsGivenUpIsOfferedToThoseWhoAreFed) {
   EXPECT_TRUE(other.offers.empty());
 }
 
-TEST_F(Scheduling, SomeJoinAfterSomeRoundsWithARoute) {
-  add(3).finds = {nothing, 50.0};
-  const Script& late = add(3);
-  slot().joins = 2;
-  anytime::Run& run = rounds(4);
-  EXPECT_TRUE(late.calls.empty());
-  run.advance();
-  EXPECT_EQ(late.calls.size(), 1U);
-}
-
 TEST_F(Scheduling, WhoRunsDryLosesNothing) {
   Script& dry = add(3);
   dry.finds = {50.0};

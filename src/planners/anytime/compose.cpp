@@ -27,9 +27,8 @@
 namespace vandplan::anytime {
 namespace {
 
-// Rounds with a route before the survey takes part, and the iteration of its first work: sooner, it
-// would be in the way. Where the wheels take time to turn iterations take longer.
-constexpr std::int64_t joins_late = 6;
+// Iteration at which the survey begins, once there is a route: sooner, it would be in the way.
+// Where the wheels take time to turn iterations take longer.
 constexpr std::int64_t first_survey = 3000;
 constexpr std::int64_t early_survey = 1000;
 // From so many rounds with a route on it works anyhow: all others may have ended.
@@ -285,6 +284,7 @@ void Composer::add_survey() {
                        [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
   const auto look = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
   Share share = [look, has_relaxed = has_relaxed()](const Progress& now) -> std::int64_t {
+    if (!now.has_route) return 0;
     const Survey* survey = look();
     const bool is_glance = survey == nullptr || survey->is_glance();
     const bool is_early = now.iterations < (has_relaxed && is_glance ? early_survey : first_survey);
@@ -294,7 +294,6 @@ void Composer::add_survey() {
     return growing_share(is_first ? first : shares::survey.by_prices, now.rounds_with_route);
   };
   Slot& slot = add("survey", std::move(worker), std::move(share));
-  slot.joins = joins_late;
   slot.is_relaxed = has_relaxed();
 }
 

@@ -46,7 +46,6 @@ struct Slot {
   Share proofs = {};  ///< steps of proving beside them, which are no iterations
   Phase phase = Phase::together;
   bool is_relaxed = false;  ///< whether its routes are of the relaxed task: no answers, but offers
-  std::int64_t joins = 0;   ///< rounds with a route before it takes part
   std::vector<std::size_t> feeds = {};  ///< slots that hear of the routes that are given up here
 };
 

@@ -52,8 +52,6 @@ Progress Run::progress() const {
           .is_settled = budget_.iterations() > 2 * noted_at_ + unsettled};
 }
 
-bool Run::takes_part(const Slot& slot) const { return rounds_with_route_ >= slot.joins; }
-
 Told Run::told(const Slot& slot, double enough_cost) const {
   const bool may_be_enough = portfolio_.routes_are_answers && !slot.is_relaxed;
   return {route_ ? &*route_ : nullptr, may_be_enough ? enough_cost : 0.0};
@@ -160,7 +158,7 @@ void Run::work_together() {
   std::int64_t promised = 0;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const Slot& slot = slots[i];
-    if (slot.phase != Phase::together || !takes_part(slot)) continue;
+    if (slot.phase != Phase::together) continue;
     if (slot.worker->has_work()) granted[i] = left(slot.share(now), promised);
     if (slot.proofs) proofs[i] = slot.proofs(now);
     promised += granted[i];
@@ -168,7 +166,7 @@ void Run::work_together() {
   const double enough_cost = enough();
   std::vector<Found> found(slots.size());
   parallel_for(slots.size(), route_ ? threads_ : 1, [&](std::size_t i) {
-    if (slots[i].phase == Phase::after || !takes_part(slots[i])) return;
+    if (slots[i].phase == Phase::after) return;
     found[i] = slots[i].worker->work(granted[i], told(slots[i], enough_cost), budget_);
     if (proofs[i] > 0) proofs[i] = slots[i].worker->prove(proofs[i], budget_);
   });

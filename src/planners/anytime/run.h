@@ -39,7 +39,6 @@ class Run {
  private:
   [[nodiscard]] std::int64_t left(std::int64_t wanted, std::int64_t promised) const;
   [[nodiscard]] Progress progress() const;
-  [[nodiscard]] bool takes_part(const Slot& slot) const;
   [[nodiscard]] Told told(const Slot& slot, double enough_cost) const;
   [[nodiscard]] Best best() const;
   [[nodiscard]] double cost() const;
