@@ -9,13 +9,14 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <queue>
 
 #include "base/trigonometry.h"
+#include "lab/cell_costs.h"
+#include "lab/voronoi_field.h"
 #include "planners/anytime/shorten.h"
 #include "planners/shared_options.h"
-#include "lab/cell_costs.h"
 #include "search/route.h"
-#include "lab/voronoi_field.h"
 #include "vandplan/search.h"
 
 namespace vandplan::hybrid {
@@ -46,7 +47,7 @@ struct Step {
 struct Entry {
   double rank;
   std::int32_t node;
-  bool operator<(const Entry& other) const {  // a heap has its greatest in front
+  bool operator<(const Entry& other) const {  // a queue has its greatest in front
     return rank != other.rank ? rank > other.rank : node < other.node;
   }
 };
@@ -81,7 +82,7 @@ class Search {
     if (is_variable_ || voronoi_weight_ > 0.0) voronoi_.emplace(task, cell_);
     for (int halvings = 0; halvings <= most_halvings; ++halvings) make_steps(halvings);
     nodes_.push_back({task.start, {}, 0.0, 0.0, -1});  // whatever the estimate
-    open_.push_back({0.0, 0});
+    open_.push({0.0, 0});
   }
 
   // Step [1], some more of it; false when there is no more to prepare.
@@ -95,10 +96,9 @@ class Search {
   // Steps [2] and [3]: the node that is expanded next; none if no other could lead to less.
   std::optional<std::int32_t> next() {
     while (!open_.empty() && !is_shortest_) {
-      const auto [rank, id] = open_.front();
+      const auto [rank, id] = open_.top();
       if (rank >= found_.cost && !improves_) return std::nullopt;
-      std::pop_heap(open_.begin(), open_.end());
-      open_.pop_back();
+      open_.pop();
       const Node& node = at(id);
       double& least = cells_.cost(key_of(node));
       if (node.cost_to_come > least || node.cost_to_come + node.to_go >= found_.cost) continue;
@@ -284,8 +284,7 @@ class Search {
     node.to_go = to_go(node);
     if (!(node.cost_to_come + node.to_go < found_.cost)) return;  // infinite, too
     least = node.cost_to_come;
-    open_.push_back({least + weight_ * node.to_go, static_cast<std::int32_t>(nodes_.size())});
-    std::push_heap(open_.begin(), open_.end());
+    open_.push({least + weight_ * node.to_go, static_cast<std::int32_t>(nodes_.size())});
     nodes_.push_back(node);
   }
 
@@ -314,7 +313,7 @@ class Search {
   bool keeps_tree_;
   std::size_t max_nodes_;
   std::vector<Node> nodes_;
-  std::vector<Entry> open_;
+  std::priority_queue<Entry> open_;
   CellCosts cells_;
   Found found_;
   bool is_shortest_ = false;

@@ -76,8 +76,7 @@ Search::Id Search::node_at(const Vertex& vertex) {
 
 void Search::push(Id id) {
   const double cost = edge(node(id).waiting).cost;
-  open_.push_back({cost + settings_.weight * node(id).to_go, cost, id});
-  std::push_heap(open_.begin(), open_.end());
+  open_.push({cost + settings_.weight * node(id).to_go, cost, id});
 }
 
 void Search::open(const Vertex& vertex, double cost, Id parent, std::int32_t via) {
@@ -120,13 +119,12 @@ bool Search::may_improve(const Node& end) const {
 
 bool Search::has_next() {
   while (!open_.empty()) {
-    const Entry& entry = open_.front();
+    const Entry& entry = open_.top();
     if (entry.rank >= best_) return false;
     const Node& end = node(entry.node);
     if (end.round != round_ && may_improve(end) && entry.cost == edge(end.waiting).cost)
       return true;
-    std::pop_heap(open_.begin(), open_.end());
-    open_.pop_back();
+    open_.pop();
   }
   return false;
 }
@@ -152,9 +150,8 @@ bool Search::step() {
 
 // True if the edge whose turn it is was free: then its end is closed, and expanded.
 bool Search::look() {
-  const Id id = open_.front().node;
-  std::pop_heap(open_.begin(), open_.end());
-  open_.pop_back();
+  const Id id = open_.top().node;
+  open_.pop();
   Node& end = node(id);
   const Edge last = edge(end.waiting);
   if (!is_free(end, last)) {
@@ -216,7 +213,7 @@ void Search::take(std::vector<Leg> way) {
 void Search::begin_round(double weight) {
   settings_.weight = weight;
   ++round_;
-  open_.clear();
+  open_ = {};
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (may_improve(nodes_[i])) push(static_cast<Id>(i));
   }
@@ -232,7 +229,7 @@ double Search::lattice_bound() const {
 
 std::optional<Search::Id> Search::front() const {
   if (open_.empty()) return std::nullopt;
-  const Id parent = edge(node(open_.front().node).waiting).parent;
+  const Id parent = edge(node(open_.top().node).waiting).parent;
   return parent < 0 ? std::nullopt : std::optional<Id>(parent);
 }
 

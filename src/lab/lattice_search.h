@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <string>
 #include <vector>
 
@@ -109,7 +110,7 @@ class Search {
     double rank;
     double cost;
     Id node;
-    bool operator<(const Entry& other) const {  // a heap has its greatest in front
+    bool operator<(const Entry& other) const {  // a queue has its greatest in front
       if (rank != other.rank) return rank > other.rank;
       return cost != other.cost ? cost < other.cost : node > other.node;
     }
@@ -144,7 +145,7 @@ class Search {
   std::vector<Node> nodes_;
   std::vector<Id> slots_;  // open addressing; -1 is free
   std::vector<Edge> edges_;
-  std::vector<Entry> open_;
+  std::priority_queue<Entry> open_;
   std::int32_t round_ = 0;
   double best_ = std::numeric_limits<double>::infinity();
   std::vector<Leg> best_way_;

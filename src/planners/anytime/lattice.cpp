@@ -99,23 +99,11 @@ void Lattice::grow_table() {
   }
 }
 
-void Lattice::push(const Entry& entry) {
-  open_.push_back(entry);
-  std::push_heap(open_.begin(), open_.end());
-}
-
-Lattice::Entry Lattice::pop() {
-  std::pop_heap(open_.begin(), open_.end());
-  const Entry entry = open_.back();
-  open_.pop_back();
-  return entry;
-}
-
 void Lattice::open(const Node& node) {
   const double around = guide_.at(node.pose.x, node.pose.y);
   if (node.cost_to_come + guide_trust * around >= cutoff_) return;
   const double rank = node.cost_to_come + options_.greediness * around;
-  push({rank, around, 0.0, static_cast<std::int32_t>(nodes_.size())});
+  open_.push({rank, around, 0.0, static_cast<std::int32_t>(nodes_.size())});
   nodes_.push_back(node);
 }
 
@@ -153,14 +141,15 @@ bool Lattice::is_straight(double curvature) const {
 // The entry whose turn it is, if that is found out with a few looks at open ground.
 std::optional<Lattice::Entry> Lattice::next() {
   for (int i = 0; i < looks && !open_.empty(); ++i) {
-    Entry entry = pop();
+    Entry entry = open_.top();
+    open_.pop();
     if (entry.open_ground > 0.0) return entry;
     const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
     entry.open_ground = connector_.least_cost(node.pose, target_, {driven_to(node), gears_.after});
     if (entry.open_ground <= entry.around) return entry;
     entry.rank = node.cost_to_come + options_.greediness * entry.open_ground;
-    if (open_.empty() || open_.front() < entry) return entry;
-    push(entry);
+    if (open_.empty() || open_.top() < entry) return entry;
+    open_.push(entry);
   }
   return std::nullopt;
 }
@@ -247,8 +236,8 @@ bool Lattice::waits_for_cheaper(Entry entry) {
   const double near = connector_.clearance_cost(from, std::span(&node.segment, 1));
   node.cost_to_come += near;
   entry.rank += near;
-  if (near == 0.0 || open_.empty() || open_.front() < entry) return false;
-  push(entry);
+  if (near == 0.0 || open_.empty() || open_.top() < entry) return false;
+  open_.push(entry);
   return true;
 }
 

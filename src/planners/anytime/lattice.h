@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <optional>
+#include <queue>
 #include <vector>
 
 #include "search/guide.h"
@@ -62,7 +63,7 @@ class Lattice {
     double around;
     double open_ground;  // what no way on open ground costs less than; 0 until it is known
     std::int32_t node;
-    bool operator<(const Entry& other) const {  // a heap has its greatest in front
+    bool operator<(const Entry& other) const {  // a queue has its greatest in front
       return rank != other.rank ? rank > other.rank : node > other.node;
     }
   };
@@ -73,8 +74,6 @@ class Lattice {
                                                  GearSign direction) const;
   [[nodiscard]] int lock_of(double curvature) const;
   void open(const Node& node);
-  void push(const Entry& entry);
-  [[nodiscard]] Entry pop();
   [[nodiscard]] std::optional<Entry> next();
   [[nodiscard]] bool waits_for_cheaper(Entry entry);
   bool shoot(const Entry& entry);
@@ -96,7 +95,7 @@ class Lattice {
   double cell_;
   int locks_;  // to either side of straight; more than one where the curvature is continuous
   std::vector<Node> nodes_;
-  std::vector<Entry> open_;
+  std::priority_queue<Entry> open_;
   std::vector<std::uint64_t> closed_;  // open addressing; 0 is free
   std::size_t closed_count_ = 0;
   Route route_;

@@ -124,8 +124,8 @@ RigSearch::Side RigSearch::side_from(const RigState& root, const RigState& targe
             .before = before,
             .target_trailer = trailer_pose(task_.vehicle, target),
             .grid = &grid,
-            .nodes = {{root, {}, before, 0.0, 0.0, -1, true, 0}},
-            .open = {{0.0, 0}}};
+            .nodes = {{root, {}, before, 0.0, 0.0, -1, true, 0}}};
+  side.open.push({0.0, 0});
   side.nodes.front().to_go = to_go(side, root).guess;
   side.cells[key_of(root, 0)].node = 0;
   return side;
@@ -185,9 +185,8 @@ bool RigSearch::step() {
 bool RigSearch::expand(std::size_t which) {
   Side& side = sides_[which];
   while (!side.open.empty()) {
-    std::pop_heap(side.open.begin(), side.open.end());
-    const std::int32_t id = side.open.back().node;
-    side.open.pop_back();
+    const std::int32_t id = side.open.top().node;
+    side.open.pop();
     const Node node = side.nodes[static_cast<std::size_t>(id)];
     const std::uint64_t key = key_of(node.state, node.level);
     if (node.parent >= 0) {
@@ -266,9 +265,7 @@ void RigSearch::add(Side& side, const Parent& parent, Primitive primitive) {
   cell.least = cost;
   const auto [left, at_least] = to_go(side, state);
   if (cost + at_least >= cutoff_) return;
-  side.open.push_back(
-      {cost + fineness_.weight * left, static_cast<std::int32_t>(side.nodes.size())});
-  std::push_heap(side.open.begin(), side.open.end());
+  side.open.push({cost + fineness_.weight * left, static_cast<std::int32_t>(side.nodes.size())});
   side.nodes.push_back(
       {state, primitive.command, driven, cost, left, parent.id, false, from.level});
 }

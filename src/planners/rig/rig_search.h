@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <unordered_map>
 #include <vector>
 
@@ -99,7 +100,7 @@ class RigSearch {
   struct Entry {
     double rank;
     std::int32_t node;
-    bool operator<(const Entry& other) const {  // a heap has its greatest in front
+    bool operator<(const Entry& other) const {  // a queue has its greatest in front
       return rank != other.rank ? rank > other.rank : node < other.node;
     }
   };
@@ -111,7 +112,7 @@ class RigSearch {
     Pose target_trailer;
     const search::GridDistance* grid;
     std::vector<Node> nodes;
-    std::vector<Entry> open;
+    std::priority_queue<Entry> open = {};
     std::unordered_map<std::uint64_t, Cell> cells = {};
     std::int32_t nearest = 0;  // reached node with the least to go
     std::int32_t latest = 0;   // reached node that was expanded last
