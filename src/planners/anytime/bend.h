@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "planners/anytime/drive.h"
 #include "planners/anytime/follow.h"
 #include "planners/anytime/kinds.h"
 #include "planners/commands/closer.h"
@@ -20,12 +21,6 @@
 namespace vandplan::anytime {
 
 using namespace search;
-
-/// What became of a route.
-struct BentDrive {
-  std::vector<Segment> commands;
-  double cost;
-};
 
 /// Takes routes as drives by commands, whose curvatures may be any, and makes the cheapest of them
 /// cheaper: it and another one in turns.
@@ -52,17 +47,17 @@ class Bender {
   }
 
   /// The cheapest drive so far; `step` was true once.
-  [[nodiscard]] BentDrive best() const { return {best_->commands(), best_->cost()}; }
+  [[nodiscard]] Drive best() const {
+    return {.commands = best_->commands(), .segments = {}, .route = {}, .cost = best_->cost()};
+  }
   [[nodiscard]] double cost() const { return best_->cost(); }
   [[nodiscard]] std::vector<Segment> segments() const { return best_->segments(); }
   [[nodiscard]] std::int64_t checks() const;
 
  private:
-  using Drive = std::unique_ptr<commands::DriveShortener>;
-
   /// A drive that may become cheaper than the best one yet.
   struct Challenger {
-    Drive drive;
+    std::unique_ptr<commands::DriveShortener> drive;
     std::int64_t trials = 0;  // spent on it
   };
 
@@ -92,7 +87,7 @@ class Bender {
   std::uint64_t drives_ = 0;      // so far; each has a seed
   Kinds kinds_;                   // that were offered
   std::vector<Waiting> waiting_;  // the cheapest one last, of those the newest
-  Drive best_;
+  std::unique_ptr<commands::DriveShortener> best_;
   std::vector<Challenger> challengers_;
   std::int64_t checks_ = 0;  // of drives that are gone
   Follower follower_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace vandplan::anytime {
 
@@ -20,16 +19,11 @@ Bender& BendWorker::bender() {
   return *bender_;
 }
 
-Drive BendWorker::drive() const {
-  BentDrive best = bender_->best();
-  return {.commands = std::move(best.commands), .segments = {}, .route = {}, .cost = best.cost};
-}
-
 std::optional<Drive> BendWorker::begin_with(const Path& known) {
   bender().offer(known.segments);
   if (!bender().step()) return std::nullopt;
   best_cost_ = bender_->cost();
-  return drive();
+  return bender_->best();
 }
 
 Counts BendWorker::counts() const { return {0, bender_ ? bender_->checks() : 0}; }
@@ -49,7 +43,7 @@ Found BendWorker::work(std::int64_t iterations, const Told& told, const Budget& 
   };
   Found found = work_in_steps(
       iterations, told.enough, budget, [this] { return has_work(); }, step);
-  if (!found.improvements.empty()) found.drive = drive();
+  if (!found.improvements.empty()) found.drive = bender_->best();
   return found;
 }
 

@@ -28,7 +28,6 @@ class BendWorker final : public Worker {
 
  private:
   [[nodiscard]] Bender& bender();
-  [[nodiscard]] Drive drive() const;
 
   const Task& task_;
   const CostRule& rule_;

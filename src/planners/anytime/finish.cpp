@@ -44,14 +44,13 @@ std::vector<Segment> Finisher::raw(const Best& best) const {
   return drive.segments();
 }
 
-std::optional<Drivable> Finisher::drivable(const Best& best,
-                                           const std::vector<Segment>& raw) const {
+std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segment>& raw) const {
   const bool is_bent = best.drive != nullptr && !best.drive->commands.empty();
   const double stroke = rules_.stroke;
   const CostRule& rule = pricing_.rule();
   if (stroke == 0.0 && !is_bent && !rules_.has_prices) return std::nullopt;
   Connector connector(task_, rule);
-  Drivable drivable{raw, 0.0};
+  Drive drivable{.commands = {}, .segments = raw, .route = {}, .cost = 0.0};
   if (!rules_.is_continuous) {
     drivable.segments = tidied(connector, task_.start, raw, stroke);
   } else if (stroke > 0.0) {
@@ -74,9 +73,8 @@ std::optional<Drivable> Finisher::drivable(const Best& best,
   return drivable;
 }
 
-std::optional<Drivable> Finisher::finished(const Best& best,
-                                           const std::vector<Segment>& raw) const {
-  std::optional<Drivable> neat = drivable(best, raw);
+std::optional<Drive> Finisher::finished(const Best& best, const std::vector<Segment>& raw) const {
+  std::optional<Drive> neat = drivable(best, raw);
   if (!neat || !rules_.slack) return neat;
   return neat->cost > best.drive->cost * (1 + *rules_.slack) ? std::nullopt : std::move(neat);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planners/anytime/cost_bound.h"
-#include "planners/anytime/worker.h"
+#include "planners/anytime/drive.h"
 #include "planners/pricing.h"
 
 namespace vandplan::anytime {
@@ -17,12 +17,6 @@ struct Best {
   const search::Route* route = nullptr;  ///< cheapest route
   const Drive* drive = nullptr;          ///< drive that is cheaper than the route; null if none is
   bool is_optimal = false;               ///< no drive costs less: proven
-};
-
-/// What is driven, and its cost.
-struct Drivable {
-  std::vector<Segment> segments;
-  double cost;
 };
 
 /// What is asked of a drive besides its cost.
@@ -50,11 +44,11 @@ class Finisher {
   /// What is driven as it was found.
   [[nodiscard]] std::vector<Segment> raw(const Best& best) const;
   /// The raw segments tidied; none where they stay as they are: the shortest path is what it is.
-  [[nodiscard]] std::optional<Drivable> drivable(const Best& best,
-                                                 const std::vector<Segment>& raw) const;
+  [[nodiscard]] std::optional<Drive> drivable(const Best& best,
+                                              const std::vector<Segment>& raw) const;
   /// `drivable`, unless it costs much more than the drive that was found.
-  [[nodiscard]] std::optional<Drivable> finished(const Best& best,
-                                                 const std::vector<Segment>& raw) const;
+  [[nodiscard]] std::optional<Drive> finished(const Best& best,
+                                              const std::vector<Segment>& raw) const;
   [[nodiscard]] double min_stroke() const { return rules_.min_stroke; }
 
  private:

@@ -226,7 +226,7 @@ void Run::make_drivable() {
   if (raw == raw_) return;  // it was made drivable before
   raw_ = raw;
   segments_ = std::move(raw);
-  std::optional<Drivable> neat = portfolio_.finisher.finished(best_found, segments_);
+  std::optional<Drive> neat = portfolio_.finisher.finished(best_found, segments_);
   if (!neat) return;
   segments_ = std::move(neat->segments);
   if (!portfolio_.routes_are_answers) return;

@@ -8,19 +8,12 @@
 #include <optional>
 #include <vector>
 
+#include "planners/anytime/drive.h"
 #include "search/route.h"
 #include "vandplan/outcome.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {
-
-/// A drive from the start to the goal.
-struct Drive {
-  std::vector<Segment> commands;  ///< commands of the task's wheels; none if `segments` are set
-  std::vector<Segment> segments;  ///< what is driven; none if `commands` are set
-  std::optional<search::Route> route;  ///< route that `segments` drive along, if it is known
-  double cost = 0.0;                   ///< price of the drive [m], or its time [s]
-};
 
 /// What a worker found in one round.
 struct Found {
