@@ -252,7 +252,10 @@ class Run {
     const double path_cost = pricing_.cost(segments, search::Looks::answer);
     source.fastest_cost = with_time(path_cost, planning::drive_time(task_, segments));
     if (best_ && best_->cost <= source.fastest_cost) return;
-    if (is_hasty && !source.detour && !is_new(segments)) return;
+    if (is_hasty && !source.detour) {  // sources near each other find the same paths
+      if (std::ranges::find(offered_, segments) != offered_.end()) return;
+      offered_.push_back(segments);
+    }
     const Path path{task_.start, segments};
     const std::int64_t before = budget_.iterations();
     const std::int64_t most = budget_.left(states_for(source) / states_per_iteration, 0);
@@ -289,13 +292,6 @@ class Run {
     if (yielding.met && cost > source.fastest_cost + worth_a_way_around) {
       go_around(source, *yielding.met);
     }
-  }
-
-  /// Whether no source has offered this path before: sources near each other find the same ones.
-  [[nodiscard]] bool is_new(const std::vector<Segment>& segments) {
-    if (std::ranges::find(offered_, segments) != offered_.end()) return false;
-    offered_.push_back(segments);
-    return true;
   }
 
   /// The best times along a path. Most drives that are worth finding take less than twice as long
