@@ -35,6 +35,11 @@ bool can_drive(const Connector& connector, const Segment& segment) {
 
 Chain::Chain(const Task& task, Connector& connector, const Path& old, std::uint64_t seed)
     : task_(task), connector_(connector), old_(old), rng_(seed), vias_(vias_of(old)) {
+  double s = 0.0;
+  for (const Segment& segment : old.segments) {
+    begins_.push_back(s);
+    s += std::abs(segment.length);
+  }
   vias_.front().pose = task.start;
   vias_.back().pose = task.goal;
 }
@@ -114,12 +119,16 @@ bool Chain::join() {
 // What the old path drives between two places, if the vehicle can.
 std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven before) const {
   Piece piece;
-  double s = 0.0;
-  for (const Segment& segment : old_.segments) {
+  const auto after = std::ranges::upper_bound(begins_, from.s);
+  // Rounding may leave some of the segment before.
+  const std::ptrdiff_t first = std::max<std::ptrdiff_t>(after - begins_.begin() - 2, 0);
+  for (auto i = static_cast<std::size_t>(first); i < begins_.size(); ++i) {
+    const Segment& segment = old_.segments[i];
+    const double s = begins_[i];
+    if (s >= to.s) break;
     const double length = std::abs(segment.length);
     const double begin = std::max(from.s - s, 0.0);
     const double end = std::min(to.s - s, length);
-    s += length;
     if (begin >= end) continue;
     const Segment part = part_of(segment, begin, end);
     if (piece.count == SegmentRoom::size()) return std::nullopt;

@@ -66,6 +66,7 @@ class Chain {
   const Task& task_;
   Connector& connector_;
   const Path& old_;
+  std::vector<double> begins_;  // of the segments of the old path [m]
   Rng rng_;
   std::vector<Via> vias_;
   std::vector<Link> legs_;  // from each place to the next
