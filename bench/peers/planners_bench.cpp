@@ -26,7 +26,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -35,6 +34,7 @@
 
 #include "support/figure.h"
 #include "support/ompl_run.h"
+#include "support/plans.h"
 #include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/scenario_file.h"
@@ -45,8 +45,6 @@ namespace {
 namespace ob = ::ompl::base;
 namespace og = ::ompl::geometric;
 using Space = ob::ReedsSheppStateSpace;
-
-constexpr double never = std::numeric_limits<double>::infinity();
 
 // ---- one run ----
 
@@ -162,11 +160,6 @@ Outcome run_ours(const Problem& problem, const Ours& ours, int seed, double seco
 }
 
 // ---- the table ----
-
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
 
 void print(const char* planner, const std::vector<Outcome>& outcomes) {
   std::vector<double> first, cost, rate;

@@ -14,11 +14,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "support/plans.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 
@@ -27,7 +27,6 @@ namespace {
 using namespace vandplan;
 
 constexpr double pi = std::numbers::pi;
-constexpr double endless = std::numeric_limits<double>::infinity();
 const char* const kinds[] = {"dock", "door", "gate", "crossing", "stopped"};
 
 double seconds() {
@@ -142,7 +141,7 @@ Scenario world(std::size_t kind, std::uint64_t seed) {
 }
 
 double cost_of(const PlanResult& result) {
-  return result.path ? result.cost + 2 * result.speeds->duration : endless;
+  return result.path ? result.cost + 2 * result.speeds->duration : never;
 }
 
 PlanResult planned(const Scenario& scenario, std::int64_t iterations, std::uint64_t seed) {
@@ -150,11 +149,6 @@ PlanResult planned(const Scenario& scenario, std::int64_t iterations, std::uint6
   options.budget.max_iterations = iterations;
   options.budget.seed = seed;
   return plan(scenario, options);
-}
-
-double quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 }  // namespace
@@ -185,7 +179,7 @@ int main(int argc, char** argv) {
       }
       const double begin = seconds();
       (void)planned(scenario, std::max<std::int64_t>(first, 1), 1);
-      const double time = result.path ? seconds() - begin : endless;
+      const double time = result.path ? seconds() - begin : never;
       first_times.push_back(time);
       excesses.push_back(excess);
       all_crumbs += crumbs;

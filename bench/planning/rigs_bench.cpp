@@ -9,12 +9,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "support/plans.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
@@ -24,7 +24,6 @@
 namespace vandplan {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
 /// One problem and the prices that it is planned under.
@@ -33,12 +32,6 @@ struct Case {
   Problem problem;
   CostOptions cost;
 };
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return never;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
 
 Pose any_pose(double side, Rng& rng) {
   return {uniform(-side, side, rng), uniform(-side, side, rng), uniform(-pi, pi, rng)};
