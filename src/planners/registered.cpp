@@ -15,6 +15,13 @@
 namespace vandplan::planning {
 namespace {
 
+/// A path that is known counts where nothing moves.
+PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
+                              const anytime::Given& given) {
+  return task.moving.empty() ? anytime::plan_anytime(task, options, given)
+                             : in_time::plan(task, options, given.sources);
+}
+
 Planner anytime_planner() {
   return {.name = "anytime",
           .summary = "lattice searches and random trees, each path shortened: the one to use",
@@ -31,8 +38,7 @@ Planner anytime_planner() {
                          .anytime = true},
           .options = {region_option(), anytime::min_stroke_option()},
           .function = [](const Task& task, const PlanOptions& options) {
-            return task.moving.empty() ? anytime::plan_anytime(task, options)
-                                       : in_time::plan(task, options);
+            return plan_by_default(task, options, {});
           }};
 }
 
@@ -57,9 +63,8 @@ Planner warm_started(const Path& path) {
   path::check_finite(path);
   Planner planner = default_planner();
   planner.function = [path](const Task& task, const PlanOptions& options) {
-    if (!task.moving.empty()) return in_time::plan(task, options);
     const Path known{to_local(*task.world, path.start), path.segments};
-    return anytime::plan_anytime(task, options, {.known = &known});
+    return planning::plan_by_default(task, options, {.known = &known});
   };
   return planner;
 }
@@ -75,8 +80,7 @@ Planner with_sources(std::vector<NamedSource> sources) {
   }
   Planner planner = default_planner();
   planner.function = [sources = std::move(sources)](const Task& task, const PlanOptions& options) {
-    return task.moving.empty() ? anytime::plan_anytime(task, options, {.sources = sources})
-                               : in_time::plan(task, options, sources);
+    return planning::plan_by_default(task, options, {.sources = sources});
   };
   return planner;
 }
