@@ -177,13 +177,15 @@ std::shared_ptr<Planner> planner_of(const py::tuple& state) {
 
 }  // namespace
 
+std::shared_ptr<const py::function> kept(const py::function& function) {
+  return {new py::function(function), [](const py::function* last) {
+            const py::gil_scoped_acquire lock;
+            delete last;
+          }};
+}
+
 PlannerFunction planner_function(const py::function& function) {
-  const std::shared_ptr<const py::function> kept(new py::function(function),
-                                                 [](const py::function* last) {
-                                                   const py::gil_scoped_acquire lock;
-                                                   delete last;
-                                                 });
-  return PythonFunction{kept};
+  return PythonFunction{kept(function)};
 }
 
 std::shared_ptr<const Planner> own_planner(const py::function& function) {

@@ -14,6 +14,9 @@ namespace vandplan::python {
 /// A planner that calls the function, without options of its own; its name is the function's.
 [[nodiscard]] std::shared_ptr<const Planner> own_planner(const pybind11::function& function);
 
+/// A function of Python that any thread may copy or let go: the last one takes Python's lock.
+[[nodiscard]] std::shared_ptr<const pybind11::function> kept(const pybind11::function& function);
+
 /// A function of Python as a planner's: takes Python's lock whenever it is called, copied or let
 /// go, so that any thread may do so.
 [[nodiscard]] PlannerFunction planner_function(const pybind11::function& function);

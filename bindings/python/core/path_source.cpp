@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/python/core/bind.h"
+#include "bindings/python/core/own_planner.h"
 #include "bindings/python/core/result.h"
 #include "bindings/python/core/task.h"
 #include "bindings/python/core/value.h"
@@ -75,18 +75,12 @@ class Generator final : public PathSource {
 std::shared_ptr<Planner> planner_with(const py::dict& sources, std::int64_t share) {
   std::vector<NamedSource> named;
   for (const auto& [name, make] : sources) {
-    const std::shared_ptr<const py::function> kept(new py::function(make.cast<py::function>()),
-                                                   [](const py::function* last) {
-                                                     const py::gil_scoped_acquire lock;
-                                                     delete last;
-                                                   });
-    named.push_back({.name = py::str(name),
-                     .make =
-                         [kept](const Task& task, const PlanOptions& options) {
-                           const py::gil_scoped_acquire lock;
-                           return std::make_unique<Generator>(*kept, task, options);
-                         },
-                     .share = share});
+    const auto begin = [function = kept(make.cast<py::function>())](const Task& task,
+                                                                    const PlanOptions& options) {
+      const py::gil_scoped_acquire lock;
+      return std::make_unique<Generator>(*function, task, options);
+    };
+    named.push_back({.name = py::str(name), .make = begin, .share = share});
   }
   auto planner = std::make_shared<Planner>(with_sources(std::move(named)));
   planner->function = SourcesFunction{std::move(planner->function)};
