@@ -25,16 +25,15 @@ struct LocalPath {
   std::vector<Segment> segments;
 };
 
-/// Proposes paths in one run. Calls come one after the other, from any thread of the run. For
-/// answers that repeat, what it does depends on the seed and on what it hears alone.
+/// Proposes paths in one run. Calls come one after the other, from any thread of the run. Answers
+/// repeat if what a source does depends on the seed and on what it hears alone.
 class PathSource {
  public:
   virtual ~PathSource() = default;
 
-  /// One iteration of the run: best some ten microseconds of work. A path may be proposed that
-  /// begins or ends elsewhere, or hits something: its nearest free relative is taken, if there is
-  /// one. None: it goes on with the next call. A number that is not finite ends the run with
-  /// InputError.
+  /// One iteration of the run, at best some ten microseconds of work: a path, or none yet. A path
+  /// may begin or end elsewhere, or hit something. The planner makes a free path of it that keeps
+  /// to its way, if it can. A number that is not finite ends the run with InputError.
   [[nodiscard]] virtual std::optional<LocalPath> propose() = 0;
 
   /// Whether another call may bring a path. If none of the planner's workers has work, the run
@@ -49,13 +48,14 @@ class PathSource {
 /// A source in its place.
 struct NamedSource {
   std::string name;
-  /// Makes the source for one run. Both outlive it; start and goal are free.
+  /// Makes the source for one run. The task and the options outlive the source; start and goal are
+  /// free.
   std::function<std::unique_ptr<PathSource>(const Task&, const PlanOptions&)> make;
   std::int64_t share = 16;  ///< iterations of a round; [1, 10000]; a quarter of it at first
 };
 
-/// The default planner, with sources of paths beside its own workers. Of sources no notice is taken
-/// with a trailer. Throws InputError for a source without `make` or with a share out of range.
+/// The default planner, with sources of paths beside its own workers. It ignores them with a
+/// trailer. Throws InputError for a source without `make` or with a share out of range.
 [[nodiscard]] Planner with_sources(std::vector<NamedSource> sources);
 
 }  // namespace vandplan

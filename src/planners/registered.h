@@ -12,8 +12,8 @@ namespace vandplan::planning {
 /// All of them, the default one first, in the order of the documentation.
 [[nodiscard]] std::vector<Planner> registered_planners();
 
-/// Those that the default one is compared with: the thesis' trees and others' methods. They are the
-/// folder `lab`, which nothing else of the library uses.
+/// The planners that the default one is compared with: the thesis' trees and others' methods. The
+/// folder `lab` has them, and nothing else of the library uses it.
 [[nodiscard]] std::vector<Planner> laboratory();
 
 }  // namespace vandplan::planning
