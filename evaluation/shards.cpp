@@ -72,13 +72,13 @@ bool ShardFilter::holds(const RunSpec& run) {
 }
 
 std::uint64_t ShardFilter::hash_of_shared(const RunSpec& run) {
-  const auto [known, is_new] =
-      known_.try_emplace({run.scenario, run.planner, run.region, run.options.identity()}, 0);
-  if (!is_new) return known->second;
+  const auto [known, is_new] = known_.try_emplace(
+      {run.scenario, run.planner, run.region, run.options.identity()}, Known{0, run.options});
+  if (!is_new) return known->second.hash;
   std::uint64_t hash = base::hash_of(campaign_.scenarios[run.scenario].scenario.scenario.name);
   hash = base::hash_of(campaign_.planners[run.planner].name, hash);
   hash = base::hash_of(name_of(run.region), hash);
-  return known->second = base::hash_of(options_to_json(*run.options), hash);
+  return known->second.hash = base::hash_of(options_to_json(*run.options), hash);
 }
 
 StoredShard stored_shard(const Campaign& campaign, int runs) {

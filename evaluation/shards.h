@@ -44,8 +44,13 @@ class ShardFilter {
   std::uint64_t hash_of_shared(const RunSpec& run);
 
   const Campaign& campaign_;
+  /// A hash, and the options that it is of: as long as they are kept nobody else has their address.
+  struct Known {
+    std::uint64_t hash;
+    SharedOptions options;
+  };
   // What many runs share is hashed once.
-  std::map<std::tuple<std::size_t, std::size_t, Region, const void*>, std::uint64_t> known_;
+  std::map<std::tuple<std::size_t, std::size_t, Region, const void*>, Known> known_;
 };
 
 /// What the store of the campaign's shard, with so many runs, says of itself.
