@@ -16,6 +16,9 @@ else()
   target_sources(vandplan_kernels PRIVATE simd/circle_kernels_plain.cpp simd/pair_kernels_plain.cpp)
 endif()
 vandplan_core_target(vandplan_kernels)
+# Counting the lines of each vector target would take minutes to compile, and no fuzz target is led by
+# them.
+vandplan_count_no_lines(vandplan_kernels)
 target_include_directories(vandplan_kernels PRIVATE ${PROJECT_SOURCE_DIR}/include)
 
 # Steering and tables: part of the core, and what its embedded tables are computed with.
