@@ -32,6 +32,7 @@ Json json_of_planner(const Planner& planner) {
                         {"search", properties.search},
                         {"tries_goal", properties.tries_goal},
                         {"honours_prices", properties.honours_prices},
+                        {"honours_gears", properties.honours_gears},
                         {"honours_trailers", properties.honours_trailers},
                         {"honours_threads", properties.honours_threads},
                         {"honours_target_gap", properties.honours_target_gap},

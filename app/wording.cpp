@@ -34,7 +34,8 @@ std::string with_unit(double value, std::span<const Unit> units) {
 }
 
 /// By what the cost was worked out.
-std::string name_of(const CostOptions& cost, const Vehicle& vehicle) {
+std::string name_of(CostOptions cost, const Vehicle& vehicle) {
+  cost.gears = AllowedGears::both;  // said by itself
   if (is_length(cost)) return "length alone";
   if (cost == driver_style) return "a driver's prices";
   if (cost != prices_of(Style::driver, vehicle)) return "prices";
@@ -69,8 +70,11 @@ std::string drive_text(const std::optional<DriveCheck>& check) {
 }
 
 std::string cost_text(double cost, const CostOptions& rule, const Vehicle& vehicle) {
-  if (rule.measure == CostMeasure::time) return "driven in " + seconds_text(cost);
-  return fmt::format("cost {} by {}", metres_text(cost), name_of(rule, vehicle));
+  const std::string only = rule.gears == AllowedGears::forward   ? ", forward only"
+                           : rule.gears == AllowedGears::reverse ? ", in reverse only"
+                                                                 : "";
+  if (rule.measure == CostMeasure::time) return "driven in " + seconds_text(cost) + only;
+  return fmt::format("cost {} by {}{}", metres_text(cost), name_of(rule, vehicle), only);
 }
 
 std::string no_path_text(const PlanResult& result) {

@@ -21,7 +21,7 @@ const byId = (id) => document.getElementById(id);
 export class Page {
   scene = null;
   history = new History();
-  settings = {}; // what driving costs, the margin and the steering
+  settings = {}; // what driving costs, the margin, gears and steering
   own = {}; // those that the scenario or somebody has set: all others are a driver's for the vehicle
   wanted = {}; // those that somebody has set
   result = null;
@@ -248,10 +248,11 @@ export class Page {
     this.changed('ends');
   }
 
-  /** Sets all settings; without any they are a driver's. */
+  /** Sets all settings but the gears; without any they are a driver's. */
   style(settings = {}) {
-    this.own = {...settings};
-    this.wanted = {...settings};
+    const {gears} = this.settings;
+    this.own = {...settings, gears};
+    this.wanted = {...settings, gears};
     this.settle();
     this.changed('ends');
   }

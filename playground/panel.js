@@ -5,14 +5,15 @@
 
 const byId = (id) => document.getElementById(id);
 
+const choices = ['gears', 'steering'];
 export const sliders = ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost', 'margin'];
 /** The settings among options. */
 export const settingsIn = (options) => ({
   ...(options.style === 'shortest' ? shortest : {}),
-  ...Object.fromEntries([...sliders, 'steering'].filter((key) => options[key] !== undefined).map((key) => [key, options[key]])),
+  ...Object.fromEntries([...sliders, ...choices].filter((key) => options[key] !== undefined).map((key) => [key, options[key]])),
 });
 /** A driver's settings with these prices. */
-export const driverOf = (prices) => ({...settingsIn(prices), margin: 0, steering: 'continuous-between-stops'});
+export const driverOf = (prices) => ({...settingsIn(prices), margin: 0, gears: 'both', steering: 'continuous-between-stops'});
 export const shortest = {gear_change_cost: 0, reverse_weight: 1, clearance_weight: 0, curvature_change_cost: 0, margin: 0, steering: 'reeds-shepp'};
 
 const words = {
@@ -127,7 +128,7 @@ export function fillSettings(settings) {
     byId(key).value = settings[key];
     shown(byId(key), settings[key]);
   }
-  byId('steering').value = settings.steering;
+  for (const key of choices) byId(key).value = settings[key];
 }
 
 /** Calls `changed(key, value)` for each slider and choice. */
@@ -138,7 +139,7 @@ export function listen(changed) {
       changed(key, Number(target.value));
     });
   }
-  for (const key of ['steering', 'planner', 'vehicle']) {
+  for (const key of [...choices, 'planner', 'vehicle']) {
     byId(key).addEventListener('change', ({target}) => changed(key, target.value));
   }
 }
@@ -146,6 +147,7 @@ export function listen(changed) {
 /** Which settings the planner honours: others cannot be set. */
 export function enable(info) {
   for (const key of sliders) if (key !== 'margin') byId(key).disabled = !info.honours_prices;
+  byId('gears').disabled = !info.honours_gears;
   byId('steering').disabled = !info.honours_steering;
 }
 

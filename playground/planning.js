@@ -52,6 +52,8 @@ export function queryOf(scene, settings, info, time) {
   } else {
     for (const key of ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost', 'clearance_distance', 'style']) delete options[key];
   }
+  if (info.honours_gears) options.gears = settings.gears;
+  else delete options.gears;
   if (info.honours_steering && !scene.vehicle.trailers) options.steering = settings.steering;
   else delete options.steering;
   return {planner: info.name, options, start: scene.start, goal: scene.goal, vehicle: scene.vehicle};

@@ -116,6 +116,9 @@ export interface Path {
   segments: Segment[];
 }
 
+/** Which gears may be driven at all. */
+export type Gears = 'both' | 'forward' | 'reverse';
+
 /**
  * Any key of `vandplan plan --set`, such as margin, gear_change_cost, steering, style, keep_tree. Prices that are not set
  * are a driver's in a truck; they shrink with a vehicle that turns on less than 7 m.
@@ -125,17 +128,20 @@ export interface PlanOptions {
   max_iterations?: number | null;
   seed?: number;
   margin?: number;
+  forward_weight?: number;
   reverse_weight?: number;
   gear_change_cost?: number;
   curvature_change_cost?: number;
   clearance_weight?: number;
   steering?: 'reeds-shepp' | 'continuous-between-stops' | 'continuous';
   style?: 'driver' | 'shortest';
+  gears?: Gears;
   [key: string]: number | string | boolean | null | undefined;
 }
 
 /** What driving costs: docs/algorithms/anytime.md#styles. */
 export interface Prices {
+  forward_weight: number;
   reverse_weight: number;
   /** Of one gear change [m]. */
   gear_change_cost: number;
@@ -204,6 +210,7 @@ export interface PlannerInfo {
   family: string;
   estimate: string;
   honours_prices: boolean;
+  honours_gears: boolean;
   honours_steering: boolean;
   /** Whether it proves that no path costs less than its bound. */
   proves: boolean;
@@ -214,6 +221,8 @@ export interface Claims {
   margin?: number;
   margin_ramp?: number;
   steering?: string;
+  /** 'both' (usual), 'forward' or 'reverse': a metre in another gear is a fault. */
+  gears?: Gears;
 }
 
 /** Another start, goal or vehicle than the scenario's. */

@@ -51,6 +51,8 @@ struct PathClaims {
   /// `max_curvature_rate` of the vehicle per metre; if nowhere, it is that of the problem at both
   /// ends.
   Steering steering = Steering::reeds_shepp;
+  /// In which gears it is driven: a metre in another one is a fault.
+  AllowedGears gears = AllowedGears::both;
   std::optional<double> start_hitch_angle = {};  ///< [rad]
   /// From end to end, at most 0.1 m apart, in the frame of the path; none: nothing is said.
   std::vector<StatedPose> poses = {};
@@ -89,12 +91,12 @@ struct PathCheck {
 };
 
 /// Judges a path in the scenario's frame, in this order: every number is finite, it
-/// begins at the start, every curvature is drivable, the wheels turn as is claimed, the rear axle
-/// stays in the bounds, the footprint touches no obstacle and no blocked cell and the wheels no
-/// kerb, both of the vehicle and of its trailer, whose hitch angle stays within its limit (looked
-/// at every millimetre that a point of the vehicle moves, skipping only what is proven to be free),
-/// they keep the margin that is claimed, it ends at the goal within 1e-6 m and 1e-6 rad, and what
-/// is claimed is true.
+/// begins at the start, every curvature is drivable, the wheels turn and the gears are as is
+/// claimed, the rear axle stays in the bounds, the footprint touches no obstacle and no blocked
+/// cell and the wheels no kerb, both of the vehicle and of its trailer, whose hitch angle stays
+/// within its limit (looked at every millimetre that a point of the vehicle moves, skipping only
+/// what is proven to be free), they keep the margin that is claimed, it ends at the goal within
+/// 1e-6 m and 1e-6 rad, and what is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});
 

@@ -48,6 +48,19 @@ inline constexpr double default_time_limit = 1.0;
 /// What the vehicle drove last before it stands at the start.
 enum class InitialGear { any, forward, reverse };
 
+/// Which gears may be driven at all.
+enum class AllowedGears : std::uint8_t {
+  both,
+  forward,  ///< no metre in reverse: the car of Dubins
+  reverse,  ///< no metre forward
+};
+
+/// "both", "forward" or "reverse".
+[[nodiscard]] std::string_view name_of(AllowedGears gears) noexcept;
+
+/// The gears of that name. Throws InputError for another one.
+[[nodiscard]] AllowedGears gears_named(std::string_view name);
+
 /// What the cost of a path is.
 enum class CostMeasure : std::uint8_t {
   prices,  ///< metres, each at its price, and what changes of gear and curvature cost [m]
@@ -57,6 +70,7 @@ enum class CostMeasure : std::uint8_t {
 /// What driving costs. A price that is not set is that of the style in force (see `PlanOptions`).
 /// `complete` sets all prices. Where the cost is the time, no price may be set.
 struct CostOptions {
+  std::optional<double> forward_weight = {};    ///< cost of a metre forward [m]; [1, 1000]
   std::optional<double> reverse_weight = {};    ///< cost of a metre in reverse [m]; [1, 1000]
   std::optional<double> gear_change_cost = {};  ///< cost of one gear change [m]; [0, 10000]
   /// Cost of turning the wheels [m per 1/m]; [0, 10000].
@@ -67,19 +81,23 @@ struct CostOptions {
   std::optional<double> clearance_distance = {};  ///< [m]; [0.01, 1000]
   InitialGear initial_gear = InitialGear::any;    ///< driven before the start; any: free choice
   CostMeasure measure = CostMeasure::prices;      ///< `time`: nothing of the above matters
+  /// A metre in another gear costs infinitely much, whatever the measure is: no path has one.
+  AllowedGears gears = AllowedGears::both;
   bool operator==(const CostOptions&) const = default;
 };
 
 /// What a driver minds in a truck that turns on 7 m: reversing, changing gear, turning the wheels,
 /// driving close to things. `prices_of` fits it to others. Reasons: docs/algorithms/anytime.md.
-inline constexpr CostOptions driver_style = {.reverse_weight = 2.0,
+inline constexpr CostOptions driver_style = {.forward_weight = 1.0,
+                                             .reverse_weight = 2.0,
                                              .gear_change_cost = 5.0,
                                              .curvature_change_cost = 5.0,
                                              .clearance_weight = 2.0,
                                              .clearance_distance = 1.0};
 
 /// The cost is the length and nothing else.
-inline constexpr CostOptions shortest_style = {.reverse_weight = 1.0,
+inline constexpr CostOptions shortest_style = {.forward_weight = 1.0,
+                                               .reverse_weight = 1.0,
                                                .gear_change_cost = 0.0,
                                                .curvature_change_cost = 0.0,
                                                .clearance_weight = 0.0,

@@ -33,6 +33,7 @@ struct PlannerProperties {
   std::string search = {};        ///< its name without the estimate; empty if it takes none
   bool tries_goal = false;        ///< tries the goal from every new node
   bool honours_prices = false;    ///< CostOptions; else its cost is the length
+  bool honours_gears = false;     ///< `CostOptions::gears`
   Style style = Style::shortest;  ///< what it minimises when no style and price is set
   /// Steering of a vehicle without a trailer when none is set; none: that of the style.
   std::optional<Steering> steering = {};

@@ -91,8 +91,8 @@ using GearSign = int;
 
 /// Prices of driving: metres, weighted by gear, a price for each gear change, and one for turning
 /// the wheels; charged alike inside a piece, at the joint of two pieces and (gears) at the start.
-/// Neutral values make the cost the length. docs/algorithms/anytime.md says what is optimal under
-/// it.
+/// Neutral values make the cost the length. A gear that may not be driven has an infinite weight.
+/// docs/algorithms/anytime.md says what is optimal under it.
 struct CostRule {
   double forward_weight = 1.0;         ///< per metre driven forward; >= 1
   double reverse_weight = 1.0;         ///< per metre driven in reverse; >= 1
@@ -107,6 +107,18 @@ struct CostRule {
     return forward_weight == 1.0 && reverse_weight == 1.0 && gear_change_cost == 0.0 &&
            curvature_change_cost == 0.0 && clearance_weight == 0.0;
   }
+  /// What a metre costs in a gear, apart from what being near things adds.
+  [[nodiscard]] double weight(GearSign gear) const {
+    return gear > 0 ? forward_weight : reverse_weight;
+  }
+  /// Whether a gear may be driven.
+  [[nodiscard]] bool allows(GearSign gear) const {
+    return weight(gear) < std::numeric_limits<double>::infinity();
+  }
+  /// Whether both gears may be driven.
+  [[nodiscard]] bool allows_both() const { return allows(1) && allows(-1); }
+  /// The one gear that may be driven; 0: both may.
+  [[nodiscard]] GearSign only_gear() const { return allows_both() ? 0 : allows(1) ? 1 : -1; }
 };
 
 /// How the vehicle drives just before or after a place, as far as it matters for what going on
@@ -124,6 +136,12 @@ struct Driven {
 /// The prices of complete options. A price that is not set counts as in `shortest_style`.
 [[nodiscard]] CostRule cost_rule(const CostOptions& options);
 
+/// The rule, with an infinite weight for a gear that is not allowed.
+[[nodiscard]] CostRule restricted(CostRule rule, AllowedGears gears);
+
+/// The rule by which a path costs its length, in the gears that the other rule allows.
+[[nodiscard]] CostRule length_rule(const CostRule& rule);
+
 [[nodiscard]] inline GearSign gear_of(const Segment& segment) {
   return segment.length < 0.0 ? -1 : 1;
 }
@@ -131,6 +149,9 @@ struct Driven {
 [[nodiscard]] Driven first_driven(const Piece& piece);
 [[nodiscard]] Driven last_driven(const Piece& piece);
 [[nodiscard]] Driven last_driven(const Segment& segment);
+
+/// Whether the rule allows the gears in which the segments are driven.
+[[nodiscard]] bool may_drive(const CostRule& rule, std::span<const Segment> segments);
 
 /// Price of going on as `to` after `from`: of a gear change, and of turning the wheels [m].
 [[nodiscard]] double change_cost(const CostRule& rule, const Driven& from, const Driven& to);

@@ -126,6 +126,7 @@ void read_price(const Document& file, const Node& node, const char* key,
 /// What the path is held to; the length alone where a file names no price.
 void read_options(const Document& file, const Node& node, PlanOptions& options) {
   CostOptions& cost = options.cost;
+  read_price(file, node, "forward_weight", cost.forward_weight);
   read_price(file, node, "reverse_weight", cost.reverse_weight);
   read_price(file, node, "gear_change_cost", cost.gear_change_cost);
   read_price(file, node, "curvature_change_cost", cost.curvature_change_cost);
@@ -152,6 +153,14 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
       file.fail(*measure, fmt::format("is \"{}\", expected prices or time", word));
     }
     cost.measure = word == "time" ? CostMeasure::time : CostMeasure::prices;
+  }
+  if (const Node* const gears = file.find(node, "gears")) {
+    const std::string& word = file.text(*gears);
+    try {
+      cost.gears = gears_named(word);
+    } catch (const InputError& error) {
+      file.fail(*gears, error.problem());
+    }
   }
   const Node* const steering = file.find(node, "steering");
   if (steering != nullptr && steering->kind != Node::Kind::nothing) {
@@ -231,6 +240,7 @@ void read_rules(const Document& file, const Node& node, ResultRecord& record) {
   record.result.rule = record.options.cost;
   record.claims.clearance = record.options.clearance;
   record.claims.steering = record.options.steering.value_or(Steering::reeds_shepp);
+  record.claims.gears = record.options.cost.gears;
 }
 
 Hit hit_from(const Document& file, const Node& node) {

@@ -38,7 +38,9 @@ double cost_of(const Track& track, double near, const CostOptions& stated) {
   int changes = track.gear_changes;
   const Real first = track.stretches[0].direction;
   if (track.length > 0 && direction_of(rule.initial_gear) * first < 0) ++changes;
-  return static_cast<double>(track.length + (*rule.reverse_weight - 1) * track.reverse_length +
+  const Real ahead = track.length - track.reverse_length;
+  return static_cast<double>(*rule.forward_weight * ahead +
+                             *rule.reverse_weight * track.reverse_length +
                              *rule.gear_change_cost * changes +
                              *rule.curvature_change_cost * track.curvature_change + near);
 }

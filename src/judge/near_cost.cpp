@@ -103,7 +103,7 @@ double near_cost(std::span<const Body> bodies, const CostOptions& stated) {
         std::max<Real>(std::min<Real>(usual, track.length / least_looks * fewest_looks / looks),
                        track.length / most_looks);
     Integral integral(bodies, rule, swing, step);
-    const Real weight = stretch.direction > 0 ? 1.0 : *rule.reverse_weight;
+    const Real weight = stretch.direction > 0 ? *rule.forward_weight : *rule.reverse_weight;
     sum += weight * integral.over(i, 0, stretch.length);
   }
   return static_cast<double>(*rule.clearance_weight * sum);

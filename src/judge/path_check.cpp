@@ -246,12 +246,27 @@ std::optional<Fault> too_near(const Track& track, const Bodies& bodies,
                place, hit};
 }
 
+/// The first metre that is driven in a gear that may not be driven.
+std::optional<Fault> wrong_gear(const Track& track, AllowedGears allowed) {
+  if (allowed == AllowedGears::both) return std::nullopt;
+  const Real wanted = allowed == AllowedGears::forward ? 1 : -1;
+  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+    const Stretch& stretch = track.stretches[i];
+    if (stretch.direction == wanted || !(stretch.length > 0)) continue;
+    return Fault{text("the vehicle is driven %s, the allowed gears are: %s",
+                      wanted > 0 ? "in reverse" : "forward", std::string(name_of(allowed)).c_str()),
+                 Place{i, 0}};
+  }
+  return std::nullopt;
+}
+
 /// What is looked at: the trailer, if there is one, hangs on the track.
 std::optional<Fault> first_fault(const Task& task, const Track& track, const Trailing* trailing,
                                  const PathClaims& claims, std::optional<double>& least) {
   if (auto f = off_pose(track.stretches[0].start, task.start, "begins", {0, 0})) return f;
   if (auto f = too_tight(track, task.vehicle.min_turning_radius)) return f;
   if (auto f = false_steering(track, task, claims.steering)) return Fault{f->reason, f->place};
+  if (auto f = wrong_gear(track, claims.gears)) return f;
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
   const std::shared_ptr<const Ground> ground = ground_of(*task.world);
   Bodies bodies{{track, *ground, outlines_of(task.vehicle)}};

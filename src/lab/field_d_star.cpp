@@ -14,6 +14,7 @@
 
 #include "base/trigonometry.h"
 #include "lab/cost_field.h"
+#include "planners/anytime/open_ground.h"
 #include "planners/shared_options.h"
 #include "vandplan/random.h"
 #include "vandplan/search.h"
@@ -118,7 +119,7 @@ class Run {
         options_(options),
         budget_(options.budget),
         rng_(options.budget.seed),
-        connector_(task),
+        connector_(task, length_rule(cost_rule(options.cost))),
         cost_(task, options.planner.number("near_weight")),
         spacing_(options.planner.number("spacing") * task.vehicle.min_turning_radius),
         most_cells_(static_cast<double>(options.planner.integer("max_cells"))),
@@ -160,7 +161,10 @@ bool Run::try_directly() {
   if (!direct) return false;
   answer_.status = PlanStatus::solved;
   answer_.segments = merged(direct->piece.view());
-  answer_.lower_bound = direct->cost;
+  const CostRule& rule = connector_.rule();
+  answer_.lower_bound = rule.is_length()
+                            ? direct->cost
+                            : anytime::least_cost(anytime::open_ground(task_, rule), rule, 0.0);
   answer_.anytime.push_back({budget_.elapsed(), 0, direct->cost});
   if (options_.planner.flag("keep_tree"))
     answer_.tree = TreeSnapshot{{task_.start, task_.goal}, {-1, 0}};
@@ -326,7 +330,10 @@ PlannerAnswer Run::plan() {
 Planner planner() {
   return {.name = "field-d-star",
           .summary = "route by Field D*, driven along through poses beside it",
-          .properties = {.family = "field-d-star", .anytime = true, .groups = {"family"}},
+          .properties = {.family = "field-d-star",
+                         .honours_gears = true,
+                         .anytime = true,
+                         .groups = {"family"}},
           .options = {{.name = "cell",
                        .summary = "side of the first field's cells [m]",
                        .standard = 1.0,

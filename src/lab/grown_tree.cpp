@@ -25,7 +25,7 @@ GrownTree::GrownTree(const Task& task, const PlanOptions& options, Estimate esti
     : task_(task),
       max_nodes_(static_cast<std::size_t>(options.planner.integer("max_nodes"))),
       profile_(options.planner.flag("profile")),
-      connector_(task, {}, profile_),
+      connector_(task, search::length_rule(search::cost_rule(options.cost)), profile_),
       tree_(task.start, max_nodes_),
       ranking_(tree_, connector_.radius(), max_nodes_, estimate, by),
       ranking_time_(profile_),
@@ -75,7 +75,7 @@ std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const RigState& to,
   ++rig_solves_;
   const std::optional<Piece> piece = rig_->steer(state(node), to);
   rig_steering_time_.stop();
-  if (!piece) return std::nullopt;
+  if (!piece || !search::may_drive(connector_.rule(), piece->view())) return std::nullopt;
   const double cost = tree_.cost_to_come(node) + piece->length;
   if (cost >= cutoff) return std::nullopt;
   rig_checking_time_.start();

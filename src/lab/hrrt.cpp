@@ -156,6 +156,7 @@ Planner planner(Selection selection) {
                .summary = "RRT that grows from nodes on good paths: the nearest, if it is good",
                .properties = {.family = "hrrt",
                               .strategy = "nearest",
+                              .honours_gears = true,
                               .honours_steering = true,
                               .anytime = true,
                               .groups = {"family"}},

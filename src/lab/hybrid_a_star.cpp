@@ -14,6 +14,7 @@
 #include "base/trigonometry.h"
 #include "lab/cell_costs.h"
 #include "lab/voronoi_field.h"
+#include "planners/anytime/open_ground.h"
 #include "planners/anytime/shorten.h"
 #include "planners/shared_options.h"
 #include "search/route.h"
@@ -179,6 +180,12 @@ class Search {
     if (!answer.segments || !estimate_.is_admissible) return;
     const double least = is_shortest_ ? found_.cost : estimate_.length(task_.start);
     answer.lower_bound = std::isfinite(least) ? least * (1 - rounding) : 0.0;
+    const CostRule& rule = connector_.rule();
+    if (rule.allows_both()) return;
+    // A path may end beside the goal, as the judge allows, and be shorter by that.
+    const double leeway = anytime::open_ground(task_, rule).leeway;
+    answer.lower_bound =
+        std::max(std::min(answer.lower_bound, estimate_.length(task_.start)) - leeway, 0.0);
   }
 
  private:
@@ -218,6 +225,7 @@ class Search {
     for (const double curvature : {1 / connector_.radius(), 0.0, -1 / connector_.radius()}) {
       for (const double length : {step, -step}) {
         const Segment segment{curvature, length};
+        if (!connector_.rule().allows(gear_of(segment))) continue;
         steps_[static_cast<std::size_t>(halvings)].push_back({segment, advance(Pose{}, segment)});
       }
     }

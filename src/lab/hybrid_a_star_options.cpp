@@ -65,7 +65,10 @@ std::vector<OptionInfo> options() {
 Planner planner() {
   return {.name = "hybrid-a-star",
           .summary = "cells of position and heading with a continuous pose each, exact end",
-          .properties = {.family = "hybrid-a-star", .honours_prices = true, .groups = {"family"}},
+          .properties = {.family = "hybrid-a-star",
+                         .honours_prices = true,
+                         .honours_gears = true,
+                         .groups = {"family"}},
           .options = options(),
           .function = plan};
 }

@@ -64,6 +64,7 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
                                  .estimate = ranking.property,
                                  .search = search,
                                  .tries_goal = tries_goal,
+                                 .honours_gears = true,
                                  .honours_steering = true,
                                  .honours_trailers = true,
                                  .anytime = true},

@@ -10,6 +10,7 @@
 #include "base/trigonometry.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/search.h"
 
 namespace vandplan::search {
 namespace {
@@ -33,16 +34,37 @@ std::shared_ptr<const Primitives> scaled(const Primitives& unit, double radius) 
       unit.step() * radius, std::vector<double>(headings.begin(), headings.end()), std::move(all));
 }
 
+/// The primitives that are driven in the allowed gears alone. Throws InputError naming "primitives"
+/// if there is none.
+std::shared_ptr<const Primitives> driven_in(const Primitives& primitives, AllowedGears gears) {
+  const CostRule rule = restricted({}, gears);
+  std::vector<Primitive> all(primitives.all().begin(), primitives.all().end());
+  std::erase_if(all, [&](const Primitive& p) { return !may_drive(rule, p.piece.view()); });
+  const auto headings = primitives.headings();
+  return std::make_shared<const Primitives>(
+      primitives.step(), std::vector<double>(headings.begin(), headings.end()), std::move(all));
+}
+
+/// For a turning radius of 1 m, made once.
+std::shared_ptr<const Primitives> unit_primitives(AllowedGears gears) {
+  static const std::shared_ptr<const Primitives> both = make_primitives(1.0);
+  static const auto forward = driven_in(*both, AllowedGears::forward);
+  static const auto reverse = driven_in(*both, AllowedGears::reverse);
+  return gears == AllowedGears::both ? both : gears == AllowedGears::forward ? forward : reverse;
+}
+
 }  // namespace
 
-LatticeParts standard_lattice(const Task& task, const std::function<bool()>& is_interrupted) {
-  static const std::shared_ptr<const Primitives> unit = make_primitives(1.0);
+LatticeParts standard_lattice(const Task& task, const std::function<bool()>& is_interrupted,
+                              AllowedGears gears) {
+  const std::shared_ptr<const Primitives> unit = unit_primitives(gears);
   const double radius = task.vehicle.min_turning_radius;
-  return {scaled(*unit, radius), table_of(*unit, is_interrupted), radius};
+  return {scaled(*unit, radius), table_of(*unit, is_interrupted), radius, gears};
 }
 
 LatticeParts given_lattice(const Task& task, std::shared_ptr<const Primitives> primitives,
-                           const std::function<bool()>& is_interrupted) {
+                           const std::function<bool()>& is_interrupted, AllowedGears gears) {
+  if (gears != AllowedGears::both) primitives = driven_in(*primitives, gears);
   const double sharpest = 1 / primitives->largest_curvature();
   const double radius = task.vehicle.min_turning_radius;
   if (sharpest < radius * (1 - rounding)) {
@@ -51,7 +73,7 @@ LatticeParts given_lattice(const Task& task, std::shared_ptr<const Primitives> p
                                        std::to_string(radius) + " m");
   }
   std::shared_ptr<const LatticeTable> table = table_of(*primitives, is_interrupted);
-  return {std::move(primitives), std::move(table), 1.0};
+  return {std::move(primitives), std::move(table), 1.0, gears};
 }
 
 LatticeGraph::LatticeGraph(const Task& task, LatticeParts parts)
@@ -114,10 +136,12 @@ std::vector<Joint> LatticeGraph::joints(const Pose& start) const {
   // From a vertex to the start it is as far as from the start to the vertex.
   std::vector<float> lengths(vertices.size());
   reeds_shepp_lengths({x, y, heading}, Pose{}, radius_, lengths);
+  const CostRule rule = restricted({}, parts_.gears);
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (static_cast<double>(lengths[i]) > longest) continue;
-    joints.push_back({vertices[i], reeds_shepp(start, pose_of(vertices[i]), radius_)});
+    const Piece piece = reeds_shepp(start, pose_of(vertices[i]), radius_);
+    if (may_drive(rule, piece.view())) joints.push_back({vertices[i], piece});
   }
   return joints;
 }

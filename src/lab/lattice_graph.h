@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lab/lattice_table.h"
+#include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::search {
@@ -22,18 +23,21 @@ struct LatticeParts {
   std::shared_ptr<const Primitives> primitives;
   std::shared_ptr<const LatticeTable> table;  ///< null if making it was interrupted
   double table_scale = 1.0;                   ///< a length of the table in metres
+  AllowedGears gears = AllowedGears::both;    ///< in which the primitives are driven
 };
 
-/// The primitives of `make_primitives` for the vehicle; they and their table are computed once in a
-/// process, for radius 1.
+/// The primitives of `make_primitives` for the vehicle, those in the allowed gears; they and their
+/// table are computed once in a process, for radius 1.
 [[nodiscard]] LatticeParts standard_lattice(const Task& task,
-                                            const std::function<bool()>& is_interrupted);
+                                            const std::function<bool()>& is_interrupted,
+                                            AllowedGears gears = AllowedGears::both);
 
-/// Given primitives. Throws InputError naming "primitives" when they turn more sharply than the
-/// vehicle can.
+/// Given primitives, those in the allowed gears. Throws InputError naming "primitives" when they
+/// turn more sharply than the vehicle can, or when there is none.
 [[nodiscard]] LatticeParts given_lattice(const Task& task,
                                          std::shared_ptr<const Primitives> primitives,
-                                         const std::function<bool()>& is_interrupted);
+                                         const std::function<bool()>& is_interrupted,
+                                         AllowedGears gears = AllowedGears::both);
 
 /// A piece from the start to a vertex.
 struct Joint {

@@ -46,8 +46,10 @@ Guide guide_of(const Task& task, const PlanOptions& options, const LatticeGraph&
 
 Ground ground_of(const Task& task, const PlanOptions& options, const Budget& budget) {
   const auto is_interrupted = [&] { return budget.is_interrupted(); };
-  LatticeParts parts = options.primitives ? given_lattice(task, options.primitives, is_interrupted)
-                                          : standard_lattice(task, is_interrupted);
+  const AllowedGears gears = options.cost.gears;
+  LatticeParts parts = options.primitives
+                           ? given_lattice(task, options.primitives, is_interrupted, gears)
+                           : standard_lattice(task, is_interrupted, gears);
   if (parts.table == nullptr) return {};
   Ground ground{std::make_unique<const LatticeGraph>(task, std::move(parts)), {}};
   ground.guide = guide_of(task, options, *ground.graph);

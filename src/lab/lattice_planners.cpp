@@ -8,11 +8,13 @@
 namespace vandplan::lattice {
 namespace {
 
+/// The vehicle of LTBA* drives while it searches, and backs out of what it has driven in vain.
 Planner planner(const char* name, const char* summary, std::vector<OptionInfo> options,
                 PlannerAnswer (*function)(const Task&, const PlanOptions&)) {
   return {.name = name,
           .summary = summary,
           .properties = {.family = name,
+                         .honours_gears = function != plan_ltba_star,
                          .honours_primitives = true,
                          .anytime = true,
                          .groups = {"family"}},

@@ -44,7 +44,8 @@ class Trees {
   Trees(const Task& task, const PlanOptions& options)
       : max_nodes_(static_cast<std::size_t>(options.planner.integer("max_nodes"))),
         profile_(options.planner.flag("profile")),
-        connector_(task, {}, profile_),
+        connector_(task, length_rule(cost_rule(options.cost)), profile_),
+        back_(task, reversed(connector_.rule(), 0), profile_),
         range_(options.planner.number("range") * connector_.radius()),
         ranking_time_(profile_),
         sides_{Side(task.start, connector_.radius(), false),
@@ -62,7 +63,8 @@ class Trees {
     nearest_solves_ += solves;
     if (length == 0.0) return Reached{near, to, true, length};
     std::optional<LocalPose> end = to;
-    if (length > range_) end = planning::part_way(connector_, side.tree.pose(near), to, range_);
+    Connector& outward = side.is_goal ? back_ : connector_;
+    if (length > range_) end = planning::part_way(outward, side.tree.pose(near), to, range_);
     if (!end) return std::nullopt;
     const auto node = add(side, near, *end);
     return node ? std::optional(Reached{*node, *end, *end == to, length}) : std::nullopt;
@@ -97,11 +99,11 @@ class Trees {
 
   // What was counted and measured, and both trees if they are wanted.
   void report(const PlanOptions& options, PlannerAnswer& answer) const {
-    answer.counters = planning::counters_of(order_.size(), connector_.solves() + nearest_solves_,
-                                            connector_.checks());
+    const std::int64_t solves = connector_.solves() + back_.solves() + nearest_solves_;
+    answer.counters = planning::counters_of(order_.size(), solves, connector_.checks());
     if (profile_) {
       answer.phases = {{"ranking", ranking_time_.seconds()},
-                       {"steering", connector_.steering_time()},
+                       {"steering", connector_.steering_time() + back_.steering_time()},
                        {"checking", connector_.checking_time()}};
     }
     if (!options.planner.flag("keep_tree")) return;
@@ -133,7 +135,8 @@ class Trees {
   std::size_t max_nodes_;
   bool profile_;
   Connector connector_;
-  double range_;  // [m]
+  Connector back_;  // from poses of the tree of the goal outwards, driven backwards
+  double range_;    // [m]
   PhaseTimer ranking_time_;
   std::int64_t nearest_solves_ = 0;
   std::array<Side, 2> sides_;
@@ -185,7 +188,10 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
 Planner planner() {
   return {.name = "rrt-connect",
           .summary = "two RRTs, from start and goal, until they meet: the first path soon",
-          .properties = {.family = "rrt-connect", .honours_steering = true, .groups = {"family"}},
+          .properties = {.family = "rrt-connect",
+                         .honours_gears = true,
+                         .honours_steering = true,
+                         .groups = {"family"}},
           .options = {planning::region_option(), planning::range_option(10.0),
                       planning::max_nodes_option(100'000), planning::keep_tree_option(),
                       planning::profile_option()},

@@ -33,10 +33,10 @@ Sample Sampler::next(const Bounds& box) {
 
 std::optional<Connection> edge_between(Connector& connector, const LocalPose& from,
                                        const LocalPose& to, double cost_so_far, double cutoff) {
-  // An edge is steered again in the end: a continuous piece is the same one if both times nothing
-  // cuts the search for it short.
-  const double limit =
-      connector.continuous() != nullptr ? std::numeric_limits<double>::infinity() : cutoff;
+  // An edge is steered again in the end: a piece that is chosen among words is the same one if both
+  // times nothing cuts the search for it short.
+  const bool is_shortest = connector.continuous() == nullptr && connector.rule().is_length();
+  const double limit = is_shortest ? cutoff : std::numeric_limits<double>::infinity();
   std::optional<Connection> edge = connector.connect(from, to, {cost_so_far, limit, {}});
   if (edge && edge->cost >= cutoff) edge.reset();
   return edge;

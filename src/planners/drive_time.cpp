@@ -29,9 +29,11 @@ double drive_time(const Task& task, std::span<const Segment> segments) {
   return speed_profile(path, task.vehicle, {.start_curvature = task.curvatures.start}).duration;
 }
 
-double least_drive_time(const Vehicle& vehicle, double length) {
+double least_drive_time(const Vehicle& vehicle, const search::CostRule& prices, double length) {
   const DrivingLimits& limits = vehicle.limits;
-  const double top = top_speed(limits);
+  const double top = !prices.allows(-1)  ? limits.max_speed.forward
+                     : !prices.allows(1) ? limits.max_speed.reverse
+                                         : top_speed(limits);
   // Gaining a speed v and losing it takes the time v slowness, and the way v^2 slowness / 2.
   const double slowness = 1 / limits.max_acceleration + 1 / braking_of(limits);
   const double v = std::min(top, std::sqrt(2 * length / slowness));

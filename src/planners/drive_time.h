@@ -14,9 +14,10 @@ namespace vandplan::planning {
 /// How long the fastest drive from the start along the segments takes [s].
 [[nodiscard]] double drive_time(const Task& task, std::span<const Segment> segments);
 
-/// What no drive of so many metres or more takes less than [s]: at the higher of both speeds, but
-/// for gaining and losing it at the ends.
-[[nodiscard]] double least_drive_time(const Vehicle& vehicle, double length);
+/// What no drive of so many metres or more takes less than [s]: at the highest speed of the gears
+/// that the prices allow, but for gaining and losing it at the ends.
+[[nodiscard]] double least_drive_time(const Vehicle& vehicle, const search::CostRule& prices,
+                                      double length);
 
 /// Prices under which a path costs about the metres that the vehicle could have driven at its
 /// higher speed in the time that the path takes. Stops and turning wheels take time; how much is

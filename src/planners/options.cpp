@@ -18,6 +18,7 @@ namespace {
 constexpr std::string_view style_key = "style";
 constexpr std::string_view steering_key = "steering";
 constexpr std::string_view cost_key = "cost";
+constexpr std::string_view gears_key = "gears";
 constexpr std::string_view primitives_key = "primitives";
 
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
@@ -31,7 +32,7 @@ const CommonOption* common_option(std::string_view name) {
 }
 
 bool is_price(std::string_view option) {
-  return option == "reverse_weight" || option == "gear_change_cost" ||
+  return option == "forward_weight" || option == "reverse_weight" || option == "gear_change_cost" ||
          option == "curvature_change_cost" || option == "clearance_weight" ||
          option == "clearance_distance";
 }
@@ -151,7 +152,7 @@ void set_style(PlanOptions& options, const Planner& planner, std::string_view na
   const Style style = style_named(name);
   if (style != Style::shortest && !honours(planner, style_key)) refuse(planner, style_key);
   options.style = style;
-  options.cost = {.initial_gear = options.cost.initial_gear};
+  options.cost = {.initial_gear = options.cost.initial_gear, .gears = options.cost.gears};
   options.steering.reset();
 }
 
@@ -213,6 +214,7 @@ bool honours(const Planner& planner, std::string_view option) {
   if (option == "threads") return planner.properties.honours_threads;
   if (option == "target_gap") return planner.properties.honours_target_gap;
   if (option == steering_key) return planner.properties.honours_steering;
+  if (option == gears_key) return planner.properties.honours_gears;
   return !(is_price(option) || option == "initial_gear") || planner.properties.honours_prices;
 }
 
@@ -240,7 +242,8 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
     set_style(options, planner, text);
     return;
   }
-  const bool is_usual = name == steering_key && text == name_of(Steering::reeds_shepp);
+  const bool is_usual = (name == steering_key && text == name_of(Steering::reeds_shepp)) ||
+                        (name == gears_key && text == name_of(AllowedGears::both));
   if (!honours(planner, name) && !is_usual) refuse(planner, name);
   if (const OptionInfo* const own = own_option(planner, name)) {
     options.planner.set(name, parsed_value(*own, text));
@@ -255,7 +258,9 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
                      error.problem() + ", expected: " + std::string(common.summary));
   }
   if (changed.cost.measure != options.cost.measure) {
-    changed.cost = {.initial_gear = changed.cost.initial_gear, .measure = changed.cost.measure};
+    changed.cost = {.initial_gear = changed.cost.initial_gear,
+                    .measure = changed.cost.measure,
+                    .gears = changed.cost.gears};
   }
   validate(changed);
   options = changed;

@@ -44,7 +44,8 @@ std::optional<PlannerAnswer> settled(const Task& task) {
 PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
   StatedCost cost{.cost = result.cost, .rule = all.cost};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
-  return {.cost = cost, .clearance = all.clearance, .steering = *all.steering};
+  return {
+      .cost = cost, .clearance = all.clearance, .steering = *all.steering, .gears = all.cost.gears};
 }
 
 /// Why the times of a path among what moves are no good; empty if they are.

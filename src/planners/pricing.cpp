@@ -2,13 +2,17 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/pricing.h"
 
+#include <limits>
+
 #include "planners/drive_time.h"
 
 namespace vandplan::planning {
 namespace {
 
 search::CostRule rule_of(const Task& task, const CostOptions& cost, double time_price) {
-  if (cost.measure == CostMeasure::time) return prices_like_time(task);
+  if (cost.measure == CostMeasure::time) {
+    return search::restricted(prices_like_time(task), cost.gears);
+  }
   if (time_price == 0.0) return search::cost_rule(cost);
   return with_time(search::cost_rule(cost), task, time_price);
 }
@@ -23,7 +27,10 @@ Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price)
       time_price_(time_price) {}
 
 double Pricing::cost(std::span<const Segment> segments, double near) const {
-  if (is_time_) return drive_time(task_, segments);
+  if (is_time_) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    return search::may_drive(prices_, segments) ? drive_time(task_, segments) : never;
+  }
   search::Driven driven = prices_.initial_gear;
   const double cost = search::drive_cost(prices_, segments, driven) + near;
   return time_price_ == 0.0 ? cost : cost + time_price_ * drive_time(task_, segments);
@@ -36,7 +43,7 @@ double Pricing::cost(std::span<const Segment> segments, search::Looks looks) con
 
 double Pricing::least_cost(double length, double priced) const {
   if (!counts_time()) return priced;
-  const double time = least_drive_time(task_.vehicle, length);
+  const double time = least_drive_time(task_.vehicle, prices_, length);
   return is_time_ ? time : priced + time_price_ * time;
 }
 

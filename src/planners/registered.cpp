@@ -27,6 +27,7 @@ Planner anytime_planner() {
           .summary = "lattice searches and random trees, each path shortened: the one to use",
           .properties = {.family = "anytime",
                          .honours_prices = true,
+                         .honours_gears = true,
                          .style = Style::driver,
                          .honours_time = true,
                          .honours_threads = true,

@@ -230,6 +230,7 @@ Planner smoother(const Path& path, SmoothMethod method) {
           .summary = "keeps to the way of a path",
           .properties = {.family = "smooth",
                          .honours_prices = true,
+                         .honours_gears = true,
                          .style = Style::driver,
                          .steering = Steering::continuous_between_stops,
                          .honours_time = true,
@@ -254,7 +255,9 @@ PlanOptions smooth_options(std::span<const Setting> scenario, std::span<const Se
   // Version 0.2.0 stored prices beside the time, which did not count.
   const auto is_time = [](const Setting& s) { return s.name == "cost" && s.value == "time"; };
   if (std::any_of(of_run.begin(), of_run.end(), is_time)) {
-    options.cost = {.initial_gear = options.cost.initial_gear, .measure = CostMeasure::time};
+    options.cost = {.initial_gear = options.cost.initial_gear,
+                    .measure = CostMeasure::time,
+                    .gears = options.cost.gears};
   }
   return options;
 }
@@ -267,7 +270,9 @@ Smoothed smooth(const Problem& problem, const Path& path, SmoothMethod method,
   smoothed.options = complete(planner, options, problem.vehicle());
   const auto& [clearance, steering] =
       std::pair(smoothed.options.clearance, *smoothed.options.steering);
-  PathCheck given = check_path(problem, path, {.clearance = clearance, .steering = steering});
+  PathCheck given = check_path(
+      problem, path,
+      {.clearance = clearance, .steering = steering, .gears = smoothed.options.cost.gears});
   const Task task = task_of(problem, clearance, steering);
   const Wishes wishes(task, smoothed.options);
   smoothed.given_cost = wishes.cost(path.segments, Looks::answer);

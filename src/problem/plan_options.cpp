@@ -16,6 +16,7 @@ namespace vandplan {
 namespace {
 
 constexpr std::array<std::string_view, 3> gear_names = {"any", "forward", "reverse"};
+constexpr std::array<std::string_view, 3> allowed_names = {"both", "forward", "reverse"};
 constexpr std::array<std::string_view, 2> measure_names = {"prices", "time"};
 constexpr std::array<std::string_view, 2> style_names = {"shortest", "driver"};
 constexpr std::array<std::string_view, 3> steering_names = {
@@ -40,6 +41,8 @@ std::string text_of(const std::optional<Number>& value) {
 std::string text_of(InitialGear gear) {
   return text_of(std::string(gear_names[static_cast<std::size_t>(gear)]));
 }
+
+std::string text_of(AllowedGears gears) { return text_of(std::string(name_of(gears))); }
 
 std::string text_of(CostMeasure measure) {
   return text_of(std::string(measure_names[static_cast<std::size_t>(measure)]));
@@ -80,6 +83,8 @@ void parse(std::string_view value, InitialGear& field) {
   if (name == gear_names.end()) reject(value, "any, forward or reverse");
   field = static_cast<InitialGear>(name - gear_names.begin());
 }
+
+void parse(std::string_view value, AllowedGears& field) { field = gears_named(value); }
 
 void parse(std::string_view value, CostMeasure& field) {
   const auto* const name = std::find(measure_names.begin(), measure_names.end(), value);
@@ -128,6 +133,7 @@ constexpr std::array options_of_all = {
     budget<&BudgetOptions::threads>("threads", "that share the work; 1 to 256"),
     budget<&BudgetOptions::target_gap>(
         "target_gap", "ends the run when so near to the optimum, proven; 0 to 1000 or null"),
+    cost<&CostOptions::forward_weight>("forward_weight", "cost of a metre forward; 1 to 1000"),
     cost<&CostOptions::reverse_weight>("reverse_weight", "cost of a metre in reverse; 1 to 1000"),
     cost<&CostOptions::gear_change_cost>("gear_change_cost",
                                          "cost of one gear change [m]; 0 to 10000"),
@@ -139,6 +145,7 @@ constexpr std::array options_of_all = {
                                            "what is near for clearance_weight [m]; 0.01 to 1000"),
     cost<&CostOptions::initial_gear>("initial_gear",
                                      "driven before the start; any, forward or reverse"),
+    cost<&CostOptions::gears>("gears", "that may be driven at all; both, forward or reverse"),
     cost<&CostOptions::measure>("cost",
                                 "prices, or time: the seconds that the fastest drive takes"),
     clearance<&ClearanceOptions::margin>(
@@ -238,6 +245,7 @@ CostOptions filled(const CostOptions& cost, const CostOptions& others) {
   const auto fill = [&](auto price) {
     if (!(all.*price)) all.*price = others.*price;
   };
+  fill(&CostOptions::forward_weight);
   fill(&CostOptions::reverse_weight);
   fill(&CostOptions::gear_change_cost);
   fill(&CostOptions::curvature_change_cost);
@@ -247,9 +255,9 @@ CostOptions filled(const CostOptions& cost, const CostOptions& others) {
 }
 
 bool is_length(const CostOptions& cost) {
-  return cost.measure == CostMeasure::prices && cost.reverse_weight == 1.0 &&
-         cost.gear_change_cost == 0.0 && cost.curvature_change_cost == 0.0 &&
-         cost.clearance_weight == 0.0;
+  return cost.measure == CostMeasure::prices && cost.forward_weight == 1.0 &&
+         cost.reverse_weight == 1.0 && cost.gear_change_cost == 0.0 &&
+         cost.curvature_change_cost == 0.0 && cost.clearance_weight == 0.0;
 }
 
 std::string_view name_of(Steering steering) noexcept {
@@ -261,6 +269,16 @@ Steering steering_named(std::string_view name) {
   if (found != steering_names.end()) return static_cast<Steering>(found - steering_names.begin());
   throw InputError("steering", "\"" + std::string(name) +
                                    "\" is not reeds-shepp, continuous-between-stops or continuous");
+}
+
+std::string_view name_of(AllowedGears gears) noexcept {
+  return allowed_names[static_cast<std::size_t>(gears)];
+}
+
+AllowedGears gears_named(std::string_view name) {
+  const auto* const found = std::find(allowed_names.begin(), allowed_names.end(), name);
+  if (found != allowed_names.end()) return static_cast<AllowedGears>(found - allowed_names.begin());
+  throw InputError("gears", "\"" + std::string(name) + "\" is not both, forward or reverse");
 }
 
 std::string_view name_of(Style style) noexcept {
@@ -338,6 +356,7 @@ void validate(const PlanOptions& options) {
   require(!gap || (*gap >= 0.0 && *gap <= 1000.0), "target_gap", text_of(gap),
           "a number from 0 to 1000");
   const CostOptions& cost = options.cost;
+  require_price(cost.forward_weight, "forward_weight", {1.0, 1000.0}, "");
   require_price(cost.reverse_weight, "reverse_weight", {1.0, 1000.0}, "");
   require_price(cost.gear_change_cost, "gear_change_cost", {0.0, 10000.0}, " [m]");
   require_price(cost.curvature_change_cost, "curvature_change_cost", {0.0, 10000.0},

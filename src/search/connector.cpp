@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "steering/continuous_wanted.h"
 #include "steering/words.h"
@@ -26,6 +28,12 @@ void append(Piece& piece, const Segment& segment) {
 bool holds_crumb(const Piece& piece) {
   return std::ranges::any_of(piece.view(),
                              [](const Segment& s) { return std::abs(s.length) <= nothing; });
+}
+
+/// Numbers of gear changes that a piece may have, in the order of trial.
+std::span<const int> changes_of(const CostRule& rule) {
+  static constexpr std::array changes = {0, 1, 2};
+  return std::span(changes).first(rule.allows_both() ? changes.size() : 1);
 }
 
 double rate_of(const Vehicle& vehicle) {
@@ -108,6 +116,7 @@ std::optional<Piece> Connector::steer(const LocalPose& from, const LocalPose& to
   } else {
     best = reeds_shepp(from, to, radius_);
     if (!rule_.is_length()) best = cheapest_word(from, to, gears, *best, cutoff);
+    if (!may_drive(rule_, best->view())) best.reset();
   }
   steering_.stop();
   return best;
@@ -138,7 +147,8 @@ void Connector::find_ends(const LocalPose& pose, const Driven& beside,
     ends.push_back({between_stops, pose == task_.start ? given.start : given.goal, 0});
     return;
   }
-  if (between_stops && beside.gear != 0) ends.push_back({true, 0.0, -beside.gear});
+  const bool may_change = beside.gear != 0 && rule_.allows(-beside.gear);
+  if (between_stops && may_change) ends.push_back({true, 0.0, -beside.gear});
   const bool is_straight = !is_known || std::abs(beside.curvature) * radius_ < straight_wheels;
   if (!is_straight) return;
   // In the other gear the one that stands is no dearer.
@@ -162,12 +172,14 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
     best = piece;
     least = total;
   };
+  const GearSign only = rule_.only_gear();
+  const auto gear_at = [&](const End& end) { return only == 0 ? end.gear : only; };
   std::vector<steering::WantedEnds> ends;
   for (const End& start : starts_) {
     for (const End& goal : goals_) {
       const ContinuousQuery query{start.curvature, goal.curvature, least, start.stands,
                                   goal.stands};
-      ends.push_back({query, start.gear, goal.gear});
+      ends.push_back({query, gear_at(start), gear_at(goal)});
     }
   }
   const std::size_t count = goals_.size();
@@ -179,12 +191,12 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
     }
     return best;
   }
-  for (const int changes : {0, 1, 2}) {  // each one more has to be worth its price
+  for (const int changes : changes_of(rule_)) {  // each one more has to be worth its price
     if (shortest + changes * rule_.gear_change_cost >= least) break;
     const steering::WantedContinuous wanted{changes,
                                             least,
-                                            rule_.forward_weight,
-                                            rule_.reverse_weight,
+                                            rule_.weight(only == 0 ? 1 : only),
+                                            rule_.weight(only == 0 ? -1 : only),
                                             rule_.gear_change_cost,
                                             gears.before.gear,
                                             gears.after.gear};
@@ -207,7 +219,7 @@ Piece Connector::cheapest_word(const LocalPose& from, const LocalPose& to, const
   const steering::Closing& closing = is_last ? steering::at_goal : steering::on_the_way;
   Piece best = shortest;
   double best_cost = cost(best, gears);
-  for (const int changes : {0, 1, 2}) {
+  for (const int changes : changes_of(rule_)) {
     const double most = std::min(best_cost + least_worth, cutoff);
     const double longest = most - changes * rule_.gear_change_cost;
     if (longest < shortest.length) break;
@@ -227,9 +239,14 @@ double Connector::least_cost(const LocalPose& from, const LocalPose& to, const G
   ++solves_;
   const double shortest = reeds_shepp_length(from, to, radius_);
   if (rule_.is_length()) return shortest;
-  double least = shortest + rule_.gear_change_cost;
+  double least = std::numeric_limits<double>::infinity();
+  if (rule_.allows_both()) {
+    const double metre = std::min(rule_.forward_weight, rule_.reverse_weight);
+    least = metre * shortest + rule_.gear_change_cost;
+  }
   for (const GearSign gear : {1, -1}) {
-    const double weight = gear > 0 ? rule_.forward_weight : rule_.reverse_weight;
+    if (!rule_.allows(gear)) continue;
+    const double weight = rule_.weight(gear);
     const double joints =
         change_cost(rule_, gears.before, gear) + change_cost(rule_, gear, gears.after);
     if (weight * shortest + joints >= least) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "vandplan/rig.h"
@@ -192,12 +193,26 @@ double exact_nearness(const Looked& looked, const CostRule& rule, double whole) 
 
 CostRule cost_rule(const CostOptions& options) {
   const CostOptions all = filled(options, shortest_style);
-  return {.reverse_weight = *all.reverse_weight,
-          .gear_change_cost = *all.gear_change_cost,
-          .initial_gear = direction_of(all.initial_gear),
-          .curvature_change_cost = *all.curvature_change_cost,
-          .clearance_weight = *all.clearance_weight,
-          .clearance_distance = *all.clearance_distance};
+  const CostRule rule{.forward_weight = *all.forward_weight,
+                      .reverse_weight = *all.reverse_weight,
+                      .gear_change_cost = *all.gear_change_cost,
+                      .initial_gear = direction_of(all.initial_gear),
+                      .curvature_change_cost = *all.curvature_change_cost,
+                      .clearance_weight = *all.clearance_weight,
+                      .clearance_distance = *all.clearance_distance};
+  return restricted(rule, all.gears);
+}
+
+CostRule restricted(CostRule rule, AllowedGears gears) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (gears == AllowedGears::forward) rule.reverse_weight = never;
+  if (gears == AllowedGears::reverse) rule.forward_weight = never;
+  return rule;
+}
+
+CostRule length_rule(const CostRule& rule) {
+  const auto weight = [&](GearSign gear) { return rule.allows(gear) ? 1.0 : rule.weight(gear); };
+  return {.forward_weight = weight(1), .reverse_weight = weight(-1)};
 }
 
 CostRule reversed(const CostRule& rule, GearSign before) {
@@ -221,6 +236,12 @@ Driven last_driven(const Piece& piece) {
   return piece.count == 0 ? Driven{} : last_driven(piece.segments[piece.count - 1U]);
 }
 
+bool may_drive(const CostRule& rule, std::span<const Segment> segments) {
+  return rule.allows_both() || std::ranges::all_of(segments, [&](const Segment& s) {
+           return s.length == 0.0 || rule.allows(gear_of(s));
+         });
+}
+
 double change_cost(const CostRule& rule, const Driven& from, const Driven& to) {
   const double cost = from.gear * to.gear < 0 ? rule.gear_change_cost : 0.0;
   if (rule.curvature_change_cost == 0.0) return cost;
@@ -238,8 +259,7 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments, Drive
     if (segment.length == 0.0) continue;
     const double size = std::abs(segment.length);
     const GearSign next = gear_of(segment);
-    const double weight = next > 0 ? rule.forward_weight : rule.reverse_weight;
-    sum += change_cost(rule, driven, {next, segment.curvature}) + weight * size;
+    sum += change_cost(rule, driven, {next, segment.curvature}) + rule.weight(next) * size;
     if (segment.curvature_rate != 0.0) {
       sum += rule.curvature_change_cost * std::abs(segment.curvature_rate) * size;
     }
@@ -265,8 +285,9 @@ double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<Ri
   for (const Segment& segment : segments) {
     if (segment.length == 0.0) continue;
     if (sum > cutoff) break;
-    const double price =
-        rule.clearance_weight * (segment.length > 0.0 ? rule.forward_weight : rule.reverse_weight);
+    const GearSign gear = gear_of(segment);
+    if (!rule.allows(gear)) return rule.weight(gear);
+    const double price = rule.clearance_weight * rule.weight(gear);
     const Looked looked{task, state, segment};
     sum += price * (looks == Looks::answer
                         ? exact_nearness(looked, rule, whole)

@@ -11,7 +11,6 @@
 namespace vandplan::search {
 namespace {
 
-constexpr std::size_t steps_of_heading = 6;
 constexpr double straight_cells = 1.5;  // length of a straight step: it leaves its cell
 constexpr double bucket = 0.02;         // of ranks [turning radii]
 constexpr double most_buckets = 8192.0;
@@ -52,7 +51,8 @@ DriveField::DriveField(Connector& connector, Room& room, const Bounds& box,
     cos_.push_back(static_cast<float>(direction.cos));
     sin_.push_back(static_cast<float>(direction.sin));
     for (const GearSign gear : {1, -1}) {
-      const double weight = gear > 0 ? rule.forward_weight : rule.reverse_weight;
+      if (!rule.allows(gear)) continue;
+      const double weight = rule.weight(gear);
       for (const int side : {0, 1, -1}) {
         const double length = side == 0 ? straight_cells * cell : turn_ * radius;
         const Pose to = advance(from, Segment{side / radius, gear * length});
@@ -191,8 +191,9 @@ bool DriveField::enter(Node& node, float& rank) {
 
 void DriveField::expand(std::int32_t id) {
   const Node node = this->node(id);
-  const std::span<const Step> steps(
-      steps_.data() + static_cast<std::size_t>(node.heading) * steps_of_heading, steps_of_heading);
+  const std::size_t count = steps_.size() / static_cast<std::size_t>(headings_);
+  const std::span<const Step> steps =
+      std::span(steps_).subspan(static_cast<std::size_t>(node.heading) * count, count);
   for (const Step& step : steps) {
     const bool changes = node.gear == -step.gear;
     if (changes && node.side == step.side && node.parent != none) continue;

@@ -112,7 +112,7 @@ class DriveField {
   std::int64_t columns_, rows_;
   float gear_change_, turning_;  // prices: of a change of gear, of full lock from straight on
   float clearance_weight_, clearances_of_metre_;
-  std::vector<Step> steps_;  // six from each heading
+  std::vector<Step> steps_;  // three in each gear from each heading
   std::vector<float> cos_, sin_;
   const Guide* guide_ = nullptr;
   std::vector<float> guided_;  // what the guide says in the middle of a cell; negative: not asked

@@ -10,6 +10,7 @@
 
 #include "base/trigonometry.h"
 #include "search/geodesic.h"
+#include "steering/dubins_bound.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan::search {
@@ -42,12 +43,13 @@ bool is_within(const Bounds& bounds, const Point& point) {
 
 }  // namespace
 
-PoseBoxes::PoseBoxes(const Task& task, double side, double longest)
+PoseBoxes::PoseBoxes(const Task& task, double side, double longest, GearSign only)
     : task_(task),
       disc_(bound_disc(task.vehicle)),
       stretch_(stretch_of(disc_, task.vehicle.min_turning_radius)),
       side_(side),
       longest_(longest),
+      only_(only),
       box_(box_of_paths(task, disc_, longest)) {
   const double part = side / parts;
   const double near = disc_.radius + task.least_margin - part * std::sqrt(0.5) - slack;
@@ -159,8 +161,23 @@ std::array<PoseBoxes::Id, 6> PoseBoxes::neighbours(Id box) {
           first + (heading + headings_ - 1) % headings_};
 }
 
+/// What no path in the one gear is shorter than between an end and a pose of the box [m], on open
+/// ground. A path to an end is one from it, driven backwards; one in reverse goes forward if both
+/// of its ends are turned around.
+double PoseBoxes::length_in_gear(const Pose& end, const Pose& middle, bool is_start) const {
+  const bool is_turned = (only_ > 0) != is_start;
+  const auto pose = [&](const Pose& p) {
+    return is_turned ? Pose{p.x, p.y, p.heading + std::numbers::pi} : p;
+  };
+  const double apart = std::hypot(middle.x - end.x, middle.y - end.y) + shift_;
+  const steering::Closing off{shift_ + slack + (angle_slack + curvature_slack) * apart, half_turn_};
+  return steering::dubins_bound(pose(end), pose(middle), task_.vehicle.min_turning_radius, off) *
+         (1 - curvature_slack);
+}
+
 /// What no path is shorter than between an end and a pose of the box [m], on open ground.
-double PoseBoxes::turning_length(const Pose& end, const Pose& middle) const {
+double PoseBoxes::turning_length(const Pose& end, const Pose& middle, bool is_start) const {
+  if (only_ != 0) return length_in_gear(end, middle, is_start);
   const double radius = task_.vehicle.min_turning_radius;
   const double apart = std::hypot(middle.x - end.x, middle.y - end.y);
   const double turn = radius * half_turn_ + slack;
@@ -194,11 +211,11 @@ Pose PoseBoxes::between(Id first, Id last) const {
 PoseBoxes::Box PoseBoxes::box(Id id) const {
   const Column& column = columns_[id / headings_];
   const Pose middle = middle_of(column, id % headings_);
-  return {
-      middle, column.from_start, column.to_goal,
-      std::max(column.from_start.least * (1 + curvature_slack),
-               turning_length(task_.start, middle)),
-      std::max(column.to_goal.least * (1 + curvature_slack), turning_length(task_.goal, middle))};
+  return {middle, column.from_start, column.to_goal,
+          std::max(column.from_start.least * (1 + curvature_slack),
+                   turning_length(task_.start, middle, true)),
+          std::max(column.to_goal.least * (1 + curvature_slack),
+                   turning_length(task_.goal, middle, false))};
 }
 
 double PoseBoxes::find_least_length(Id id) const {

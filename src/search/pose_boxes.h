@@ -14,6 +14,7 @@
 
 #include "search/geodesic_field.h"
 #include "vandplan/problem.h"
+#include "vandplan/search.h"
 
 namespace vandplan::search {
 
@@ -37,9 +38,10 @@ class PoseBoxes {
     Range way_to_goal;
   };
 
-  /// Boxes of cells of `side` [m] around all ways up to `longest` [m]. Where `is_usable` is false
-  /// nothing is to be asked: such boxes prove nothing, or are too many.
-  PoseBoxes(const Task& task, double side, double longest);
+  /// Boxes of cells of `side` [m] around all ways up to `longest` [m] in one gear, or with `only` 0
+  /// in both. Where `is_usable` is false nothing is to be asked: such boxes prove nothing, or are
+  /// too many.
+  PoseBoxes(const Task& task, double side, double longest, GearSign only = 0);
   PoseBoxes(const PoseBoxes&) = delete;
   PoseBoxes& operator=(const PoseBoxes&) = delete;
 
@@ -89,7 +91,8 @@ class PoseBoxes {
   };
 
   [[nodiscard]] Id column_at(std::int32_t x, std::int32_t y);
-  [[nodiscard]] double turning_length(const Pose& end, const Pose& middle) const;
+  [[nodiscard]] double turning_length(const Pose& end, const Pose& middle, bool is_start) const;
+  [[nodiscard]] double length_in_gear(const Pose& end, const Pose& middle, bool is_start) const;
   [[nodiscard]] bool is_hit(const Pose& middle) const;
   [[nodiscard]] Range way(GeodesicField& field, const Point& part) const;
   [[nodiscard]] Pose middle_of(const Column& column, double heading) const;
@@ -100,6 +103,7 @@ class PoseBoxes {
   double stretch_;  // the centre goes so much further than the rear axle
   double side_;     // of a cell [m]
   double longest_;  // [m]
+  GearSign only_;   // gear of all paths; 0: both
   Bounds box_;
   Id headings_;
   double half_turn_ = 0.0;  // half of an interval of headings [rad]

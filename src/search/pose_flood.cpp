@@ -20,8 +20,9 @@ constexpr double worth_a_cut = 1.004;        // of the bound without it
 
 }  // namespace
 
-PoseFlood::PoseFlood(const Task& task)
+PoseFlood::PoseFlood(const Task& task, GearSign only)
     : task_(task),
+      only_(only),
       side_(coarsest * (bound_disc(task.vehicle).radius + task.least_margin) / finer) {}
 
 bool PoseFlood::begin(double longest) {
@@ -29,7 +30,7 @@ bool PoseFlood::begin(double longest) {
   const double disc = bound_disc(task_.vehicle).radius + task_.least_margin;
   if (!(side_ > finest * disc) || bound_ >= longest) return false;
   longest_ = longest;
-  boxes_ = std::make_unique<PoseBoxes>(task_, side_, longest);
+  boxes_ = std::make_unique<PoseBoxes>(task_, side_, longest, only_);
   is_prepared_ = false;
   return boxes_->is_usable();
 }

@@ -24,8 +24,8 @@ namespace vandplan::search {
 /// Boxes of several sizes follow each other, from coarse to fine. The bound only rises.
 class PoseFlood {
  public:
-  /// The task outlives it.
-  explicit PoseFlood(const Task& task);
+  /// Of paths in one gear, or with `only` 0 in both. The task outlives it.
+  explicit PoseFlood(const Task& task, GearSign only = 0);
 
   /// Goes on, about 20 microseconds of work. Takes no notice of paths that are longer than
   /// `longest` [m]. False when the bound is final.
@@ -59,6 +59,7 @@ class PoseFlood {
   [[nodiscard]] std::int64_t work() const;
 
   const Task& task_;
+  GearSign only_;
   double side_;  // of a cell [m]
   double longest_ = 0.0;
   std::unique_ptr<PoseBoxes> boxes_;

@@ -427,13 +427,15 @@ std::vector<BadFile> bad_files() {
              "4: options.margin: -1 is not a number from 0 to 1000 [m]"),
       spoilt("bounds:", "options: {margin: [1]}\nbounds:",
              "4: options.margin: is a list, expected a text"),
-      spoilt("bounds:", "options: {margn: 1}\nbounds:",
-             "4: options.margn: unknown option, did you mean margin? Expected one of style, seed, "
-             "time_limit, "
-             "max_iterations, threads, target_gap, reverse_weight, gear_change_cost, "
-             "curvature_change_cost, clearance_weight, clearance_distance, initial_gear, cost, "
-             "margin, "
-             "margin_ramp, steering, region, min_stroke"),
+      spoilt(
+          "bounds:", "options: {margn: 1}\nbounds:",
+          "4: options.margn: unknown option, did you mean margin? Expected one of style, seed, "
+          "time_limit, "
+          "max_iterations, threads, target_gap, forward_weight, reverse_weight, gear_change_cost, "
+          "curvature_change_cost, clearance_weight, clearance_distance, initial_gear, gears, "
+          "cost, "
+          "margin, "
+          "margin_ramp, steering, region, min_stroke"),
       spoilt("bounds:", "options: {seed: 7}\nbounds:",
              "4: options.seed: is an option of the budget, expected one of what is planned: --set "
              "seed=7"),

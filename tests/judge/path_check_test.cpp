@@ -42,6 +42,25 @@ TEST(PathCheck, StraightPathOnOpenGroundIsValid) {
   EXPECT_EQ(check.clearance, infinity);
 }
 
+// ---- the gears that are claimed ----
+
+TEST(ClaimedGears, AMillimetreInAnotherOneIsAFault) {
+  const Path path{{0, 0, 0}, {{0, 5}, {0, -0.001}, {0, 5.001}}};
+  EXPECT_TRUE(check_open(path, ten_ahead).valid);
+  const PathCheck check = check_open(path, ten_ahead, {.gears = AllowedGears::forward});
+  EXPECT_EQ(check.reason, "the vehicle is driven in reverse, the allowed gears are: forward");
+  ASSERT_TRUE(check.at);
+  EXPECT_NEAR(check.at->s, 5, 1e-9);
+  const PathCheck other = check_open(path, ten_ahead, {.gears = AllowedGears::reverse});
+  EXPECT_EQ(other.reason, "the vehicle is driven forward, the allowed gears are: reverse");
+  EXPECT_NEAR(other.at->s, 0, 1e-9);
+}
+
+TEST(ClaimedGears, ASegmentOfNoLengthIsNotDriven) {
+  const Path path{{0, 0, 0}, {{0, 10}, {0.1, -0.0}}};
+  EXPECT_TRUE(check_open(path, ten_ahead, {.gears = AllowedGears::forward}).valid);
+}
+
 // ---- the margin that is claimed ----
 
 /// Beside the way ahead, and so far to the left of it.

@@ -100,20 +100,26 @@ class Judgement {
     const bool steers = is_rig() ? planner.properties.honours_steering_of_rigs
                                  : planner.properties.honours_steering;
     if (steers && chance(0.7, rng_)) options.steering = kinds[rng_() % 3];
-    if (planner.properties.honours_time && chance(0.1, rng_)) {
-      options.cost.measure = CostMeasure::time;
-      return options;
+    options.cost = cost_for(planner);
+    if (planner.properties.honours_gears && chance(0.2, rng_)) {
+      options.cost.gears = chance(0.5, rng_) ? AllowedGears::forward : AllowedGears::reverse;
     }
-    if (!planner.properties.honours_prices || chance(0.3, rng_)) return options;
-    options.cost = shortest_style;
-    if (chance(0.5, rng_)) return options;
-    options.cost.reverse_weight = uniform(1, 3, rng_);
-    options.cost.gear_change_cost = uniform(0, 10, rng_);
-    if (chance(0.3, rng_)) options.cost.clearance_weight = any_size(0.1, 10, rng_);
-    if (chance(0.3, rng_)) options.cost.clearance_distance = any_size(0.05, 10, rng_);
-    if (chance(0.3, rng_)) options.cost.curvature_change_cost = any_size(0.01, 20, rng_);
-    if (chance(0.3, rng_)) options.cost.initial_gear = InitialGear::reverse;
     return options;
+  }
+
+  CostOptions cost_for(const Planner& planner) {
+    if (planner.properties.honours_time && chance(0.1, rng_)) return {.measure = CostMeasure::time};
+    if (!planner.properties.honours_prices || chance(0.3, rng_)) return {};
+    CostOptions cost = shortest_style;
+    if (chance(0.5, rng_)) return cost;
+    if (chance(0.2, rng_)) cost.forward_weight = uniform(1, 3, rng_);
+    cost.reverse_weight = uniform(1, 3, rng_);
+    cost.gear_change_cost = uniform(0, 10, rng_);
+    if (chance(0.3, rng_)) cost.clearance_weight = any_size(0.1, 10, rng_);
+    if (chance(0.3, rng_)) cost.clearance_distance = any_size(0.05, 10, rng_);
+    if (chance(0.3, rng_)) cost.curvature_change_cost = any_size(0.01, 20, rng_);
+    if (chance(0.3, rng_)) cost.initial_gear = InitialGear::reverse;
+    return cost;
   }
 
   void try_planner(const Planner& planner, bool on_more_threads) {
@@ -131,7 +137,8 @@ class Judgement {
 
   void expect_good(const Planner& planner, const PlanOptions& options, const PlanResult& result) {
     if (result.status == PlanStatus::rejected) fault(planner.name + " rejected: " + result.reason);
-    if (options.clearance.margin == 0) {
+    const AllowedGears gears = options.cost.gears;
+    if (options.clearance.margin == 0 && gears == AllowedGears::both) {
       if (is_length(result.rule)) bound_ = std::max(bound_, result.lower_bound);
       proves_none_ |= result.status == PlanStatus::no_path && planner.properties.family != "smooth";
     }
@@ -144,6 +151,12 @@ class Judgement {
     }
     const std::string flaw = naive_flaw(scenario_, *result.path);
     if (!flaw.empty()) fault(planner.name + ", says the naive judge: " + flaw);
+    for (const Segment& segment : result.path->segments) {
+      const bool is_wrong = gears == AllowedGears::forward   ? segment.length < 0.0
+                            : gears == AllowedGears::reverse ? segment.length > 0.0
+                                                             : false;
+      if (is_wrong) fault(planner.name + " drives in a gear that is not allowed");
+    }
     if (length(*result.path) < longest_written) expect_kept(planner, options, result);
   }
 

@@ -72,7 +72,8 @@ TEST(TwoTrees, WhatTheyFindIsARoute) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
-    TwoTrees trees(problem.task(), Local(Bounds{-40, 40, -40, 40}), connector, 0.5, rng());
+    TwoTrees trees(problem.task(), Local(Bounds{-40, 40, -40, 40}), connector, connector, 0.5,
+                   rng());
     for (int i = 0; i < 300; ++i) {
       if (!trees.step()) continue;
       expect_valid(problem, rule, trees.route());
@@ -301,7 +302,8 @@ TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
-    TwoTrees trees(problem.task(), Local(Bounds{-40, 40, -40, 40}), connector, 0.5, rng());
+    TwoTrees trees(problem.task(), Local(Bounds{-40, 40, -40, 40}), connector, connector, 0.5,
+                   rng());
     int tries = 0;
     while (!trees.step() && ++tries < 300) {
     }

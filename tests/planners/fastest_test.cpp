@@ -133,10 +133,15 @@ TEST(Fastest, NoDriveBeatsTheLeastTime) {
     if (chance(0.5, rng)) vehicle.limits.max_braking = any_size(0.1, 10, rng);
     const Path path{{}, {{0, any_size(1e-3, 1e3, rng) * (chance(0.5, rng) ? 1 : -1)}}};
     const double time = speed_profile(path, vehicle).duration;
-    const double least = planning::least_drive_time(vehicle, length(path));
-    EXPECT_LE(least, time * (1 + 1e-12));
+    const AllowedGears own =
+        path.segments[0].length > 0 ? AllowedGears::forward : AllowedGears::reverse;
+    const search::CostRule in_both, in_one = search::restricted({}, own);
+    const double least = planning::least_drive_time(vehicle, in_both, length(path));
+    const double least_in_one = planning::least_drive_time(vehicle, in_one, length(path));
+    EXPECT_LE(least, least_in_one);
+    EXPECT_LE(least_in_one, time * (1 + 1e-12));
     vehicle.limits.max_speed = {10, 10};
-    EXPECT_NEAR(planning::least_drive_time(vehicle, length(path)),
+    EXPECT_NEAR(planning::least_drive_time(vehicle, in_both, length(path)),
                 speed_profile(path, vehicle).duration, 1e-9 * time + 1e-9 * length(path));
   }
 }

@@ -134,6 +134,10 @@ const planned = vandplan.plan(yard, {max_iterations: 500, time_limit: null, marg
 expect(planned.check.valid && planned.check.clearance >= 0.3, 'the margin is kept');
 expect(vandplan.check(yard, planned.path, {margin: 0.2, steering: planned.steering}).valid, 'the judge accepts the path');
 expect(!vandplan.check({...yard, obstacles: [[[-1, -1], [1, -1], [1, 1]]]}, planned.path).valid, 'the judge sees another obstacle');
+const ahead = vandplan.plan(yard, {max_iterations: 2000, time_limit: null, gears: 'forward'});
+expect(ahead.path.segments.every(({length}) => length >= 0), 'a path in one gear');
+expect(!vandplan.check(yard, ahead.path, {steering: ahead.steering, gears: 'reverse'}).valid, 'the judge knows gears');
+refuses('gears', () => vandplan.plan(yard, {gears: 'first'}));
 const from = {x: 1, y: 4, heading: 0.4};
 const nodes = {x: new Float32Array([1]), y: new Float32Array([4]), heading: new Float32Array([0.4])};
 const exact = vandplan.steer(from, {x: 0, y: 0, heading: 0}, 7).reduce((sum, {length}) => sum + Math.abs(length), 0);

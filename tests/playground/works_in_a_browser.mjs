@@ -124,6 +124,22 @@ async function pricesFit(page) {
   await found(page);
 }
 
+/** In one gear the path has no metre in the other one, and a style does not take the gear back. */
+async function goesInOneGear(page) {
+  await choose(page, 'scenario', 'Thesis: 5 leave cage');
+  await found(page);
+  await choose(page, 'gears', 'reverse only');
+  await settled(page);
+  await click(page, 'as-shortest');
+  await page.until('vandplanPage.result?.path && vandplanPage.result.path.segments.every(({length}) => length <= 0)');
+  await choose(page, 'planner', 'prm');
+  expect(await page.value('document.getElementById("gears").disabled'), 'a roadmap knows no gears');
+  await choose(page, 'planner', 'anytime');
+  await choose(page, 'gears', 'forward and reverse');
+  await click(page, 'as-driver');
+  await found(page);
+}
+
 async function slides(page) {
   await choose(page, 'scenario', 'Thesis: 5 leave cage');
   await found(page);

@@ -153,7 +153,7 @@ TEST(PlannerOptions, ARunWithoutALimitTakesTheDefaultTime) {
 TEST(PlannerOptions, AnUnknownNameListsTheKnownOnes) {
   const std::string expected =
       "gaol_bias: unknown option, did you mean goal_bias? Expected one of seed, time_limit, "
-      "max_iterations, margin, "
+      "max_iterations, gears, margin, "
       "margin_ramp, steering, region, goal_bias, max_nodes, max_parents, try_goal, keep_tree, "
       "profile";
   EXPECT_EQ(message_of_setting("rrt-bsc-euc", "gaol_bias", "0.1"), expected);
@@ -277,7 +277,8 @@ TEST(Styles, ShrinkWithASmallVehicle) {
   const auto prices = [](double radius) {
     return prices_of(Style::driver, {.min_turning_radius = radius});
   };
-  const CostOptions half = {.reverse_weight = 2.0,
+  const CostOptions half = {.forward_weight = 1.0,
+                            .reverse_weight = 2.0,
                             .gear_change_cost = 2.5,
                             .curvature_change_cost = 1.25,
                             .clearance_weight = 2.0,
@@ -377,6 +378,29 @@ TEST(SetOption, TheMeasureTakesPricesBack) {
   PlanOptions both;  // a price beside it is a mistake, whichever comes first
   set_honoured(both, planner, std::vector<Setting>{{"reverse_weight", "3"}, {"cost", "time"}});
   EXPECT_NE(message_of([&] { (void)complete(planner, both); }), "");
+}
+
+// Gears are no price: neither a style nor the time takes them back.
+TEST(SetOption, GearsHoldBesideStyleAndMeasure) {
+  PlanOptions options;
+  const Planner planner = planner_named("anytime");
+  set_option(options, planner, "gears", "forward");
+  set_option(options, planner, "style", "shortest");
+  set_option(options, planner, "cost", "time");
+  EXPECT_EQ(options.cost.gears, AllowedGears::forward);
+  EXPECT_EQ(complete(planner, options).cost.gears, AllowedGears::forward);
+  EXPECT_NE(message_of([&] {
+              set_option(options, planner, "gears", "first");
+            }).find("\"first\" is not both, forward or reverse"),
+            std::string::npos);
+}
+
+TEST(SetOption, BothGearsAreWhatEveryPlannerDrives) {
+  for (const Planner& planner : planners()) {
+    PlanOptions options;
+    set_option(options, planner, "gears", "both");
+    EXPECT_EQ(honours(planner, "gears"), planner.properties.honours_gears) << planner.name;
+  }
 }
 
 TEST(SettingsOf, SayWhatIsSet) {

@@ -4,6 +4,7 @@
 
 import json
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -204,3 +205,22 @@ def test_an_answer_that_is_no_path_is_refused(yard):
             vp.plan(yard, vp.Planner("odd", lambda task, answer=answer: answer))
     with pytest.raises(vp.InputError, match="start"):
         vp.Path((math.nan, 0, 0), [(0, 1, 0)])
+
+
+def test_in_one_gear_the_pieces_of_a_task_are():
+    ground = vp.Scenario((0, 0, 0), (0, 9, 0), bounds=(-90, 90, -90, 90))
+    direct = vp.Planner("direct", lambda task: task.connect(task.start, task.goal), honours_gears=True)
+    for gears, sign in (("forward", 1), ("reverse", -1)):
+        result = vp.plan(ground, direct, max_iterations=1, gears=gears)
+        assert result and all(sign * length >= 0 for length in result.path.segments[:, 1])
+    again = pickle.loads(pickle.dumps(vp.Planner("named", named_direct, honours_gears=True)))
+    assert again.properties["honours_gears"]
+    with pytest.raises(vp.InputError, match="gears: is no option of deaf"):
+        vp.plan(ground, vp.Planner("deaf", named_direct), max_iterations=1, gears="forward")
+    back = vp.Planner("back", lambda task: vp.dubins(task.start, task.goal, 7), honours_gears=True)
+    wrong = vp.plan(ground, back, max_iterations=1, gears="reverse")
+    assert wrong.status == "rejected" and "the allowed gears are: reverse" in wrong.reason
+
+
+def named_direct(task):
+    return task.connect(task.start, task.goal)

@@ -59,6 +59,20 @@ def test_options_are_those_of_set(yard):
     assert wheels.options["steering"] == "continuous"
 
 
+def test_one_gear(yard):
+    ahead = vp.plan(yard, max_iterations=2000, gears="forward")
+    assert ahead and all(length >= 0 for length in ahead.path.segments[:, 1])
+    assert ahead.options["gears"] == "forward" and vp.check(yard, ahead)
+    assert vp.check(yard, ahead.path, steering="continuous-between-stops", gears="forward")
+    behind = vp.check(yard, ahead.path, steering="continuous-between-stops", gears="reverse")
+    assert "the allowed gears are: reverse" in behind.reason
+    assert pickle.loads(pickle.dumps(ahead)).options["gears"] == "forward"
+    with pytest.raises(vp.InputError, match="gears: .*not both, forward or reverse"):
+        vp.plan(yard, gears="first")
+    with pytest.raises(vp.InputError, match="gears: is no option of prm"):
+        vp.plan(yard, "prm", gears="forward")
+
+
 def test_options_of_the_scenario_hold_unless_others_are_given():
     scenario = vp.Scenario((0, 0, 0), (20, 0, 0), bounds=(-50, 50, -50, 50), options={"margin": 0.4})
     assert vp.plan(scenario, max_iterations=50).options["margin"] == 0.4

@@ -27,9 +27,9 @@ namespace {
 
 using search::GeodesicField, search::OpenRows;
 
-/// What is proven after so many steps, of paths up to `longest`.
-double flood_bound(const Task& task, double longest, int steps) {
-  search::PoseFlood flood(task);
+/// What is proven after so many steps, of paths up to `longest` in one gear, or in both.
+double flood_bound(const Task& task, double longest, int steps, search::GearSign only = 0) {
+  search::PoseFlood flood(task, only);
   while (steps-- > 0 && flood.step(longest)) {
   }
   return flood.bound();
@@ -44,6 +44,13 @@ std::vector<Segment> shunting(double radius, Rng& rng) {
     segments.push_back({curvature, gear * uniform(0.1, chance(0.5, rng) ? 2 : 1, rng) * radius});
     if (chance(0.4, rng)) gear = -gear;
   }
+  return segments;
+}
+
+/// The same in one gear.
+std::vector<Segment> driven_on(double radius, double gear, Rng& rng) {
+  std::vector<Segment> segments = shunting(radius, rng);
+  for (Segment& segment : segments) segment.length = gear * std::abs(segment.length);
   return segments;
 }
 
@@ -303,6 +310,41 @@ TEST(PoseFlood, IsBelowPathsThatJustPass) {
     ASSERT_LE(flood_bound(task, 1.1 * least, 1000), least * (1 + 1e-9))
         << as_code(path) << " among " << as_code(around.obstacles);
   });
+}
+
+// The same of paths in one gear: who drives on around a long bend may not be told to need more, and
+// paths of Dubins between the same poses are shorter than he.
+TEST(PoseFlood, IsBelowPathsInOneGear) {
+  for_each_case(4, 150, [](Rng& rng) {
+    const Vehicle vehicle = small_vehicle(rng);
+    const search::GearSign gear = chance(0.5, rng) ? 1 : -1;
+    const double turn = chance(0.3, rng) ? std::numbers::pi / 2 * static_cast<double>(rng() % 4)
+                                         : uniform(-3.2, 3.2, rng);
+    const Path path{{uniform(-9, 9, rng), uniform(-9, 9, rng), turn},
+                    driven_on(vehicle.min_turning_radius, gear, rng)};
+    const Surroundings around = just_beside(path, vehicle, {}, rng);
+    const Problem problem = problem_in(around, path.start, end_pose(path), vehicle);
+    PlanOptions options{.style = Style::shortest};
+    options.cost.gears = gear > 0 ? AllowedGears::forward : AllowedGears::reverse;
+    options.budget.max_iterations = 1000;
+    const PlanResult result = plan(problem, options);
+    ASSERT_NE(result.status, PlanStatus::rejected) << result.reason;
+    double least = length(path);
+    if (result.path) least = std::min(least, result.cost);
+    ASSERT_LE(result.lower_bound, least * (1 + 1e-9)) << as_code(path);
+    ASSERT_LE(flood_bound(problem.task(), 1.1 * least, 1000, gear), least * (1 + 1e-9))
+        << as_code(path) << " among " << as_code(around.obstacles);
+  });
+}
+
+// Parking beside the start: in both gears that is short, in one gear it takes a loop.
+TEST(PoseFlood, KnowsThatOneGearTakesALoop) {
+  const Problem problem =
+      problem_of({0, 0, 0}, {0, 3, 0}, {box(-1, 8, 1, 9)}, {-20, 20, -20, 20}, car);
+  const double loop = 2 * std::numbers::pi * car.min_turning_radius;
+  EXPECT_LT(flood_bound(problem.task(), 1.2 * loop, 20000), 0.5 * loop);
+  EXPECT_GT(flood_bound(problem.task(), 1.2 * loop, 20000, 1), 0.8 * loop);
+  EXPECT_GT(flood_bound(problem.task(), 1.2 * loop, 20000, -1), 0.8 * loop);
 }
 
 }  // namespace

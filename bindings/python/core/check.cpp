@@ -55,10 +55,12 @@ Verdict judged(const Problem& problem, const Path& path, const PathClaims& claim
 }
 
 Verdict check(const CheckedScenario& scenario, const py::object& given, double margin,
-              double margin_ramp, const std::string& steering) {
+              double margin_ramp, const std::string& steering, const std::string& gears) {
   const Path path = path_from(given);
   const std::optional<PathDrive> drive = drive_from(given);
-  PathClaims claims{.clearance = {margin, margin_ramp}, .steering = steering_named(steering)};
+  PathClaims claims{.clearance = {margin, margin_ramp},
+                    .steering = steering_named(steering),
+                    .gears = gears_named(gears)};
   if (py::isinstance<RunResult>(given)) claims = claims_of(given.cast<const RunResult&>());
   const Problem& problem = scenario.problem();
   const py::gil_scoped_release release;
@@ -140,11 +142,11 @@ void bind_check(py::module_& module) {
   bind_path_check(module);
   module.def(
       "check", &check, "scenario"_a, "path"_a, py::kw_only(), "margin"_a = 0.0,
-      "margin_ramp"_a = 0.0, "steering"_a = "reeds-shepp",
-      R"(check(scenario, path, *, margin=0, margin_ramp=0, steering="reeds-shepp") -> PathCheck
+      "margin_ramp"_a = 0.0, "steering"_a = "reeds-shepp", "gears"_a = "both",
+      R"(check(scenario, path, *, margin=0, margin_ramp=0, steering="reeds-shepp", gears="both") -> PathCheck
 
-Lets the independent judge look at a `Path` or a `SpeedProfile`, which has to keep the margin and
-steer as is said, or at a `Result`, which is held to its own options, cost, bound and times. Where
+Lets the independent judge look at a `Path` or a `SpeedProfile`, which has to keep the margin,
+steer and be driven in gears as is said, or at a `Result`, which is held to its own options, cost, bound and times. Where
 something moves the times are judged, too. A bare `Path` has none: it is driven as fast as the
 vehicle may, and the verdict says so.)");
 }

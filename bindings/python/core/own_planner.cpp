@@ -98,12 +98,14 @@ OptionInfo option_from(const std::string& name, const py::handle& given) {
 
 std::shared_ptr<Planner> make_planner(const std::string& name, const py::function& function,
                                       const std::string& summary, const py::dict& options,
-                                      bool honours_prices, bool anytime, bool deterministic) {
+                                      bool honours_prices, bool honours_gears, bool anytime,
+                                      bool deterministic) {
   auto planner = std::make_shared<Planner>();
   planner->name = name;
   planner->summary = summary;
   planner->properties = {.family = name,
                          .honours_prices = honours_prices,
+                         .honours_gears = honours_gears,
                          .anytime = anytime,
                          .deterministic = deterministic};
   for (const auto& [key, value] : options) {
@@ -124,14 +126,15 @@ py::dict options_of(const Planner& planner) {
 
 py::dict properties_of(const Planner& planner) {
   const PlannerProperties& p = planner.properties;
-  return py::dict(
-      "family"_a = p.family, "strategy"_a = p.strategy, "estimate"_a = p.estimate,
-      "tries_goal"_a = p.tries_goal, "honours_prices"_a = p.honours_prices,
-      "honours_threads"_a = p.honours_threads, "honours_target_gap"_a = p.honours_target_gap,
-      "honours_steering"_a = p.honours_steering, "honours_time"_a = p.honours_time,
-      "honours_moving"_a = p.honours_moving, "honours_trailers"_a = p.honours_trailers,
-      "honours_steering_of_rigs"_a = p.honours_steering_of_rigs, "anytime"_a = p.anytime,
-      "deterministic"_a = p.deterministic, "groups"_a = p.groups);
+  return py::dict("family"_a = p.family, "strategy"_a = p.strategy, "estimate"_a = p.estimate,
+                  "tries_goal"_a = p.tries_goal, "honours_prices"_a = p.honours_prices,
+                  "honours_gears"_a = p.honours_gears, "honours_threads"_a = p.honours_threads,
+                  "honours_target_gap"_a = p.honours_target_gap,
+                  "honours_steering"_a = p.honours_steering, "honours_time"_a = p.honours_time,
+                  "honours_moving"_a = p.honours_moving, "honours_trailers"_a = p.honours_trailers,
+                  "honours_steering_of_rigs"_a = p.honours_steering_of_rigs,
+                  "anytime"_a = p.anytime, "deterministic"_a = p.deterministic,
+                  "groups"_a = p.groups);
 }
 
 /// A name, a path to begin with, or a function with what its planner honours.
@@ -150,7 +153,7 @@ py::tuple planner_state(const Planner& planner) {
   }
   const PlannerProperties& p = planner.properties;
   return py::make_tuple("own", planner.name, *own->kept, planner.summary, options, p.honours_prices,
-                        p.anytime, p.deterministic);
+                        p.honours_gears, p.anytime, p.deterministic);
 }
 
 std::shared_ptr<Planner> planner_of(const py::tuple& state) {
@@ -159,9 +162,10 @@ std::shared_ptr<Planner> planner_of(const py::tuple& state) {
   if (kind == "named") {
     return std::make_shared<Planner>(planner_named(state[1].cast<std::string>()));
   }
-  std::shared_ptr<Planner> planner = make_planner(
-      state[1].cast<std::string>(), state[2].cast<py::function>(), state[3].cast<std::string>(),
-      py::dict(), state[5].cast<bool>(), state[6].cast<bool>(), state[7].cast<bool>());
+  std::shared_ptr<Planner> planner =
+      make_planner(state[1].cast<std::string>(), state[2].cast<py::function>(),
+                   state[3].cast<std::string>(), py::dict(), state[5].cast<bool>(),
+                   state[6].cast<bool>(), state[7].cast<bool>(), state[8].cast<bool>());
   for (const py::handle item : state[4]) {
     const auto option = py::reinterpret_borrow<py::tuple>(item);
     const auto name = option[0].cast<std::string>();
@@ -190,23 +194,24 @@ PlannerFunction planner_function(const py::function& function) {
 
 std::shared_ptr<const Planner> own_planner(const py::function& function) {
   const std::string name = py::str(py::getattr(function, "__name__", py::str("own")));
-  return make_planner(name, function, "a function of Python", {}, false, false, true);
+  return make_planner(name, function, "a function of Python", {}, false, false, false, true);
 }
 
 void bind_own_planner(py::module_& module) {
   bind_task(module);
   py::class_<Planner, std::shared_ptr<Planner>>(
       module, "Planner",
-      R"(Planner(name, function, *, summary="", options={}, honours_prices=False, anytime=False,
-    deterministic=True)
+      R"(Planner(name, function, *, summary="", options={}, honours_prices=False, honours_gears=False,
+    anytime=False, deterministic=True)
 
 A planner as a value, to be handed to `plan` and `compare`. `function` takes a `Task` and returns
 what is said there; the judge sees every path before anybody else does. `options` are its own: a
 default for each name, or (default, least, most), or (default, [word, ...]). Without
-`honours_prices` the cost is the length.)")
+`honours_prices` the cost is the length. With `honours_gears` the task's pieces are in the gears that
+`gears` allows, as its path has to be; without it `gears` is refused.)")
       .def(py::init(&make_planner), "name"_a, "function"_a, py::kw_only(), "summary"_a = "",
-           "options"_a = py::dict(), "honours_prices"_a = false, "anytime"_a = false,
-           "deterministic"_a = true)
+           "options"_a = py::dict(), "honours_prices"_a = false, "honours_gears"_a = false,
+           "anytime"_a = false, "deterministic"_a = true)
       .def_readonly("name", &Planner::name, "What it is chosen by.")
       .def_readonly("summary", &Planner::summary, "One line.")
       .def_property_readonly("options", &options_of,

@@ -62,7 +62,7 @@ py::tuple state_of(const PathClaims& claims) {
   const py::object cost = claims.cost ? py::object(state_of(*claims.cost)) : py::none();
   return py::make_tuple(claims.length, claims.gear_changes, cost, claims.clearance.margin,
                         claims.clearance.margin_ramp, name_of(claims.steering),
-                        claims.start_hitch_angle, poses);
+                        claims.start_hitch_angle, poses, name_of(claims.gears));
 }
 
 PathClaims claims_from(const py::handle& given) {
@@ -71,6 +71,7 @@ PathClaims claims_from(const py::handle& given) {
                     .gear_changes = state[1].cast<std::optional<int>>(),
                     .clearance = {state[3].cast<double>(), state[4].cast<double>()},
                     .steering = steering_named(state[5].cast<std::string>()),
+                    .gears = gears_named(state[8].cast<std::string>()),
                     .start_hitch_angle = state[6].cast<std::optional<double>>()};
   if (!state[2].is_none()) claims.cost = cost_from(state[2]);
   for (const py::handle item : state[7]) {

@@ -357,6 +357,7 @@ class Planner:
         summary: str = "",
         options: Mapping[str, _Option | tuple[Any, ...]] = ...,
         honours_prices: bool = False,
+        honours_gears: bool = False,
         anytime: bool = False,
         deterministic: bool = True,
     ) -> None: ...
@@ -658,6 +659,7 @@ def check(
     margin: float = 0.0,
     margin_ramp: float = 0.0,
     steering: str = "reeds-shepp",
+    gears: Literal["both", "forward", "reverse"] = "both",
 ) -> PathCheck: ...
 def smooth(
     scenario: Scenario,

@@ -106,14 +106,17 @@ class Yard {
     return object;
   }
 
-  /// Lets the judge look at a path: {path, margin, margin_ramp, steering, start, goal, vehicle}.
+  /// Lets the judge look at a path: {path, margin, margin_ramp, steering, gears, start, goal,
+  /// vehicle}.
   [[nodiscard]] val check(const val& query) const {
-    allow_only(query, {"path", "margin", "margin_ramp", "steering", "start", "goal", "vehicle"},
+    allow_only(query,
+               {"path", "margin", "margin_ramp", "steering", "gears", "start", "goal", "vehicle"},
                "query");
     PathClaims claims{.clearance = {number_at(query, "margin", "", 0.0),
                                     number_at(query, "margin_ramp", "", 0.0)}};
     if (has(query, "steering"))
       claims.steering = steering_named(query["steering"].as<std::string>());
+    if (has(query, "gears")) claims.gears = gears_named(query["gears"].as<std::string>());
     return object_of(check_path(problem_of(query), path_from(query["path"]), claims));
   }
 
@@ -337,6 +340,7 @@ val all_planners() {
     object.set("family", planner.properties.family);
     object.set("estimate", planner.properties.estimate);
     object.set("honours_prices", planner.properties.honours_prices);
+    object.set("honours_gears", planner.properties.honours_gears);
     object.set("honours_steering", planner.properties.honours_steering);
     object.set("proves", planner.properties.honours_target_gap);
     object.set("options", options_of(planner));
@@ -350,6 +354,7 @@ val prices(const std::string& style, const val& vehicle) {
   return guarded([&] {
     const CostOptions prices = prices_of(style_named(style), vehicle_from(vehicle));
     val object = val::object();
+    object.set("forward_weight", *prices.forward_weight);
     object.set("reverse_weight", *prices.reverse_weight);
     object.set("gear_change_cost", *prices.gear_change_cost);
     object.set("curvature_change_cost", *prices.curvature_change_cost);

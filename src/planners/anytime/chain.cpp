@@ -25,6 +25,7 @@ bool may_follow(const Connector& connector, const Driven& before, const Segment&
 }
 
 bool can_drive(const Connector& connector, const Segment& segment) {
+  if (!may_drive(connector.rule(), std::span(&segment, 1))) return false;
   const double sharpest = (1 + curvature_rounding) / connector.radius();
   const double end = curvature_at(segment, std::abs(segment.length));
   if (std::max(std::abs(segment.curvature), std::abs(end)) > sharpest) return false;

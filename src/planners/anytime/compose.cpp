@@ -140,7 +140,7 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
                  .gap = options.budget.target_gap,
                  .routes_are_answers = !pricing_->counts_time()} {
   if (bends_) bend_ = std::make_unique<BendWorker>(task, rule_, seed(stream::bend));
-  take_open_ground({});  // [1]
+  take_open_ground(length_rule(rule_));  // [1]
   if (!rule_.is_length()) take_open_ground(rule_);
   if (given.known != nullptr) take_known(*given.known);
   looks_around_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
@@ -177,7 +177,8 @@ void Composer::take_known(const Path& known) {
   if (!route) return;
   is_warm_ = true;
   portfolio_.routes.push_back(*std::move(route));
-  if (bend_) portfolio_.drive = bend_->begin_with(known);
+  const bool is_allowed = may_drive(rule_, known.segments);
+  if (bend_ && is_allowed) portfolio_.drive = bend_->begin_with(known);
 }
 
 Share Composer::until_route(const Row& row) const {
@@ -233,14 +234,16 @@ void Composer::add_search(std::string_view name, std::uint64_t stream, Root root
   add(name, std::move(worker), share(row));
 }
 
-// [2] Until there is a route. Where the wheels take time to turn lattices are there sooner.
+// [2] Until there is a route. Where the wheels take time to turn lattices are there sooner, unless
+// one gear alone may be driven: what a lattice overlooks then is not made up for by a shunt.
 void Composer::add_trees() {
   const std::uint64_t own_seed = stream_seed(seed(stream::trees), 0);
   auto worker =
       seeker(task_, stream::trees, [&task = task_, &rule = rule_, region = region_, own_seed] {
         return std::make_unique<Attempts>(task, rule, region, own_seed);
       });
-  const std::int64_t early = is_far_ || !is_continuous() ? shares::early_trees : 0;
+  const bool is_early = is_far_ || !is_continuous() || !rule_.allows_both();
+  const std::int64_t early = is_early ? shares::early_trees : 0;
   add("trees", std::move(worker), [early](const Progress& now) -> std::int64_t {
     constexpr Turn late = shares::late_trees;
     return now.has_route ? 0 : now.rounds < late.first_round ? early : late.share;
@@ -250,7 +253,7 @@ void Composer::add_trees() {
 // [7] Once the best route hardly gets cheaper, proving how good it is gets more of the time. The
 // way around comes first.
 void Composer::add_length_prover() {
-  auto prover = std::make_unique<LengthProver>(task_);
+  auto prover = std::make_unique<LengthProver>(task_, rule_.only_gear());
   const Share share_now = share(shares::length_prover);
   const std::int64_t settled = rule_.is_length() ? settled_steps
                                : bends_          ? settled_steps_with_bending

@@ -15,7 +15,7 @@ double CostBound::least(const Proven& proven) const {
   const double around =
       std::max({0.0, proven.shortest - off, proven.shortest_turn - ground_.leeway});
   if (!pricing_.counts_time()) return least_cost(ground_, rule, around);
-  const double length = std::max(ground_.shortest, around);
+  const double length = std::max(least_length(ground_, rule), around);
   return pricing_.least_cost(length, length);
 }
 

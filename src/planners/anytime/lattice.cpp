@@ -207,6 +207,7 @@ void Lattice::expand(std::int32_t id) {
   const Driven before = driven_to(node);
   for (const int side : {1, 0, -1}) {
     for (const GearSign direction : {1, -1}) {
+      if (!connector_.rule().allows(direction)) continue;
       const std::optional<Segment> step = step_from(node, side, direction);
       if (!step) continue;
       const Segment& segment = *step;

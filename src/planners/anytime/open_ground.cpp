@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "steering/dubins_bound.h"
@@ -12,7 +13,7 @@
 namespace vandplan::anytime {
 namespace {
 
-using steering::Closing, steering::judged;
+using steering::Closing;
 
 // Of the curvature, relative: what the judge allows, too. Scaled up by it a path turns within the
 // radius, and ends so much farther away.
@@ -28,37 +29,48 @@ double longest_between(const Closing& off, double radius) {
 }
 
 // How far the goal may be off as seen from the start, which may be off itself.
-Closing seen_from_start(const Task& task) {
-  const double apart = distance(task) + 2 * judged.position;
-  return {2 * judged.position + (judged.heading + curvature_slack) * apart, 2 * judged.heading};
+Closing seen_from_start(const Task& task, const Closing& ends) {
+  const double apart = distance(task) + 2 * ends.position;
+  return {2 * ends.position + (ends.heading + curvature_slack) * apart, 2 * ends.heading};
 }
 
 }  // namespace
 
 // The Reeds-Shepp length is a distance, so moving an end changes it by no more than the length of
 // the move.
-OpenGround open_ground(const Task& task, const search::CostRule& rule) {
+OpenGround open_ground(const Task& task, const search::CostRule& rule, const Closing& ends) {
   const double radius = task.vehicle.min_turning_radius;
   const double shortest = reeds_shepp_length(task.start, task.goal, radius);
   if (rule.is_length()) return {shortest, shortest, shortest, 0.0};
   const auto turned = [](const Pose& p) { return Pose{p.x, p.y, p.heading + std::numbers::pi}; };
-  const Closing scaled{judged.position + curvature_slack * distance(task), judged.heading};
-  const double leeway = longest_between(judged, radius) + longest_between(scaled, radius);
-  const Closing off = seen_from_start(task);
+  const Closing scaled{ends.position + curvature_slack * distance(task), ends.heading};
+  const double leeway = longest_between(ends, radius) + longest_between(scaled, radius);
+  const Closing off = seen_from_start(task, ends);
   const double forward = steering::dubins_bound(task.start, task.goal, radius, off);
   const double reverse = steering::dubins_bound(turned(task.start), turned(task.goal), radius, off);
   const double slack = 1 + curvature_slack;
   return {forward / slack, reverse / slack, std::max(shortest - leeway, 0.0) / slack, leeway};
 }
 
-// In one gear only it may have to change gear before it begins.
+double least_length(const OpenGround& ground, const search::CostRule& rule) {
+  return rule.allows_both() ? ground.shortest : rule.allows(1) ? ground.forward : ground.reverse;
+}
+
+// In one gear only it may have to change gear before it begins, unless it drives no metre.
 double least_cost(const OpenGround& ground, const search::CostRule& rule, double around) {
   if (rule.is_length()) return std::max(ground.shortest, around);
-  return std::min({rule.forward_weight * std::max(ground.forward, around) +
-                       change_cost(rule, rule.initial_gear, 1),
-                   rule.reverse_weight * std::max(ground.reverse, around) +
-                       change_cost(rule, rule.initial_gear, -1),
-                   std::max(ground.shortest, around) + rule.gear_change_cost});
+  double least = std::numeric_limits<double>::infinity();
+  if (rule.allows_both()) {
+    const double metre = std::min(rule.forward_weight, rule.reverse_weight);
+    least = metre * std::max(ground.shortest, around) + rule.gear_change_cost;
+  }
+  for (const search::GearSign gear : {1, -1}) {
+    if (!rule.allows(gear)) continue;
+    const double length = std::max(gear > 0 ? ground.forward : ground.reverse, around);
+    const double change = length > 0.0 ? change_cost(rule, rule.initial_gear, gear) : 0.0;
+    least = std::min(least, rule.weight(gear) * length + change);
+  }
+  return least;
 }
 
 }  // namespace vandplan::anytime

@@ -3,6 +3,7 @@
 #pragma once
 // What does a path cost at least, whatever stands in the way?
 
+#include "steering/words.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
@@ -18,10 +19,14 @@ struct OpenGround {
   double leeway = 0.0;
 };
 
+/// Length of the shortest path in the gears that a rule allows, at least [m].
+[[nodiscard]] double least_length(const OpenGround& ground, const search::CostRule& rule);
+
 /// Under prices all of it holds for every path that the judge accepts: start and goal may be off by
-/// its tolerance, which is then the leeway. Under a neutral rule it holds for paths that begin and
-/// end just there, and nothing is left open.
-[[nodiscard]] OpenGround open_ground(const Task& task, const search::CostRule& rule);
+/// its tolerance, or by another one, which is then the leeway. Under a neutral rule it holds for
+/// paths that begin and end just there, and nothing is left open.
+[[nodiscard]] OpenGround open_ground(const Task& task, const search::CostRule& rule,
+                                     const steering::Closing& ends = steering::judged);
 
 /// What no path costs less than, if none is shorter than `around`, because of what stands in the
 /// way [m].

@@ -7,14 +7,14 @@
 
 namespace vandplan::anytime {
 
-LengthProver::LengthProver(const Task& task)
-    : task_(task), best_cost_(std::numeric_limits<double>::infinity()) {}
+LengthProver::LengthProver(const Task& task, search::GearSign only)
+    : task_(task), only_(only), best_cost_(std::numeric_limits<double>::infinity()) {}
 
 Found LengthProver::work(std::int64_t iterations, const Told& told, const search::Budget& budget) {
   if (told.best != nullptr) best_cost_ = std::min(best_cost_, told.best->cost);
   if (!geodesic_ && iterations > 0) {
     geodesic_.emplace(task_, best_cost_);
-    flood_.emplace(task_);
+    flood_.emplace(task_, only_);
   }
   const auto step = [this]() -> std::optional<double> {
     geodesic_is_final_ = !geodesic_->step();  // [7]

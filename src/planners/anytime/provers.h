@@ -16,8 +16,8 @@ namespace vandplan::anytime {
 /// a vehicle, which has to turn.
 class LengthProver final : public Worker {
  public:
-  /// The task outlives the worker.
-  explicit LengthProver(const Task& task);
+  /// Of paths in one gear, or with `only` 0 in both. The task outlives the worker.
+  LengthProver(const Task& task, search::GearSign only);
 
   [[nodiscard]] bool has_work() const override { return !geodesic_ || !geodesic_is_final_; }
   [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
@@ -28,6 +28,7 @@ class LengthProver final : public Worker {
 
  private:
   const Task& task_;
+  search::GearSign only_;
   std::optional<search::Geodesic> geodesic_;  // both none before the first iteration
   std::optional<search::PoseFlood> flood_;
   bool geodesic_is_final_ = false, flood_is_final_ = false;

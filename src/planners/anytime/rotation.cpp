@@ -31,7 +31,11 @@ constexpr std::int64_t first_of_all = 1024;  // the coarsest search begins with 
 constexpr std::size_t most_nodes = 100'000;  // of one search
 
 CostRule priced(CostRule rule, double price) {
-  if (price == 0.0) return {.initial_gear = rule.initial_gear};
+  if (price == 0.0) {
+    CostRule by_length = length_rule(rule);
+    by_length.initial_gear = rule.initial_gear;
+    return by_length;
+  }
   rule.gear_change_cost *= price;
   return rule;
 }

@@ -64,7 +64,7 @@ Ladder::Ladder(const Task& task, const CostRule& rule, Root root, Scope scope)
       root_(root),
       is_far_(scope == Scope::windows),
       rule_(rule),
-      by_length_(task),
+      by_length_(task, length_rule(rule_from(rule, root))),
       by_price_(task, rule_from(rule, root)),
       guide_side_(first_guide_side),
       cutoff_(std::numeric_limits<double>::infinity()) {
@@ -214,7 +214,8 @@ Attempts::Attempts(const Task& task, const CostRule& rule, const Bounds& region,
     : task_(task),
       region_(region),
       rule_(rule),
-      connector_(task),
+      forth_(task, length_rule(rule)),
+      back_(task, reversed(length_rule(rule), 0)),
       seed_(seed),
       patience_(first_patience) {
   next_attempt();
@@ -222,7 +223,7 @@ Attempts::Attempts(const Task& task, const CostRule& rule, const Bounds& region,
 
 void Attempts::next_attempt() {
   const double far_share = far_shares[attempt_ % far_shares.size()];
-  trees_.emplace(task_, region_, connector_, far_share, stream_seed(seed_, attempt_));
+  trees_.emplace(task_, region_, forth_, back_, far_share, stream_seed(seed_, attempt_));
   ++attempt_;
   samples_ = 0;
   met_ = false;

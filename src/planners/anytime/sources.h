@@ -82,8 +82,8 @@ class Attempts final : public Source {
 
   [[nodiscard]] bool step() override;
   [[nodiscard]] Route route() const override;
-  [[nodiscard]] std::int64_t solves() const override { return connector_.solves(); }
-  [[nodiscard]] std::int64_t checks() const override { return connector_.checks(); }
+  [[nodiscard]] std::int64_t solves() const override { return forth_.solves() + back_.solves(); }
+  [[nodiscard]] std::int64_t checks() const override { return forth_.checks() + back_.checks(); }
   [[nodiscard]] std::size_t size() const override { return trees_->size(); }
 
  private:
@@ -91,8 +91,8 @@ class Attempts final : public Source {
 
   const Task& task_;
   Bounds region_;
-  CostRule rule_;        // of the route
-  Connector connector_;  // of the trees: by length
+  CostRule rule_;           // of the route
+  Connector forth_, back_;  // of the trees: by length, from the start and from the goal
   std::uint64_t seed_;
   std::uint64_t attempt_ = 0;
   std::int64_t patience_;     // samples after which an attempt is given up

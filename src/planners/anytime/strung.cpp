@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/trigonometry.h"
@@ -28,7 +29,7 @@ std::size_t places_in(double distance, std::span<const Point> way) {
   return step > 0.0 ? static_cast<std::size_t>(std::ceil(distance / step)) : 1;
 }
 
-double heading_of(const Point& from, const Point& to) {
+double direction_of(const Point& from, const Point& to) {
   return base::atan_2(to.y - from.y, to.x - from.x);
 }
 
@@ -37,16 +38,22 @@ double heading_of(const Point& from, const Point& to) {
 Strung::Strung(const Task& task, std::vector<Point> way, Connector& connector)
     : task_(task),
       connector_(connector),
+      gear_(connector.rule().allows(1) ? 1 : -1),
       way_(std::move(way)),
       least_places_(places_in(least_apart * task.vehicle.min_turning_radius, way_)),
       route_{task.start, {}, 0.0} {}
+
+double Strung::heading_along(double direction) const {
+  return gear_ > 0 ? direction : wrap_angle(direction + std::numbers::pi);
+}
 
 // Whether the vehicle drives straight on from one place to the other.
 bool Strung::sees(std::size_t from, std::size_t to) {
   const Point& a = way_[from];
   const Point& b = way_[to];
   const double distance = std::hypot(b.x - a.x, b.y - a.y);
-  return connector_.is_free(Local(Pose{a.x, a.y, heading_of(a, b)}), Segment{0.0, distance});
+  return connector_.is_free(Local(Pose{a.x, a.y, heading_along(direction_of(a, b))}),
+                            Segment{0.0, gear_ * distance});
 }
 
 // By steps that double, then by halving; the next place where nothing is seen.
@@ -75,9 +82,10 @@ void Strung::pull() {
 void Strung::turn_corners() {
   for (std::size_t i = 1; i + 1 < bends_.size(); ++i) {
     const Point& corner = way_[bends_[i]];
-    const double in = heading_of(way_[bends_[i - 1]], corner);
-    const double out = heading_of(corner, way_[bends_[i + 1]]);
-    const LocalPose pose({corner.x, corner.y, wrap_angle(in + wrap_angle(out - in) / 2)});
+    const double in = direction_of(way_[bends_[i - 1]], corner);
+    const double out = direction_of(corner, way_[bends_[i + 1]]);
+    const double between = wrap_angle(in + wrap_angle(out - in) / 2);
+    const LocalPose pose({corner.x, corner.y, heading_along(between)});
     for (const double aside : {0.0, 0.5, -0.5, 1.0, -1.0}) {
       const LocalPose there = compose(pose, {0.0, aside * task_.vehicle.width, 0.0});
       if (!connector_.is_free(there)) continue;

@@ -44,6 +44,7 @@ class Strung {
   [[nodiscard]] const Route& route() const { return route_; }
 
  private:
+  [[nodiscard]] double heading_along(double direction) const;
   [[nodiscard]] bool sees(std::size_t from, std::size_t to);
   [[nodiscard]] std::size_t farthest_seen(std::size_t from);
   void pull();
@@ -57,6 +58,7 @@ class Strung {
 
   const Task& task_;
   Connector& connector_;
+  GearSign gear_;  // in which the way is driven where it is straight
   std::vector<Point> way_;
   std::size_t least_places_;              // of the way from bend to bend
   std::vector<std::size_t> bends_ = {0};  // places on the way that are in sight of each other

@@ -19,13 +19,15 @@ constexpr double least_extension = 0.1;  // of an edge that is cut short [turnin
 
 }  // namespace
 
-TwoTrees::TwoTrees(const Task& task, const Bounds& region, Connector& connector, double far_share,
-                   std::uint64_t seed)
-    : connector_(connector),
+TwoTrees::TwoTrees(const Task& task, const Bounds& region, Connector& forth, Connector& back,
+                   double far_share, std::uint64_t seed)
+    : radius_(forth.radius()),
+      rule_(forth.rule()),
       region_(region),
       far_share_(far_share),
       rng_(seed),
-      sides_{Side{Tree(task.start, 64), {Piece{}}}, Side{Tree(task.goal, 64), {Piece{}}}} {
+      sides_{Side{Tree(task.start, 64), {Piece{}}, forth},
+             Side{Tree(task.goal, 64), {Piece{}}, back}} {
   nearest_.reserve(ranked + 1);
 }
 
@@ -35,7 +37,7 @@ LocalPose TwoTrees::sample_far() {
   if (uniform01(rng_) < 0.5) return uniform_pose(region_, rng_);
   const LocalPose& a = sides_[0].tree.pose(0);
   const LocalPose& b = sides_[1].tree.pose(0);
-  const double apart = std::max(std::hypot(a.x - b.x, a.y - b.y), connector_.radius());
+  const double apart = std::max(std::hypot(a.x - b.x, a.y - b.y), radius_);
   const double reach = apart * std::exp2(uniform(-1.0, 1.5, rng_));
   const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
   return Local(Pose{(a.x + b.x) / 2 + pose.x, (a.y + b.y) / 2 + pose.y, pose.heading});
@@ -45,13 +47,14 @@ LocalPose TwoTrees::sample_far() {
 LocalPose TwoTrees::sample_near() {
   const std::size_t side = uniform01(rng_) < 0.5 ? 0 : 1;
   const LocalPose& root = sides_[side].tree.pose(0);
-  const double reach = connector_.radius() * std::exp2(uniform(-2.0, 2.5, rng_));
+  const double reach = radius_ * std::exp2(uniform(-2.0, 2.5, rng_));
   const Pose pose = uniform_pose({-reach, reach, -reach, reach}, rng_);
   return Local(Pose{root.x + pose.x, root.y + pose.y, pose.heading});
 }
 
 // The nodes that are nearest by a rough measure, in order of their exact length.
-void TwoTrees::rank(const Tree& tree, const LocalPose& target) {
+void TwoTrees::rank(Side& side, const LocalPose& target) {
+  const Tree& tree = side.tree;
   struct Candidate {
     float rank;
     NodeId id;
@@ -61,7 +64,7 @@ void TwoTrees::rank(const Tree& tree, const LocalPose& target) {
   const auto x = static_cast<float>(target.x);
   const auto y = static_cast<float>(target.y);
   const auto heading = static_cast<float>(wrap_angle(target.heading));
-  const auto radius = static_cast<float>(connector_.radius());
+  const auto radius = static_cast<float>(radius_);
   constexpr auto pi = std::numbers::pi_v<float>;
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const float dx = tree.x()[i] - x;
@@ -76,7 +79,7 @@ void TwoTrees::rank(const Tree& tree, const LocalPose& target) {
   }
   nearest_.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    const std::optional<Piece> piece = connector_.steer(tree.pose(best[i].id), target);
+    const std::optional<Piece> piece = side.connector.steer(tree.pose(best[i].id), target);
     if (piece) nearest_.push_back({best[i].id, *piece});
   }
   std::sort(nearest_.begin(), nearest_.end(), [](const Edge& a, const Edge& b) {
@@ -91,13 +94,13 @@ NodeId TwoTrees::add(Side& side, NodeId parent, const Piece& piece, const LocalP
 
 // Drives from the nearest node towards the target as far as it is free; -1 when that is nowhere.
 NodeId TwoTrees::extend(Side& side, const LocalPose& target) {
-  rank(side.tree, target);
+  rank(side, target);
   if (nearest_.empty()) return -1;
   const auto [from, piece] = nearest_.front();
   const LocalPose& pose = side.tree.pose(from);
-  if (connector_.is_free(pose, piece)) return add(side, from, piece, target);
-  const Piece part = connector_.free_prefix(pose, piece);
-  if (part.length < least_extension * connector_.radius()) return -1;
+  if (side.connector.is_free(pose, piece)) return add(side, from, piece, target);
+  const Piece part = side.connector.free_prefix(pose, piece);
+  if (part.length < least_extension * radius_) return -1;
   return add(side, from, part, end_of(pose, part));
 }
 
@@ -106,10 +109,10 @@ bool TwoTrees::connect(std::size_t from_side, NodeId node) {
   Side& own = sides_[from_side];
   Side& other = sides_[1 - from_side];
   const LocalPose target = own.tree.pose(node);
-  rank(other.tree, target);
+  rank(other, target);
   for (std::size_t i = 0; i < std::min<std::size_t>(connect_tries, nearest_.size()); ++i) {
     const auto& [from, piece] = nearest_[i];
-    if (!connector_.is_free(other.tree.pose(from), piece)) continue;
+    if (!other.connector.is_free(other.tree.pose(from), piece)) continue;
     if (from_side == 0) {
       join(node, from, reversed(piece));
     } else {
@@ -133,11 +136,12 @@ void TwoTrees::join(NodeId from_start, NodeId from_goal, const Piece& bridge) {
     const Piece& piece = goal.pieces[static_cast<std::size_t>(i)];
     route_.legs.push_back({reversed(piece), goal.tree.pose(goal.tree.parent(i))});
   }
-  route_.cost = cost_of(connector_.rule(), route_);
+  route_.cost = cost_of(rule_, route_);
 }
 
 // The edge to the target from one of the two nodes that are nearest by Euclid, if it is free.
-std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const LocalPose& target) {
+std::optional<TwoTrees::Edge> TwoTrees::reach(Side& side, const LocalPose& target) {
+  const Tree& tree = side.tree;
   std::array<NodeId, 2> ids{-1, -1};
   std::array<float, 2> distances{infinity, infinity};
   const auto x = static_cast<float>(target.x);
@@ -156,8 +160,8 @@ std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const LocalPose&
   }
   for (const NodeId id : ids) {
     if (id < 0) break;
-    const std::optional<Piece> piece = connector_.steer(tree.pose(id), target);
-    if (piece && connector_.is_free(tree.pose(id), *piece)) return Edge{id, *piece};
+    const std::optional<Piece> piece = side.connector.steer(tree.pose(id), target);
+    if (piece && side.connector.is_free(tree.pose(id), *piece)) return Edge{id, *piece};
   }
   return std::nullopt;
 }
@@ -165,8 +169,8 @@ std::optional<TwoTrees::Edge> TwoTrees::reach(const Tree& tree, const LocalPose&
 // A sample that both trees reach joins them; one that one of them reaches becomes its node.
 bool TwoTrees::step_far() {
   const LocalPose target = sample_far();
-  const std::optional<Edge> from_start = reach(sides_[0].tree, target);
-  const std::optional<Edge> from_goal = reach(sides_[1].tree, target);
+  const std::optional<Edge> from_start = reach(sides_[0], target);
+  const std::optional<Edge> from_goal = reach(sides_[1], target);
   if (from_start) {
     const NodeId node = add(sides_[0], from_start->from, from_start->piece, target);
     if (from_goal) join(node, from_goal->from, reversed(from_goal->piece));
@@ -189,9 +193,8 @@ bool TwoTrees::step_near() {
   Side& other = sides_[1 - side];
   const auto [from, piece] = nearest_.front();
   const LocalPose& pose = other.tree.pose(from);
-  const Piece part = connector_.free_prefix(pose, piece);
-  if (part.length >= least_extension * connector_.radius())
-    add(other, from, part, end_of(pose, part));
+  const Piece part = other.connector.free_prefix(pose, piece);
+  if (part.length >= least_extension * radius_) add(other, from, part, end_of(pose, part));
   return false;
 }
 

@@ -19,10 +19,11 @@ using namespace search;
 /// The trees of one attempt.
 class TwoTrees {
  public:
-  /// `region` is where far samples are drawn, `far_share` how many there are, 0 to 1: they find the
-  /// way around obstacles, the others the way out of a slot.
-  TwoTrees(const Task& task, const Bounds& region, Connector& connector, double far_share,
-           std::uint64_t seed);
+  /// `forth` steers from the start, `back` from the goal, by the reversed rule. `region` is where
+  /// far samples are drawn, `far_share` how many there are, 0 to 1: they find the way around
+  /// obstacles, the others the way out of a slot.
+  TwoTrees(const Task& task, const Bounds& region, Connector& forth, Connector& back,
+           double far_share, std::uint64_t seed);
 
   /// One sample. True when the trees have met: `route` is then the path.
   [[nodiscard]] bool step();
@@ -37,6 +38,7 @@ class TwoTrees {
   struct Side {
     Tree tree;
     std::vector<Piece> pieces;  // from the parent, driven in the side's own direction
+    Connector& connector;       // of that direction
   };
   struct Edge {
     NodeId from;
@@ -47,14 +49,15 @@ class TwoTrees {
   [[nodiscard]] LocalPose sample_near();
   [[nodiscard]] bool step_far();
   [[nodiscard]] bool step_near();
-  [[nodiscard]] std::optional<Edge> reach(const Tree& tree, const LocalPose& target);
-  void rank(const Tree& tree, const LocalPose& target);
+  [[nodiscard]] std::optional<Edge> reach(Side& side, const LocalPose& target);
+  void rank(Side& side, const LocalPose& target);
   NodeId extend(Side& side, const LocalPose& target);
   [[nodiscard]] bool connect(std::size_t from_side, NodeId node);
   NodeId add(Side& side, NodeId parent, const Piece& piece, const LocalPose& end);
   void join(NodeId from_start, NodeId from_goal, const Piece& bridge);
 
-  Connector& connector_;
+  double radius_;
+  CostRule rule_;
   Local<Bounds> region_;
   double far_share_;
   Rng rng_;

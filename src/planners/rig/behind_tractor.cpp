@@ -45,6 +45,7 @@ std::optional<std::vector<Segment>> way_of_tractor(const Task& task, const PlanO
   how.cost.reverse_weight = terms.reverse_weight;
   how.cost.clearance_distance = terms.distance;
   how.cost.initial_gear = options.cost.initial_gear;
+  how.cost.gears = options.cost.gears;
   how.budget.seed = terms.seed;
   how.budget.target_gap.reset();
   how.budget.max_iterations = budget.left(terms.iterations, 0);
@@ -60,7 +61,7 @@ std::optional<std::vector<Segment>> way_of_tractor(const Task& task, const PlanO
 /// A path of the tractor, and what the trailer does behind it.
 class Follower {
  public:
-  Follower(const Task& task, std::span<const Segment> way);
+  Follower(const Task& task, const search::CostRule& rule, std::span<const Segment> way);
 
   /// What both bodies drive freely, with parts that are searched where they cannot follow.
   [[nodiscard]] std::optional<std::vector<Segment>> drive(std::int64_t expansions, Budget& budget);
@@ -75,6 +76,7 @@ class Follower {
   void widen(const Parts& parts, std::size_t by);
 
   const Task& task_;
+  search::CostRule rule_;  // of the searches
   double unit_;
   std::vector<Segment> way_;        // in parts
   std::vector<RigState> states_;    // before each part, and at the goal
@@ -83,8 +85,8 @@ class Follower {
   std::map<Parts, std::vector<Segment>> solved_;
 };
 
-Follower::Follower(const Task& task, std::span<const Segment> way)
-    : task_(task), unit_(search_unit(task.vehicle)) {
+Follower::Follower(const Task& task, const search::CostRule& rule, std::span<const Segment> way)
+    : task_(task), rule_(rule), unit_(search_unit(task.vehicle)) {
   const double most = 2 * unit_;
   for (const Segment& segment : way) {
     const double size = std::abs(segment.length);
@@ -149,9 +151,8 @@ std::optional<std::vector<Segment>> Follower::search(const Parts& parts, std::in
       !task.checker->rig_is_free(Local(states_[last]))) {
     return std::nullopt;
   }
-  const search::CostRule rule = search::cost_rule(driver_style);
   const Guides guides(task);
-  RigSearch search(task, rule, guides, {.step = 2.2 * unit_, .weight = 8, .levels = 2});
+  RigSearch search(task, rule_, guides, {.step = 2.2 * unit_, .weight = 8, .levels = 2});
   std::int64_t most = most_of_part;
   for (; left > 0 && most > 0 && budget.next() && search.step(); --left, --most) {
     const std::optional<std::vector<Segment>> found = search.take_found();
@@ -200,8 +201,10 @@ std::optional<std::vector<Segment>> drive_behind_tractor(const Task& task,
                                                          Budget& budget) {
   const std::optional<std::vector<Segment>> way = way_of_tractor(task, options, terms, budget);
   if (!way || way->empty()) return std::nullopt;
+  const search::CostRule rule =
+      search::restricted(search::cost_rule(driver_style), options.cost.gears);
   const std::optional<std::vector<Segment>> drive =
-      Follower(task, *way).drive(terms.expansions, budget);
+      Follower(task, rule, *way).drive(terms.expansions, budget);
   if (!drive) return std::nullopt;
   return ExactDrive(task).along(*drive);
 }

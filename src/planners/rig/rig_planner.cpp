@@ -56,6 +56,7 @@ constexpr double hope = 6.0;
 CostRule helpful_rule(const CostOptions& cost) {
   CostOptions options = driver_style;
   options.initial_gear = cost.initial_gear;
+  options.gears = cost.gears;
   return cost_rule(options);
 }
 
@@ -63,6 +64,7 @@ CostRule helpful_rule(const CostOptions& cost) {
 CostRule forward_rule(const CostOptions& cost) {
   CostOptions options = driver_style;
   options.initial_gear = cost.initial_gear;
+  options.gears = cost.gears;
   options.reverse_weight = 1000.0;
   options.gear_change_cost = 100.0;
   return cost_rule(options);
@@ -84,7 +86,8 @@ class Run {
         bare_(without_margin(task, options.clearance.margin)),
         guides_(task),
         towed_(towed_task(task)),
-        bound_(least_cost(task, pricing)) {}
+        bound_(least_cost(task, pricing)),
+        least_(least_cost(task, pricing, Ends::exact)) {}
 
   /// Drives that need no search.
   void begin();
@@ -120,7 +123,7 @@ class Run {
   [[nodiscard]] commands::DriveShortener::Measure measure() const;
   [[nodiscard]] bool is_good_enough() const {
     const double gap = options_.budget.target_gap.value_or(0.0);
-    return best_ && best_wanted_ <= bound_ * (1 + std::max(gap, rounding));
+    return best_ && best_wanted_ <= std::max(bound_ * (1 + gap), least_ * (1 + rounding));
   }
 
   const Task& task_;
@@ -139,6 +142,7 @@ class Run {
   Task towed_;
   Enclosure tractor_{task_}, trailer_{towed_};
   double bound_;                              // no drive costs less [m]
+  double least_;                              // none that ends just at the goal costs less [m]
   std::optional<std::vector<Segment>> best_;  // what is driven
   std::vector<Segment> best_commands_;
   std::size_t best_with_ = 0;      // task whose wheels obey them

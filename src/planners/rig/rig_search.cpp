@@ -245,6 +245,7 @@ RigState RigSearch::after(const Parent& parent, const Primitive& primitive,
 }
 
 void RigSearch::add(Side& side, const Parent& parent, Primitive primitive) {
+  if (!side.rule.allows(search::gear_of(primitive.command))) return;
   const Node& from = parent.node;
   Driven driven = from.driven;
   Obeyed obeyed = wheels_.obey(primitive.command, driven);
@@ -334,7 +335,8 @@ void RigSearch::bridge(std::size_t which, std::int32_t id) {
   const RigState& end = sides_[1].nodes[static_cast<std::size_t>(to)].state;
   if (!is_in_sight(begin.pose, end.pose) && ++out_of_sight_ % 2 != 0) return;
   const auto piece = steering_->steer_quickly(begin, end);
-  if (piece && is_free(begin, piece->view())) join(from, to, piece->view());
+  if (!piece || !search::may_drive(sides_[0].rule, piece->view())) return;
+  if (is_free(begin, piece->view())) join(from, to, piece->view());
 }
 
 void RigSearch::join(std::int32_t forward, std::int32_t backward,

@@ -3,8 +3,10 @@
 #include "planners/rig/towed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
+#include "planners/anytime/open_ground.h"
 #include "vandplan/rig.h"
 #include "vehicle/hitch_motion.h"
 
@@ -13,8 +15,21 @@ namespace {
 
 using search::Connector, search::CostRule;
 
-double least_cost_alone(const Task& task, const CostRule& rule) {
-  return Connector(task, rule).least_cost(task.start, task.goal, {rule.initial_gear, {}});
+/// The least cost on open ground of a body alone: to just there, or to ends that may be so far off.
+double least_cost_alone(const Task& task, const CostRule& rule, Ends which,
+                        const steering::Closing& off) {
+  if (which == Ends::exact) {
+    return Connector(task, rule).least_cost(task.start, task.goal, {rule.initial_gear, {}});
+  }
+  return anytime::least_cost(anytime::open_ground(task, rule, off), rule, 0.0);
+}
+
+/// How far the ends of a trailer's axle may be off where those of its tractor are as far off as the
+/// judge allows, and the hitch angle is.
+steering::Closing ends_of_trailer(const Vehicle& vehicle) {
+  const auto& [position, heading] = steering::judged;
+  const double arm = std::abs(vehicle.hitch) + 2 * vehicle.trailer->wheelbase;
+  return {position + heading * arm, 2 * heading};
 }
 
 }  // namespace
@@ -33,19 +48,21 @@ Task towed_task(const Task& task) {
   return towed;
 }
 
-double least_cost(const Task& task, const CostRule& rule) {
-  const double of_tractor = least_cost_alone(task, rule);
+double least_cost(const Task& task, const CostRule& rule, Ends ends) {
+  const double of_tractor = least_cost_alone(task, rule, ends, steering::judged);
   const vehicle::TrailerAlone trailer = vehicle::trailer_alone(task.vehicle);
   if (trailer.most_angle >= std::numbers::pi / 2) return of_tractor;
   CostRule of_metres = rule;  // the curvature that has a price is the tractor's
   of_metres.curvature_change_cost = 0.0;
-  const double of_trailer = least_cost_alone(towed_task(task), of_metres);
+  const double of_trailer =
+      least_cost_alone(towed_task(task), of_metres, ends, ends_of_trailer(task.vehicle));
   return std::max(of_tractor, of_trailer / trailer.most_way);
 }
 
-double least_cost(const Task& task, const planning::Pricing& pricing) {
-  const double length = pricing.counts_time() ? least_cost(task, CostRule{}) : 0.0;
-  const double priced = pricing.is_time() ? 0.0 : least_cost(task, pricing.prices());
+double least_cost(const Task& task, const planning::Pricing& pricing, Ends ends) {
+  const double length =
+      pricing.counts_time() ? least_cost(task, search::length_rule(pricing.rule()), ends) : 0.0;
+  const double priced = pricing.is_time() ? 0.0 : least_cost(task, pricing.prices(), ends);
   return pricing.least_cost(length, priced);
 }
 

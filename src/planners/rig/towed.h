@@ -16,10 +16,18 @@ namespace vandplan::rig {
 /// with a trailer.
 [[nodiscard]] Task towed_task(const Task& task);
 
-/// No drive of the rig costs less [m].
-[[nodiscard]] double least_cost(const Task& task, const search::CostRule& rule);
+/// Which drives a bound holds for.
+enum class Ends {
+  judged,  ///< all that the judge accepts: start and goal may be off by its tolerance
+  exact    ///< those that begin and end just there
+};
+
+/// No drive of the rig costs less [m]. Where driving has no prices it holds for exact ends alone.
+[[nodiscard]] double least_cost(const Task& task, const search::CostRule& rule,
+                                Ends ends = Ends::judged);
 
 /// The same where the time may be a part of the cost [m], or all of it [s].
-[[nodiscard]] double least_cost(const Task& task, const planning::Pricing& pricing);
+[[nodiscard]] double least_cost(const Task& task, const planning::Pricing& pricing,
+                                Ends ends = Ends::judged);
 
 }  // namespace vandplan::rig
