@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "vandplan/bound_table.h"
+#include "vandplan/dubins.h"
 #include "vandplan/heuristic_table.h"
 #include "vandplan/reeds_shepp.h"
 
@@ -31,6 +35,74 @@ PoseColumns columns(const Tree& tree) { return {tree.x(), tree.y(), tree.heading
 void from_table(int number, const Tree& tree, const Pose& sample, double radius,
                 std::span<float> lengths) {
   thesis_table(number).distances(columns(tree), sample, radius, lengths);
+}
+
+// ---- one gear ----
+
+/// What the table of the thesis with that number covers, with the lengths of Dubins.
+HeuristicTable made_dubins_table(int number) {
+  const HeuristicTable like = thesis_table(number);
+  std::vector<float> entries(like.entries().size());
+  const int positions = like.positions();
+  const int headings = like.headings();
+  const double radius = like.options().turning_radius;
+  for (int x = 0; x < positions; ++x) {
+    for (int y = 0; y < positions; ++y) {
+      for (int i = 0; i < headings * headings; ++i) {
+        const HeuristicTable::GridPoint point{x, y, i / headings, i % headings};
+        entries[like.index_of(point)] =
+            static_cast<float>(dubins_length(like.node_of(point), like.sample_of(point), radius));
+      }
+    }
+  }
+  return {like.options(), std::move(entries)};
+}
+
+template <int number>
+const HeuristicTable& dubins_table() {
+  static const HeuristicTable table = made_dubins_table(number);
+  return table;
+}
+
+float turned(float heading) {
+  constexpr auto half_turn = std::numbers::pi_v<float>;
+  return heading < 0.0F ? heading + half_turn : heading - half_turn;
+}
+
+/// The nodes and the sample, turned around: what was driven in reverse is driven forward.
+struct Turned {
+  Turned(const Tree& tree, const Pose& to)
+      : headings(tree.heading().begin(), tree.heading().end()),
+        sample{to.x, to.y, wrap_angle(to.heading + std::numbers::pi)} {
+    std::ranges::transform(headings, headings.begin(), turned);
+  }
+  std::vector<float> headings;
+  Pose sample;
+};
+
+void dubins_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
+                    std::span<float> lengths) {
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const Pose node{static_cast<double>(nodes.x[i]), static_cast<double>(nodes.y[i]),
+                    static_cast<double>(nodes.heading[i])};
+    lengths[i] = static_cast<float>(dubins_length(node, sample, radius));
+  }
+}
+
+void forward_lengths(Estimate estimate, const PoseColumns& nodes, const Pose& sample, double radius,
+                     std::span<float> lengths) {
+  switch (estimate) {
+    case Estimate::hlut_1:
+      return dubins_table<1>().distances(nodes, sample, radius, lengths);
+    case Estimate::hlut_2:
+      return dubins_table<2>().distances(nodes, sample, radius, lengths);
+    case Estimate::hlut_3:
+      return dubins_table<3>().distances(nodes, sample, radius, lengths);
+    case Estimate::hlut_4:
+      return dubins_table<4>().distances(nodes, sample, radius, lengths);
+    default:
+      return dubins_lengths(nodes, sample, radius, lengths);
+  }
 }
 
 /// What no path is shorter than.
@@ -68,6 +140,16 @@ void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, d
     case Estimate::reeds_shepp:
       return reeds_shepp_lengths(columns(tree), sample, radius, lengths);
   }
+}
+
+void estimate_lengths_in(GearSign gear, Estimate estimate, const Tree& tree, const Pose& sample,
+                         double radius, std::span<float> lengths) {
+  if (estimate == Estimate::euclid || estimate == Estimate::bound) {
+    return estimate_lengths(estimate, tree, sample, radius, lengths);
+  }
+  if (gear > 0) return forward_lengths(estimate, columns(tree), sample, radius, lengths);
+  const Turned turned(tree, sample);
+  forward_lengths(estimate, {tree.x(), tree.y(), turned.headings}, turned.sample, radius, lengths);
 }
 
 }  // namespace vandplan::search

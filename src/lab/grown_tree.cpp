@@ -27,7 +27,7 @@ GrownTree::GrownTree(const Task& task, const PlanOptions& options, Estimate esti
       profile_(options.planner.flag("profile")),
       connector_(task, search::length_rule(search::cost_rule(options.cost)), profile_),
       tree_(task.start, max_nodes_),
-      ranking_(tree_, connector_.radius(), max_nodes_, estimate, by),
+      ranking_(tree_, connector_.radius(), max_nodes_, estimate, by, connector_.rule().only_gear()),
       ranking_time_(profile_),
       rig_steering_time_(profile_),
       rig_checking_time_(profile_) {

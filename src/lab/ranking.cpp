@@ -15,9 +15,9 @@ bool is_before(const Candidate& a, const Candidate& b) {
 }  // namespace
 
 Ranking::Ranking(const Tree& tree, double radius, std::size_t capacity, Estimate estimate,
-                 RankBy by)
-    : tree_(tree), radius_(radius), estimate_(estimate), by_(by) {
-  if (by == RankBy::length && estimate == Estimate::reeds_shepp) {
+                 RankBy by, GearSign only)
+    : tree_(tree), radius_(radius), estimate_(estimate), by_(by), only_(only) {
+  if (only == 0 && by == RankBy::length && estimate == Estimate::reeds_shepp) {
     exact_.emplace(radius).add(tree.pose(0));
   } else {
     ranks_.resize(capacity);
@@ -60,7 +60,11 @@ void Ranking::look_up(std::size_t count, const Pose& sample) {
 
 void Ranking::rank_all(std::size_t count, const Pose& sample) {
   const std::span<float> ranks(ranks_.data(), tree_.size());
-  estimate_lengths(estimate_, tree_, sample, radius_, ranks);
+  if (only_ == 0) {
+    estimate_lengths(estimate_, tree_, sample, radius_, ranks);
+  } else {
+    estimate_lengths_in(only_, estimate_, tree_, sample, radius_, ranks);
+  }
   choose(count);
 }
 

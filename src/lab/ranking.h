@@ -30,8 +30,10 @@ struct Candidate {
 /// takes a rank for every node.
 class Ranking {
  public:
-  /// Of a tree that has its root, and gets `capacity` nodes at most.
-  Ranking(const Tree& tree, double radius, std::size_t capacity, Estimate estimate, RankBy by);
+  /// Of a tree that has its root, and gets `capacity` nodes at most; of edges in one gear, or with
+  /// `only` 0 in both.
+  Ranking(const Tree& tree, double radius, std::size_t capacity, Estimate estimate, RankBy by,
+          GearSign only = 0);
 
   /// Takes notice of the last node of the tree, which is new.
   void add_last();
@@ -54,6 +56,7 @@ class Ranking {
   double radius_;
   Estimate estimate_;
   RankBy by_;
+  GearSign only_;
   std::optional<NearestNodes> exact_;  // where it says what ranking would
   std::int64_t exact_solves_ = 0;
   std::vector<float> ranks_;
