@@ -8,10 +8,12 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "planners/pricing.h"
 #include "support/cases.h"
 #include "support/problems.h"
 #include "vandplan/dubins.h"
@@ -20,6 +22,7 @@
 #include "vandplan/path_source.h"
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
+#include "vandplan/search.h"
 #include "vandplan/smooth.h"
 
 namespace vandplan {
@@ -123,7 +126,7 @@ TEST_P(HonoursGears, EveryPlannerThatSaysSo) {
   const AllowedGears gears = GetParam();
   const Problem problem = around_a_wall(Bodies::truck, gears, false);
   for (const Planner& planner : planners()) {
-    PlanOptions options = limited(gears, is_sanitized ? 50 : 4000);
+    PlanOptions options = limited(gears, is_sanitized ? 50 : 1000);
     if (!planner.properties.honours_gears) {
       EXPECT_THROW((void)plan(problem, planner, options), InputError) << planner.name;
       continue;
@@ -185,6 +188,27 @@ TEST(OneGear, TheBoundKnowsThatALoopIsNeeded) {
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   EXPECT_GT(result.cost, dubins_length(problem.start(), problem.goal(), radius) - 1e-6);
   EXPECT_GT(result.lower_bound, 3 * reeds_shepp_length(problem.start(), problem.goal(), radius));
+}
+
+// Straight back the shortest word is driven in reverse: who may not has none up to that length.
+TEST(OneGear, SteeringAnswersInTheGearOrNotAtAll) {
+  const Problem problem = problem_of({0, 0, 0}, {-5, 0, 0}, {});
+  const Task& task = problem.task();
+  search::Connector connector(task, search::restricted({}, AllowedGears::forward));
+  EXPECT_FALSE(connector.steer(task.start, task.goal, {}, 6.0));
+  const std::optional<Piece> loop = connector.steer(task.start, task.goal);
+  ASSERT_TRUE(loop);
+  EXPECT_TRUE(search::may_drive(connector.rule(), loop->view()));
+}
+
+TEST(OneGear, TheTimeInAnotherGearIsInfinite) {
+  const Problem problem = problem_of({0, 0, 0}, {-5, 0, 0}, {});
+  const std::vector<Segment> back = {{0, -5}};
+  CostOptions cost{.measure = CostMeasure::time};
+  EXPECT_GT(planning::Pricing(problem.task(), cost).cost(back, 0.0), 1.0);
+  EXPECT_LT(planning::Pricing(problem.task(), cost).cost(back, 0.0), 100.0);
+  cost.gears = AllowedGears::forward;
+  EXPECT_TRUE(std::isinf(planning::Pricing(problem.task(), cost).cost(back, 0.0)));
 }
 
 // ---- bounds hold for all that the judge accepts: ends may be off by a micrometre ----
