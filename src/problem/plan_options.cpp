@@ -22,6 +22,15 @@ constexpr std::array<std::string_view, 2> style_names = {"shortest", "driver"};
 constexpr std::array<std::string_view, 3> steering_names = {
     "reeds-shepp", "continuous-between-stops", "continuous"};
 
+/// The value whose name it is, if there is one; `names` are in the order of the values.
+template <typename Value, std::size_t size>
+std::optional<Value> value_named(const std::array<std::string_view, size>& names,
+                                 std::string_view name) {
+  const auto* const found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Value>(found - names.begin());
+}
+
 template <typename Number>
 std::string text_of(Number value) {
   return base::shortest_text(value);
@@ -79,17 +88,17 @@ void parse(std::string_view value, bool& field) {
 void parse(std::string_view value, std::string& field) { field = value; }
 
 void parse(std::string_view value, InitialGear& field) {
-  const auto* const name = std::find(gear_names.begin(), gear_names.end(), value);
-  if (name == gear_names.end()) reject(value, "any, forward or reverse");
-  field = static_cast<InitialGear>(name - gear_names.begin());
+  const auto gear = value_named<InitialGear>(gear_names, value);
+  if (!gear) reject(value, "any, forward or reverse");
+  field = *gear;
 }
 
 void parse(std::string_view value, AllowedGears& field) { field = gears_named(value); }
 
 void parse(std::string_view value, CostMeasure& field) {
-  const auto* const name = std::find(measure_names.begin(), measure_names.end(), value);
-  if (name == measure_names.end()) reject(value, "prices or time");
-  field = static_cast<CostMeasure>(name - measure_names.begin());
+  const auto measure = value_named<CostMeasure>(measure_names, value);
+  if (!measure) reject(value, "prices or time");
+  field = *measure;
 }
 
 void parse(std::string_view value, std::optional<Steering>& field) {
@@ -265,8 +274,7 @@ std::string_view name_of(Steering steering) noexcept {
 }
 
 Steering steering_named(std::string_view name) {
-  const auto* const found = std::find(steering_names.begin(), steering_names.end(), name);
-  if (found != steering_names.end()) return static_cast<Steering>(found - steering_names.begin());
+  if (const auto found = value_named<Steering>(steering_names, name)) return *found;
   throw InputError("steering", "\"" + std::string(name) +
                                    "\" is not reeds-shepp, continuous-between-stops or continuous");
 }
@@ -276,8 +284,7 @@ std::string_view name_of(AllowedGears gears) noexcept {
 }
 
 AllowedGears gears_named(std::string_view name) {
-  const auto* const found = std::find(allowed_names.begin(), allowed_names.end(), name);
-  if (found != allowed_names.end()) return static_cast<AllowedGears>(found - allowed_names.begin());
+  if (const auto found = value_named<AllowedGears>(allowed_names, name)) return *found;
   throw InputError("gears", "\"" + std::string(name) + "\" is not both, forward or reverse");
 }
 
@@ -286,8 +293,7 @@ std::string_view name_of(Style style) noexcept {
 }
 
 Style style_named(std::string_view name) {
-  const auto* const found = std::find(style_names.begin(), style_names.end(), name);
-  if (found != style_names.end()) return static_cast<Style>(found - style_names.begin());
+  if (const auto found = value_named<Style>(style_names, name)) return *found;
   throw InputError("style", "\"" + std::string(name) + "\" is not driver or shortest");
 }
 
