@@ -26,9 +26,9 @@ inline constexpr std::array<std::string_view, 7> estimate_names = {
 void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, double radius,
                       std::span<float> lengths);
 
-/// The same of paths in one gear, 1 or -1: "reeds-shepp" is the exact length of Dubins, and tables
-/// hold such lengths. A table is computed when it is first asked for; the largest takes a tenth of
-/// a second.
+/// Estimated length of a path in one gear, 1 or -1, from each node to the sample [m]. "reeds-shepp"
+/// is the exact length of Dubins then, and tables hold such lengths. A table is computed when it is
+/// first asked for; the largest takes a tenth of a second.
 void estimate_lengths_in(GearSign gear, Estimate estimate, const Tree& tree, const Pose& sample,
                          double radius, std::span<float> lengths);
 

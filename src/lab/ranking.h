@@ -30,8 +30,8 @@ struct Candidate {
 /// takes a rank for every node.
 class Ranking {
  public:
-  /// Of a tree that has its root, and gets `capacity` nodes at most; of edges in one gear, or with
-  /// `only` 0 in both.
+  /// The tree has its root, and gets `capacity` nodes at most. Its edges are in the gear `only`; 0:
+  /// in both gears.
   Ranking(const Tree& tree, double radius, std::size_t capacity, Estimate estimate, RankBy by,
           GearSign only = 0);
 

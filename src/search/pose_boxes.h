@@ -38,9 +38,9 @@ class PoseBoxes {
     Range way_to_goal;
   };
 
-  /// Boxes of cells of `side` [m] around all ways up to `longest` [m] in one gear, or with `only` 0
-  /// in both. Where `is_usable` is false nothing is to be asked: such boxes prove nothing, or are
-  /// too many.
+  /// Boxes of cells of `side` [m] around all ways up to `longest` [m]. The paths are in the gear
+  /// `only`; 0: in both gears. Where `is_usable` is false nothing is to be asked: such boxes prove
+  /// nothing, or are too many.
   PoseBoxes(const Task& task, double side, double longest, GearSign only = 0);
   PoseBoxes(const PoseBoxes&) = delete;
   PoseBoxes& operator=(const PoseBoxes&) = delete;

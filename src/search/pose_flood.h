@@ -24,7 +24,7 @@ namespace vandplan::search {
 /// Boxes of several sizes follow each other, from coarse to fine. The bound only rises.
 class PoseFlood {
  public:
-  /// Of paths in one gear, or with `only` 0 in both. The task outlives it.
+  /// The paths are in the gear `only`; 0: in both gears. The task outlives the flood.
   explicit PoseFlood(const Task& task, GearSign only = 0);
 
   /// Goes on, about 20 microseconds of work. Takes no notice of paths that are longer than

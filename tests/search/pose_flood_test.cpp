@@ -47,7 +47,7 @@ std::vector<Segment> shunting(double radius, Rng& rng) {
   return segments;
 }
 
-/// The same in one gear.
+/// A few arcs and lines in one gear.
 std::vector<Segment> driven_on(double radius, double gear, Rng& rng) {
   std::vector<Segment> segments = shunting(radius, rng);
   for (Segment& segment : segments) segment.length = gear * std::abs(segment.length);
@@ -312,8 +312,8 @@ TEST(PoseFlood, IsBelowPathsThatJustPass) {
   });
 }
 
-// The same of paths in one gear: who drives on around a long bend may not be told to need more, and
-// paths of Dubins between the same poses are shorter than he.
+// A path in one gear among things that it just passes: the bound in that gear is not above its
+// length, nor above that of a shorter one that the planner finds.
 TEST(PoseFlood, IsBelowPathsInOneGear) {
   for_each_case(4, 150, [](Rng& rng) {
     const Vehicle vehicle = small_vehicle(rng);

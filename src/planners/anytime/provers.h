@@ -16,7 +16,7 @@ namespace vandplan::anytime {
 /// a vehicle, which has to turn.
 class LengthProver final : public Worker {
  public:
-  /// Of paths in one gear, or with `only` 0 in both. The task outlives the worker.
+  /// The paths are in the gear `only`; 0: in both gears. The task outlives the worker.
   LengthProver(const Task& task, search::GearSign only);
 
   [[nodiscard]] bool has_work() const override { return !geodesic_ || !geodesic_is_final_; }
