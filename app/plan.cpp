@@ -60,14 +60,25 @@ std::string proof_text(const PlanResult& result) {
                      gap > weak ? " (the bound is weak)" : "");
 }
 
-std::string outcome_of(const ResultRecord& record, const Vehicle& vehicle) {
+/// " to any_of[2] (45.00, 20.00, 1.571)": the goal of a set; empty for a goal that is one pose.
+std::string goal_text(const PlanResult& result, const Scenario& scenario) {
+  if (!result.goal) return "";
+  const auto& [index, pose] = *result.goal;
+  const bool is_one_of_many = scenario.goal_set.size() > 1;
+  return fmt::format(" to {}({:.2f}, {:.2f}, {:.3f})",
+                     is_one_of_many ? fmt::format("any_of[{}] ", index) : "", pose.x, pose.y,
+                     pose.heading);
+}
+
+std::string outcome_of(const ResultRecord& record, const Scenario& scenario) {
   const PlanResult& result = record.result;
   if (!result.path) return no_path_text(result);
-  const std::string cost = result.drive_check
-                               ? drive_text(result.drive_check)
-                               : ", " + cost_text(result.cost, record.options.cost, vehicle);
-  return fmt::format("solved: {}{}{}, first path after {}", path_text(*result.check), cost,
-                     proof_text(result), seconds_text(result.anytime.front().time));
+  const std::string cost =
+      result.drive_check ? drive_text(result.drive_check)
+                         : ", " + cost_text(result.cost, record.options.cost, scenario.vehicle);
+  return fmt::format("solved{}: {}{}{}, first path after {}", goal_text(result, scenario),
+                     path_text(*result.check), cost, proof_text(result),
+                     seconds_text(result.anytime.front().time));
 }
 
 void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
@@ -77,7 +88,7 @@ void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& re
   for (const ResultRecord& record : records) {
     const PlanResult& result = record.result;
     if (record.distance) fmt::print("{:7.6g} m: ", *record.distance);
-    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(record, file.scenario.vehicle),
+    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(record, file.scenario),
                result.iterations, counter(result, "nodes"), seconds_text(result.time_total));
   }
   if (!file.is_row()) return;

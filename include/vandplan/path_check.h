@@ -53,6 +53,8 @@ struct PathClaims {
   Steering steering = Steering::reeds_shepp;
   /// In which gears it is driven: a metre in another one is a fault.
   AllowedGears gears = AllowedGears::both;
+  /// Which goal of a set it ends at; its pose is in the frame of the path.
+  std::optional<ReachedGoal> goal = {};
   std::optional<double> start_hitch_angle = {};  ///< [rad]
   /// From end to end, at most 0.1 m apart, in the frame of the path; none: nothing is said.
   std::vector<StatedPose> poses = {};
@@ -79,8 +81,10 @@ struct PathCheck {
   std::string reason = {};           ///< the first thing found wrong, one line; empty when valid
   std::optional<PathPoint> at = {};  ///< where it is wrong, if at a place; in the scenario's frame
   std::optional<Hit> hit = {};       ///< what is hit, or left, if that is what is wrong
-  double length = 0.0;               ///< [m]
-  double reverse_length = 0.0;       ///< of it in reverse [m]
+  /// Of a set of goals the one that the path ends at, in the scenario's frame, if it ends at one.
+  std::optional<ReachedGoal> goal = {};
+  double length = 0.0;          ///< [m]
+  double reverse_length = 0.0;  ///< of it in reverse [m]
   int gear_changes = 0;
   double largest_hitch_angle = 0.0;  ///< absolute, of what was looked at [rad]; 0: no trailer
   double curvature_change = 0.0;  ///< total variation of the curvature, at gear changes, too [1/m]
@@ -95,8 +99,8 @@ struct PathCheck {
 /// claimed, the rear axle stays in the bounds, the footprint touches no obstacle and no blocked
 /// cell and the wheels no kerb, both of the vehicle and of its trailer, whose hitch angle stays
 /// within its limit (looked at every millimetre that a point of the vehicle moves, skipping only
-/// what is proven to be free), they keep the margin that is claimed, it ends at the goal within
-/// 1e-6 m and 1e-6 rad, and what is claimed is true.
+/// what is proven to be free), they keep the margin that is claimed, it ends at the goal, or at one
+/// of a set, within 1e-6 m and 1e-6 rad, and what is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});
 

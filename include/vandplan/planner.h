@@ -37,13 +37,15 @@ struct PlannerProperties {
   Style style = Style::shortest;  ///< what it minimises when no style and price is set
   /// Steering of a vehicle without a trailer when none is set; none: that of the style.
   std::optional<Steering> steering = {};
-  bool honours_time = false;              ///< CostMeasure::time
-  bool honours_threads = false;           ///< BudgetOptions::threads
-  bool honours_target_gap = false;        ///< BudgetOptions::target_gap: it proves lower bounds
-  bool honours_steering = false;          ///< PlanOptions::steering; else it is `reeds_shepp`
-  bool honours_primitives = false;        ///< PlanOptions::primitives
-  bool honours_moving = false;            ///< Task::moving: it answers speeds, too
-  bool honours_trailers = false;          ///< plans for a vehicle that pulls a trailer, too
+  bool honours_time = false;        ///< CostMeasure::time
+  bool honours_threads = false;     ///< BudgetOptions::threads
+  bool honours_target_gap = false;  ///< BudgetOptions::target_gap: it proves lower bounds
+  bool honours_steering = false;    ///< PlanOptions::steering; else it is `reeds_shepp`
+  bool honours_primitives = false;  ///< PlanOptions::primitives
+  bool honours_moving = false;      ///< Task::moving: it answers speeds, too
+  bool honours_trailers = false;    ///< plans for a vehicle that pulls a trailer, too
+  /// Task::goal_set; else `plan` lets it plan to single goals of a set in turn.
+  bool honours_goal_sets = false;
   bool honours_steering_of_rigs = false;  ///< PlanOptions::steering with a trailer, too
   bool anytime = false;                   ///< goes on improving its path for as long as it may
   bool deterministic = true;              ///< same seed and iterations, same path
@@ -69,9 +71,11 @@ struct PlanResult {
   std::string reason = {};        ///< why there is no path, or no valid one; or empty
   std::optional<Hit> hit = {};    ///< what is in the way of a start or goal in collision
   std::optional<Path> path = {};  ///< from the start as it was given to the goal
-  double cost = 0.0;              ///< of the path [m], or [s] where the cost is the time
-  CostOptions rule = {};          ///< what was minimised, every price set
-  double lower_bound = 0.0;       ///< no path costs less; proven; 0: nothing is
+  /// Of a set of goals the one that the path ends at.
+  std::optional<ReachedGoal> goal = {};
+  double cost = 0.0;         ///< of the path [m], or [s] where the cost is the time
+  CostOptions rule = {};     ///< what was minimised, every price set
+  double lower_bound = 0.0;  ///< no path costs less; proven; 0: nothing is
   std::int64_t iterations = 0;
   double time_total = 0.0;  ///< in the planner [s]
   std::vector<CostSample> anytime = {};

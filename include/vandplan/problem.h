@@ -17,8 +17,10 @@
 #include <vector>
 
 #include "vandplan/collision.h"
+#include "vandplan/goal_set.h"
 #include "vandplan/moving.h"
 #include "vandplan/plan_options.h"
+#include "vandplan/rig.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
@@ -55,6 +57,9 @@ struct Scenario {
   Pose goal = {};
   EndCurvatures curvatures = {};
   EndHitchAngles hitch_angles = {};
+  /// Where the path may end: in any of these regions. Empty: at `goal`. Otherwise no notice is
+  /// taken of `goal`, `curvatures.goal` and `hitch_angles.goal`.
+  std::vector<GoalRegion> goal_set = {};
   std::vector<Polygon> obstacles = {};
   std::vector<Polygon> kerbs = {};          ///< low ones, that overhangs may swing over
   std::string map_file = {};                ///< where the map is from; empty without map
@@ -118,10 +123,11 @@ struct Task {
   Vehicle vehicle;
   double least_margin = 0.0;  ///< that the vehicle keeps from things wherever it is [m]
   LocalPose start;
-  LocalPose goal;
+  LocalPose goal;  ///< of a set of goals some pose of the first region
   Steering steering = Steering::reeds_shepp;
   EndCurvatures curvatures = {};
   EndHitchAngles hitch_angles = {};
+  std::vector<GoalRegion> goal_set = {};    ///< where the path may end instead of at `goal`
   std::vector<MovingObstacle> moving = {};  ///< what else moves; no part of `checker`
 };
 
@@ -133,6 +139,10 @@ class Problem {
   /// The start and the goal in the scenario's frame, as they were given.
   [[nodiscard]] const Pose& start() const noexcept { return start_; }
   [[nodiscard]] const Pose& goal() const noexcept { return goal_; }
+
+  /// The set of goals in the scenario's frame, as it was given; empty if `goal` is the only one.
+  /// Otherwise `goal` is some pose of its first region.
+  [[nodiscard]] const std::vector<GoalRegion>& goal_set() const noexcept { return goal_set_; }
 
   [[nodiscard]] const EndCurvatures& curvatures() const noexcept { return task_.curvatures; }
   [[nodiscard]] const EndHitchAngles& hitch_angles() const noexcept { return task_.hitch_angles; }
@@ -146,9 +156,11 @@ class Problem {
                               const EndHitchAngles& hitch_angles);
   friend Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
   friend Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
+  friend Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set);
 
   Pose start_;
   Pose goal_;
+  std::vector<GoalRegion> goal_set_;
   Task task_;
 };
 
@@ -188,6 +200,11 @@ void check_map(const OccupancyGrid& map);
 /// The problem from and to somewhere else, with straight wheels: same world, same vehicle, and the
 /// same things move. Throws InputError naming "start" or "goal" when they are out of range.
 [[nodiscard]] Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
+
+/// The problem with a set of goals, in the scenario's frame, instead of what its goal was. Throws
+/// InputError naming "goal.x", "goal.area", "goal.any_of[2].heading" or another key when a number
+/// is out of range, an interval is crossed, or there is no region.
+[[nodiscard]] Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set);
 
 /// The problem as planners see it when the vehicle keeps its distance and steers like this.
 [[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options,

@@ -258,6 +258,25 @@ void paint_rig(cairo_t* cairo, const Scene& scene, const RigState& state, const 
   paint_vehicle(cairo, {body_outline(scene.vehicle), state.pose, colour}, view);
 }
 
+// Places as areas, poses as thin outlines.
+void paint_goal_set(cairo_t* cairo, const Scene& scene, const View& view) {
+  for (const Polygon& area : scene.goal_areas) {
+    add_polygon(cairo, view, area);
+    set_colour(cairo, colour::goal, 0.15);
+    cairo_fill_preserve(cairo);
+    stroke(cairo, 1.0, colour::goal, 0.8);
+  }
+  for (const RigState& goal : scene.goals) {
+    if (scene.vehicle.trailer) {
+      add_polygon(cairo, view,
+                  placed(body_outline(*scene.vehicle.trailer), trailer_pose(scene.vehicle, goal)));
+      stroke(cairo, 0.8, colour::goal, 0.5);
+    }
+    add_polygon(cairo, view, placed(body_outline(scene.vehicle), goal.pose));
+    stroke(cairo, 0.8, colour::goal, 0.5);
+  }
+}
+
 }  // namespace
 
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
@@ -269,6 +288,7 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   paint_tree(cairo, scene, view);
   if (scene.path && scene.margin > 0.0) paint_margin(cairo, scene, view);
   if (scene.path) paint_sweep(cairo, scene, view);
+  paint_goal_set(cairo, scene, view);
   paint_rig(cairo, scene, {scene.goal, scene.hitch_angles.goal}, colour::goal, view);
   paint_rig(cairo, scene, {scene.start, scene.hitch_angles.start}, colour::start, view);
   for (const Polygon& polygon : scene.hit) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "vandplan/input_error.h"
 #include "vandplan/rig.h"
@@ -72,6 +74,35 @@ bool is_inside(const Bounds& box, const Bounds& around) { return common(box, aro
 
 double extent(const Bounds& box) { return std::max(box.x_max - box.x_min, box.y_max - box.y_min); }
 
+/// Where the axle may be that a region speaks of; empty if it is one place.
+Polygon area_of(const GoalRegion& region) {
+  if (!region.area.empty()) return region.area;
+  const auto& [x_min, x_max] = region.x;
+  const auto& [y_min, y_max] = region.y;
+  if (x_min == x_max && y_min == y_max) return {};
+  return {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}};
+}
+
+/// A few goals of a region, with headings all over its range.
+std::vector<RigState> goals_of(const Vehicle& vehicle, const GoalRegion& region) {
+  const auto& [least, most] = region.hitch_angle;
+  RigState middle{some_pose(region), 0.5 * (least + most)};
+  if (region.is_of_trailer) middle.pose = tractor_pose(vehicle, middle.pose, middle.hitch_angle);
+  constexpr double apart = std::numbers::pi / 4;
+  const double turns = width(region.heading);
+  const int steps = static_cast<int>(std::ceil(turns / apart));
+  std::vector<RigState> goals;
+  for (int i = 0; i <= steps; ++i) {
+    const double turn = steps == 0 ? 0.0 : turns * i / steps - 0.5 * turns;
+    for (const double turned : {0.0, std::numbers::pi}) {
+      if (turned > 0.0 && !region.either_way) continue;
+      const Pose& pose = middle.pose;
+      goals.push_back({{pose.x, pose.y, pose.heading + turn + turned}, middle.hitch_angle});
+    }
+  }
+  return goals;
+}
+
 /// The box around all places where the vehicle is.
 Bounds surroundings_of_path(const Scene& scene) {
   const auto [vehicle, trailer] = bodies_of(scene);
@@ -83,6 +114,9 @@ Bounds surroundings_of_path(const Scene& scene) {
   const auto add_trailer = [&, &body = trailer](const Pose& pose) { add(body, pose); };
   add_vehicle(scene.start);
   add_vehicle(scene.goal);
+  for (const RigState& goal : scene.goals) add_vehicle(goal.pose);
+  for (const Polygon& area : scene.goal_areas)
+    points.insert(points.end(), area.begin(), area.end());
   if (scene.vehicle.trailer) {
     add_trailer(trailer_pose(scene.vehicle, {scene.start, scene.hitch_angles.start}));
     add_trailer(trailer_pose(scene.vehicle, {scene.goal, scene.hitch_angles.goal}));
@@ -124,6 +158,15 @@ std::vector<Polygon> things_in(const Scene& scene) {
   return things;
 }
 
+/// Where the path of a scene ends.
+RigState end_of(const Scene& scene) {
+  RigState state{scene.path->start, scene.hitch_angles.start};
+  for (const Segment& segment : scene.path->segments) {
+    state = advance(scene.vehicle, state, segment);
+  }
+  return state;
+}
+
 }  // namespace
 
 /// The corners of what is hit; none of what the scenario has not.
@@ -157,12 +200,25 @@ Scene scene_of(const Drawing& drawing) {
   scene.start = moved(scenario.start, scene.origin, "start");
   scene.goal = moved(scenario.goal, scene.origin, "goal");
   scene.hitch_angles = scenario.hitch_angles;
+  for (const GoalRegion& region : scenario.goal_set) {
+    if (Polygon area = area_of(region); !area.empty()) scene.goal_areas.push_back(std::move(area));
+    for (RigState goal : goals_of(scenario.vehicle, region)) {
+      goal.pose = moved(goal.pose, scene.origin, "goal");
+      scene.goals.push_back(goal);
+    }
+  }
+  scene.goal_areas = moved(std::move(scene.goal_areas), scene.origin);
   scene.obstacles = moved(scenario.obstacles, scene.origin);
   scene.kerbs = moved(scenario.kerbs, scene.origin);
   scene.shadows = shadows_of(scenario.moving, scene.origin);
   scene.map = scenario.map;
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");
   if (drawing.path) scene.path = moved(*drawing.path, scene.origin);
+  if (!scene.goals.empty()) {
+    const RigState goal = scene.path ? end_of(scene) : scene.goals.front();
+    scene.goal = goal.pose;
+    scene.hitch_angles.goal = goal.hitch_angle;
+  }
   if (!(drawing.margin >= 0.0)) throw InputError("margin", "must be at least 0 [m]");
   scene.margin = drawing.margin;
   scene.curvature_strip = drawing.curvature_strip && drawing.path != nullptr;

@@ -24,7 +24,9 @@ struct Scene {
   Bounds bounds;
   Pose start;
   Pose goal;
-  EndHitchAngles hitch_angles;  ///< of account if the vehicle has a trailer
+  EndHitchAngles hitch_angles;      ///< of account if the vehicle has a trailer
+  std::vector<Polygon> goal_areas;  ///< of a set of goals: where the midpoint of an axle may be
+  std::vector<RigState> goals;  ///< some poses of a set of goals; empty if `goal` is the only one
   std::vector<Polygon> obstacles;
   std::vector<Polygon> kerbs;
   std::optional<OccupancyGrid> map;

@@ -219,6 +219,14 @@ PathClaims claims_from(const Document& file, const Node& node, ResultLists& list
   return claims;
 }
 
+/// The goal of a set that the path ends at. In a line for a pair `goal` is a pose alone.
+std::optional<ReachedGoal> goal_from(const Document& file, const Node& node) {
+  const Node* const goal = file.find(node, "goal");
+  const Node* const index = goal == nullptr ? nullptr : file.find(*goal, "index");
+  if (index == nullptr) return std::nullopt;
+  return ReachedGoal{file.count(*index), pose_from(file, *goal)};
+}
+
 /// Which run it was.
 ResultRecord run_from(const Document& file, const Node& node) {
   ResultRecord record;
@@ -283,6 +291,7 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
       result.speeds = speeds_from(file, *speeds);
     }
     record.claims = claims_from(file, node, lists);
+    record.claims.goal = result.goal = goal_from(file, node);
     read_rules(file, node, record);
     record.claims.cost = cost_from(file, node, record);
   }

@@ -232,6 +232,13 @@ Json json_of(const Hit& hit) {
   return json;
 }
 
+Json json_of(const ReachedGoal& goal) {
+  return {{"index", goal.index},
+          {"x", goal.pose.x},
+          {"y", goal.pose.y},
+          {"heading", goal.pose.heading}};
+}
+
 Json heading_of(const ResultRecord& record) {
   return {{"format", "vandplan-result/1"},
           {"scenario", record.scenario},
@@ -256,6 +263,7 @@ Json Results::json_of_record(const Vehicle& vehicle, double hitch_angle,
     }
     json["gear_changes"] = gear_changes(result.path->segments);
     if (result.speeds) json["duration"] = result.speeds->duration;
+    if (result.goal) json["goal"] = json_of(*result.goal);
     if (result.check) {
       json["reverse_length"] = result.check->reverse_length;
       // JSON has no infinity: without obstacles there is no clearance.

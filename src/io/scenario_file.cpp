@@ -8,15 +8,14 @@
 #include <filesystem>
 
 #include "io/document.h"
+#include "io/goal_file.h"
 #include "io/map_file.h"
 #include "io/moving_file.h"
 #include "io/polygons.h"
 #include "io/vehicle_file.h"
 #include "problem/checks.h"
 #include "vandplan/files.h"
-#include "vandplan/heading_doubt.h"
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
 #include "vandplan/scenario_file.h"
 
 namespace vandplan {
@@ -31,74 +30,12 @@ Bounds bounds_from(const Document& file, const Node& node) {
   return {x.x, x.y, y.x, y.y};
 }
 
-Pose lone_pose(const Document& file, const Node& node) {
-  file.allow_only(node, {"x", "y", "heading", "curvature", "hitch_angles"});
-  return {file.number(file.at(node, "x")), file.number(file.at(node, "y")),
-          file.number(file.at(node, "heading"))};
-}
-
-/// How far the wheels are turned at a pose.
-double curvature_from(const Document& file, const Node& pose) {
-  const Node* const curvature = file.find(pose, "curvature");
-  return curvature == nullptr ? 0.0 : file.number(*curvature);
-}
-
-/// The angle between the vehicle and its trailer at a pose.
-double hitch_angle_from(const Document& file, const Node& pose, const Vehicle& vehicle) {
-  const Node* const angles = file.find(pose, "hitch_angles");
-  if (angles == nullptr) return 0.0;
-  if (!vehicle.trailer) {
-    file.fail(*angles, "are given without a trailer, expected trailers of the vehicle");
-  }
-  const std::vector<Node>& items = file.list(*angles, "a list with one angle");
-  if (items.size() != 1) {
-    file.fail(*angles,
-              fmt::format("has {} angles, expected 1, one for each trailer", items.size()));
-  }
-  return file.number(items[0]);
-}
-
-/// What a start or a goal says.
-struct End {
-  Pose pose = {};
-  double curvature = 0.0;
-  double hitch_angle = 0.0;
-};
-
-End end_from(const Document& file, const Node& node, const Vehicle& vehicle) {
-  return {lone_pose(file, node), curvature_from(file, node), hitch_angle_from(file, node, vehicle)};
-}
-
-/// A goal of the vehicle, or of its trailer.
-End goal_from(const Document& file, const Node& node, const Vehicle& vehicle) {
-  const Node* const trailer = file.find(node, "trailer");
-  if (trailer == nullptr) return end_from(file, node, vehicle);
-  file.allow_only(node, {"trailer", "curvature", "hitch_angles"});
-  if (!vehicle.trailer) {
-    file.fail(*trailer, "is given without a trailer, expected trailers of the vehicle");
-  }
-  file.allow_only(*trailer, {"x", "y", "heading"});
-  End end{lone_pose(file, *trailer), curvature_from(file, node),
-          hitch_angle_from(file, node, vehicle)};
-  end.pose = tractor_pose(vehicle, end.pose, end.hitch_angle);
-  return end;
-}
-
 std::vector<Polygon> polygons_from(const Document& file, const Node& node) {
   std::vector<Polygon> polygons;
   for (const Node& item : file.list(node, "a list of polygons")) {
     polygons.push_back(polygon_from(file, item));
   }
   return polygons;
-}
-
-/// Adds a warning when the heading of a pose looks like degrees.
-void warn_of_degrees(const Document& file, const Node& pose, std::vector<std::string>& warnings) {
-  const Node* const trailer = file.find(pose, "trailer");
-  const Node& heading = file.at(trailer == nullptr ? pose : *trailer, "heading");
-  if (const std::string doubt = heading_doubt(file.number(heading)); !doubt.empty()) {
-    warnings.push_back(file.place_of(heading) + ": " + doubt);
-  }
 }
 
 std::vector<RowGoal> row_from(const Document& file, const Node& node, const Vehicle& vehicle) {
@@ -235,6 +172,8 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     result.row = row_from(file, *goals, scenario.vehicle);
     const RowGoal& first = result.row.front();
     end = {first.goal, first.curvature, first.hitch_angle};
+  } else if (is_goal_set(file, *goal)) {
+    scenario.goal_set = goal_set_from(file, *goal, scenario.vehicle);
   } else {
     end = goal_from(file, *goal, scenario.vehicle);
   }
@@ -325,12 +264,6 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string yaml_of(const Pose& pose, double curvature, double hitch_angle) {
-  std::string more = curvature == 0.0 ? "" : fmt::format(", curvature: {}", curvature);
-  if (hitch_angle != 0.0) more += fmt::format(", hitch_angles: [{}]", hitch_angle);
-  return fmt::format("{{x: {}, y: {}, heading: {}{}}}", pose.x, pose.y, pose.heading, more);
-}
-
 /// The value of an `obstacles` key and the end of its line.
 std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& indent) {
   if (polygons.empty()) return " []\n";
@@ -412,16 +345,19 @@ std::string to_yaml(const ScenarioFile& file) {
   }
   text += fmt::format("vehicle: {}\n", yaml_of(scenario.vehicle));
   text += fmt::format("bounds: {{x: [{}, {}], y: [{}, {}]}}\n", b.x_min, b.x_max, b.y_min, b.y_max);
-  text += fmt::format("start: {}\n", yaml_of(scenario.start, scenario.curvatures.start,
-                                             scenario.hitch_angles.start));
-  if (!file.is_row()) {
-    text += fmt::format(
-        "goal: {}\n", yaml_of(scenario.goal, scenario.curvatures.goal, scenario.hitch_angles.goal));
+  const auto& [start_curvature, goal_curvature] = scenario.curvatures;
+  const auto& [start_angle, goal_angle] = scenario.hitch_angles;
+  text += fmt::format("start: {}\n", yaml_of(End{scenario.start, start_curvature, start_angle}));
+  if (file.is_row()) {
+    text += "goals:\n";
+  } else if (!scenario.goal_set.empty()) {
+    text += "goal:" + yaml_of(scenario.goal_set);
+  } else {
+    text += fmt::format("goal: {}\n", yaml_of(End{scenario.goal, goal_curvature, goal_angle}));
   }
-  if (file.is_row()) text += "goals:\n";
   for (const RowGoal& goal : file.row) {
     text += fmt::format("  - distance: {}\n    goal: {}\n    obstacles:{}", goal.distance,
-                        yaml_of(goal.goal, goal.curvature, goal.hitch_angle),
+                        yaml_of(End{goal.goal, goal.curvature, goal.hitch_angle}),
                         yaml_of(goal.obstacles, "      "));
   }
   if (!scenario.kerbs.empty()) text += "kerbs:" + yaml_of(scenario.kerbs, "  ");

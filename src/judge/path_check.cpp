@@ -14,6 +14,7 @@
 #include "judge/body.h"
 #include "judge/claims.h"
 #include "judge/drive_time.h"
+#include "judge/goals.h"
 #include "judge/ground.h"
 #include "judge/near_cost.h"
 #include "judge/steering.h"
@@ -25,6 +26,7 @@ namespace {
 
 using namespace judge;
 
+constexpr double stated_tolerance = 1e-5;  // of a stated goal [m, rad]: others round figures
 constexpr double position_tolerance = 1e-6;
 constexpr double heading_tolerance = 1e-6;
 constexpr double curvature_slack = 1e-9;  // relative
@@ -260,6 +262,37 @@ std::optional<Fault> wrong_gear(const Track& track, AllowedGears allowed) {
   return std::nullopt;
 }
 
+/// Whether somebody states another goal than the one that the path ends at.
+std::optional<Fault> false_goal(const Goal& goal, const std::optional<ReachedGoal>& stated) {
+  if (!stated) return std::nullopt;
+  const Pose& is = goal.pose;
+  const Pose& said = stated->pose;
+  const double apart = std::hypot(is.x - said.x, is.y - said.y);
+  const auto turn = static_cast<double>(
+      std::abs(std::remainder(static_cast<Real>(is.heading) - said.heading, full_turn)));
+  if (apart <= stated_tolerance && turn <= stated_tolerance) return std::nullopt;
+  return Fault{
+      text("the stated goal is %.3g m and %.3g rad away from where the path ends", apart, turn),
+      {}};
+}
+
+/// The goal of a set that a path is held to: of the region that is claimed, if there is such a one.
+Goal goal_of(const Task& task, const Track& track, const Trailing* trailing,
+             const PathClaims& claims) {
+  std::optional<std::size_t> only;
+  if (claims.goal && claims.goal->index < task.goal_set.size()) only = claims.goal->index;
+  return nearest_goal(task, track, trailing, claims.steering == Steering::continuous, only);
+}
+
+/// The task with the goal of its set that the path is held to.
+Task with_goal(const Task& task, const Goal& goal) {
+  Task to = task;
+  to.goal = Local(goal.pose);
+  to.curvatures.goal = goal.curvature;
+  to.hitch_angles.goal = goal.hitch_angle;
+  return to;
+}
+
 /// What is looked at: the trailer, if there is one, hangs on the track.
 std::optional<Fault> first_fault(const Task& task, const Track& track, const Trailing* trailing,
                                  const PathClaims& claims, std::optional<double>& least) {
@@ -301,6 +334,7 @@ Path local_path(const World& world, const Path& path) {
 
 PathClaims local_claims(const World& world, const PathClaims& claims) {
   PathClaims local = claims;
+  if (local.goal) local.goal->pose = to_local(world, local.goal->pose);
   for (StatedPose& stated : local.poses) stated.pose = to_local(world, stated.pose);
   return local;
 }
@@ -327,14 +361,23 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
   check.reverse_length = static_cast<double>(track.reverse_length);
   check.gear_changes = track.gear_changes;
   check.curvature_change = static_cast<double>(track.curvature_change);
-  const Task& task = problem.task();
+  const Task* task = &problem.task();
   std::optional<Trailing> trailing;
-  if (task.vehicle.trailer) {
-    trailing.emplace(track, task.vehicle, task.hitch_angles.start);
+  if (task->vehicle.trailer) {
+    trailing.emplace(track, task->vehicle, task->hitch_angles.start);
     check.largest_hitch_angle = static_cast<double>(trailing->largest_angle());
   }
-  const std::optional<Fault> fault = first_fault(task, track, trailing ? &*trailing : nullptr,
-                                                 local_claims(world, claims), check.clearance);
+  const Trailing* const trailer = trailing ? &*trailing : nullptr;
+  const PathClaims local = local_claims(world, claims);
+  std::optional<Fault> fault;
+  if (task->goal_set.empty()) {
+    fault = first_fault(*task, track, trailer, local, check.clearance);
+  } else {
+    const Goal goal = goal_of(*task, track, trailer, local);
+    fault = first_fault(with_goal(*task, goal), track, trailer, local, check.clearance);
+    if (!fault) fault = false_goal(goal, local.goal);
+    if (!fault) check.goal = ReachedGoal{goal.index, to_scenario(world, Local(goal.pose))};
+  }
   check.valid = !fault;
   if (!fault) return check;
   check.reason = fault->reason;

@@ -19,6 +19,7 @@
 #include "planners/drive_time.h"
 #include "planners/ghosts.h"
 #include "planners/path_search.h"
+#include "planners/plan_to_set.h"
 #include "planners/pricing.h"
 #include "planners/refuges.h"
 #include "vandplan/reeds_shepp.h"
@@ -392,6 +393,12 @@ class Run {
 
 PlannerAnswer plan(const Task& task, const PlanOptions& options,
                    std::span<const NamedSource> sources) {
+  if (!task.goal_set.empty()) {
+    const auto to_one = [sources](const Task& to, const PlanOptions& round) {
+      return Run(to, round, sources).answer();
+    };
+    return planning::plan_to_set(task, options, time_price, planning::restarted_search(to_one));
+  }
   return Run(task, options, sources).answer();
 }
 

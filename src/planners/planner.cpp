@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "planners/in_time.h"
 #include "planners/options.h"
+#include "planners/plan_to_set.h"
 #include "planners/pricing.h"
 #include "planners/reasons.h"
 #include "vandplan/input_error.h"
@@ -26,6 +28,7 @@ std::optional<PlannerAnswer> settled(const Task& task) {
     answer.status = PlanStatus::start_in_collision;
     return answer;
   }
+  if (!task.goal_set.empty()) return std::nullopt;
   if (!task.checker->rig_is_free(Local(RigState{task.goal, last_angle}))) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
@@ -62,6 +65,7 @@ std::string fault_of_times(const Problem& problem, const PlanOptions& options, P
 void judge(const Problem& problem, const PlanOptions& options, PlanResult& result) {
   result.check = check_path(problem, *result.path, claims_of(result, options));
   result.reason = result.check->reason;
+  result.goal = result.check->goal;
   if (result.check->valid) result.reason = fault_of_times(problem, options, result);
   if (result.reason.empty()) {
     if (result.anytime.empty()) {  // a planner that keeps no trace
@@ -73,6 +77,7 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
     return;
   }
   result.status = PlanStatus::rejected;
+  result.goal.reset();
   result.path.reset();
   result.speeds.reset();
   result.anytime.clear();
@@ -145,7 +150,13 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
   const search::Budget clock(all.budget);
   const Task task = task_of(problem, all.clearance, *all.steering);
   std::optional<PlannerAnswer> answer = settled(task);
-  if (!answer) answer = planner.function(task, all);
+  if (!answer) {
+    const bool takes_task = task.goal_set.empty() || planner.properties.honours_goal_sets;
+    const double time_price = task.moving.empty() ? 0.0 : in_time::time_price;
+    answer = takes_task ? planner.function(task, all)
+                        : planning::plan_to_set(task, all, time_price,
+                                                planning::restarted_search(planner.function));
+  }
   PlanResult result = result_of(problem, *std::move(answer), clock.elapsed());
   result.rule = all.cost;
   planning::explain_refusal(problem, all.clearance, result);

@@ -47,6 +47,10 @@ Refusal refusal_at(const Problem& problem, const RigState& state, const Clearanc
 void explain_refusal(const Problem& problem, const ClearanceOptions& options, PlanResult& result) {
   const bool is_start = result.status == PlanStatus::start_in_collision;
   if (!is_start && result.status != PlanStatus::goal_in_collision) return;
+  // A set of goals is not free anywhere that was looked at; of one pose the judge says why.
+  const bool is_set = problem.goal_set().size() > 1 ||
+                      (problem.goal_set().size() == 1 && is_continuous(problem.goal_set()[0]));
+  if (!is_start && is_set) return;
   const auto& [start, goal] = problem.hitch_angles();
   Refusal refusal = is_start ? refusal_at(problem, {problem.start(), start}, options)
                              : refusal_at(problem, {problem.goal(), goal}, options);

@@ -8,6 +8,7 @@
 #include "planners/anytime/anytime.h"
 #include "planners/anytime/tidy.h"
 #include "planners/in_time.h"
+#include "planners/plan_to_set.h"
 #include "planners/shared_options.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_source.h"
@@ -18,8 +19,13 @@ namespace {
 /// A path that is known counts where nothing moves.
 PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
                               const anytime::Given& given) {
-  return task.moving.empty() ? anytime::plan_anytime(task, options, given)
-                             : in_time::plan(task, options, given.sources);
+  if (!task.moving.empty()) return in_time::plan(task, options, given.sources);
+  if (task.goal_set.empty()) return anytime::plan_anytime(task, options, given);
+  const auto search_to = [&given](const Task& to, const PlanOptions& round, const Path* nearby) {
+    const Path* const known = nearby != nullptr ? nearby : given.known;
+    return anytime::drive_search(to, round, 0.0, {.known = known, .sources = given.sources});
+  };
+  return plan_to_set(task, options, 0.0, search_to);
 }
 
 Planner anytime_planner() {
@@ -35,6 +41,7 @@ Planner anytime_planner() {
                          .honours_steering = true,
                          .honours_moving = true,
                          .honours_trailers = true,
+                         .honours_goal_sets = true,
                          .honours_steering_of_rigs = true,
                          .anytime = true},
           .options = {region_option(), anytime::min_stroke_option()},

@@ -204,6 +204,19 @@ void expect_finite(const Path& path) {
   if (!is_finite) throw InputError("path", "holds a number that is not finite");
 }
 
+/// The problem without its set of goals, if it has one: its goal is that of the set which the path
+/// ends at, or else where the path ends.
+Problem to_end_of(const Problem& problem, const Path& path) {
+  if (problem.goal_set().empty() || !problem.task().moving.empty()) return problem;
+  RigState end{path.start, problem.hitch_angles().start};
+  for (const Segment& segment : path.segments) end = advance(problem.vehicle(), end, segment);
+  const std::optional<ReachedGoal> goal = check_path(problem, path).goal;
+  const double curvature = goal ? problem.goal_set()[goal->index].curvature : 0.0;
+  return make_problem(problem.world(), problem.vehicle(), problem.start(),
+                      goal ? goal->pose : end.pose, {problem.curvatures().start, curvature},
+                      {problem.hitch_angles().start, end.hitch_angle});
+}
+
 /// Whether an option of the run that planned a path counts when the path is smoothed.
 bool counts(const Planner& planner, const Setting& setting) {
   if (!honours(planner, setting.name)) return false;
@@ -262,9 +275,10 @@ PlanOptions smooth_options(std::span<const Setting> scenario, std::span<const Se
   return options;
 }
 
-Smoothed smooth(const Problem& problem, const Path& path, SmoothMethod method,
+Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
                 const PlanOptions& options) {
   expect_finite(path);
+  const Problem problem = to_end_of(of_set, path);
   const Planner planner = smoother(path, method);
   Smoothed smoothed{.result = plan(problem, planner, options)};
   smoothed.options = complete(planner, options, problem.vehicle());
@@ -279,8 +293,9 @@ Smoothed smooth(const Problem& problem, const Path& path, SmoothMethod method,
   const double lack = wishes.lack(path.segments);
   // [6] Never worse than the path that was given.
   smoothed.given_fault = given.reason;
-  if (!given.valid) return smoothed;
   PlanResult& result = smoothed.result;
+  if (result.path) result.goal = check_path(of_set, *result.path).goal;
+  if (!given.valid) return smoothed;
   if (result.path) {
     const double more_cost =
         wishes.cost(result.path->segments, Looks::answer) - smoothed.given_cost;

@@ -10,6 +10,7 @@
 #include "base/require.h"
 #include "collision/ground.h"
 #include "problem/checks.h"
+#include "problem/goal_set.h"
 #include "problem/moving.h"
 #include "vandplan/input_error.h"
 #include "vandplan/rig.h"
@@ -39,6 +40,32 @@ void expect_made(const Problem& problem) {
   if (problem.world() == nullptr) {
     throw InputError("problem", "is empty, expected one that make_problem returned");
   }
+}
+
+/// Start and goal with all that is said of them.
+void check_goal(const Scenario& scenario) {
+  if (!scenario.goal_set.empty()) {
+    problem::check_goal_set(scenario.goal_set, scenario.vehicle, scenario.start);
+    problem::check_curvature(scenario.curvatures.start, scenario.vehicle, "start.curvature");
+    problem::check_hitch_angle(scenario.hitch_angles.start, scenario.vehicle, "start.hitch_angles");
+    return;
+  }
+  check_poses(scenario.start, scenario.goal);
+  problem::check_curvatures(scenario.curvatures, scenario.vehicle);
+  problem::check_hitch_angles(scenario.hitch_angles, scenario.vehicle);
+}
+
+Problem at_goal_of(const Scenario& scenario, std::shared_ptr<const World> world) {
+  const Vehicle& vehicle = scenario.vehicle;
+  const Pose& start = scenario.start;
+  if (scenario.goal_set.empty()) {
+    return make_problem(std::move(world), vehicle, start, scenario.goal, scenario.curvatures,
+                        scenario.hitch_angles);
+  }
+  return with_goal_set(make_problem(std::move(world), vehicle, start, start,
+                                    {scenario.curvatures.start, scenario.curvatures.start},
+                                    {scenario.hitch_angles.start, scenario.hitch_angles.start}),
+                       scenario.goal_set);
 }
 
 }  // namespace
@@ -101,11 +128,9 @@ void check_scenario(const Scenario& scenario) {
   problem::check_pose(scenario.start, "start");
   (void)checked(surroundings(scenario),
                 problem::local_origin({scenario.start.x, scenario.start.y}));
-  check_poses(scenario.start, scenario.goal);
-  problem::check_curvatures(scenario.curvatures, scenario.vehicle);
+  check_goal(scenario);
   (void)problem::local_moving(scenario.moving,
                               problem::local_origin({scenario.start.x, scenario.start.y}));
-  problem::check_hitch_angles(scenario.hitch_angles, scenario.vehicle);
 }
 
 Surroundings surroundings(const Scenario& scenario) {
@@ -120,9 +145,7 @@ Problem make_problem(const Scenario& scenario) {
   problem::check_pose(scenario.start, "start");
   auto world = std::make_shared<const World>(surroundings(scenario),
                                              Point{scenario.start.x, scenario.start.y});
-  return with_moving(make_problem(std::move(world), scenario.vehicle, scenario.start, scenario.goal,
-                                  scenario.curvatures, scenario.hitch_angles),
-                     scenario.moving);
+  return with_moving(at_goal_of(scenario, std::move(world)), scenario.moving);
 }
 
 Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle, const Pose& start,
@@ -157,6 +180,20 @@ Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal) 
   return other;
 }
 
+Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set) {
+  expect_made(problem);
+  problem::check_goal_set(set, problem.vehicle(), problem.start());
+  const RigState some = problem::some_goal(problem.vehicle(), set.front());
+  Problem other = problem;
+  other.goal_ = some.pose;
+  other.goal_set_ = set;
+  other.task_.goal = to_local(*problem.world(), some.pose);
+  other.task_.curvatures.goal = set.front().curvature;
+  other.task_.hitch_angles.goal = some.hitch_angle;
+  other.task_.goal_set = problem::local_goal_set(set, problem.world()->origin());
+  return other;
+}
+
 Task task_of(const Problem& problem, const ClearanceOptions& options, Steering steering) {
   expect_made(problem);
   validate({.clearance = options});
@@ -167,7 +204,12 @@ Task task_of(const Problem& problem, const ClearanceOptions& options, Steering s
     task.goal.x +=
         1e-9;  // far below what a goal may be missed by: planners know ends by their place
   }
-  if (options.margin == 0.0) return task;
+  problem::keep_margin(task, options);
+  return task;
+}
+
+void problem::keep_margin(Task& task, const ClearanceOptions& options) {
+  if (options.margin == 0.0) return;
   Margin margin{.wanted = options.margin};
   if (options.margin_ramp > 0.0) {
     for (const auto& state : {Local(RigState{task.start, task.hitch_angles.start}),
@@ -183,7 +225,6 @@ Task task_of(const Problem& problem, const ClearanceOptions& options, Steering s
   }
   task.least_margin = margin.least();
   task.checker = task.world->checker(task.vehicle, margin);
-  return task;
 }
 
 LocalPose to_local(const World& world, const Pose& pose) noexcept {

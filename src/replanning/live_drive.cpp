@@ -270,7 +270,7 @@ class LiveDrive {
     result_.has_arrived = has_arrived();
     if (result_.has_arrived && result_.stops > 0) --result_.stops;
     result_.duration = t_;
-    const Pose end = relative(truth_.task().goal, pose_);
+    const Pose end = relative(goal(), pose_);
     result_.end_distance = std::hypot(end.x, end.y);
     result_.end_heading = std::abs(end.heading);
     result_.clearance = watch_.clearance();
@@ -281,6 +281,12 @@ class LiveDrive {
     if (result_.contact && result_.contact->t <= *met.t) return std::move(result_);
     result_.contact = Contact{*met.t, met.at->s, met.at->pose, met.reason};
     return std::move(result_);
+  }
+
+  /// Of a set of goals the one that it drives to.
+  [[nodiscard]] Pose goal() const {
+    if (truth_.goal_set().empty() || !drive_) return truth_.task().goal;
+    return to_local(*truth_.world(), end_pose(drive_->path));
   }
 
   [[nodiscard]] const TimedPath& until_arrival() const { return result_.driven; }

@@ -138,6 +138,7 @@ class Replanner::Impl {
     scene_.planned = driving::with_reserve(task.vehicle, options.reserve);
     scene_.goal = task.goal;
     scene_.goal_curvature = task.curvatures.goal;
+    scene_.goal_set = task.goal_set;
     moving_ = task.moving;
     (void)complete(default_planner(), options_.plan, task.vehicle);
   }
@@ -186,6 +187,10 @@ class Replanner::Impl {
   [[nodiscard]] Problem problem_of(const CutDrive& rest, bool reaches_goal) const {
     const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
     const Path& path = rest.drive.path;
+    if (reaches_goal && !scene_.goal_set.empty()) {
+      return with_moving(problem_from(scene_, scene_.vehicle, path.start, rest.begin.curvature),
+                         scene_.moving);
+    }
     const Pose end = reaches_goal ? scene_.goal : end_pose(path);
     const double curvature = std::clamp(rest.begin.curvature, -sharpest, sharpest);
     return with_moving(
@@ -247,6 +252,7 @@ class Replanner::Impl {
 
   /// Why the drive ends on the way.
   [[nodiscard]] std::string reason_of_no_way() const {
+    if (!scene_.goal_set.empty()) return "no drive to any of the goals was found";
     const Problem problem = make_problem(scene_.world, scene_.vehicle, scene_.goal, scene_.goal);
     const PathCheck check =
         check_path(problem, {scene_.goal, {}}, {.clearance = options_.plan.clearance});

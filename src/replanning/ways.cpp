@@ -44,6 +44,16 @@ std::vector<MovingObstacle> later(std::vector<MovingObstacle> moving, double t) 
   return moving;
 }
 
+Problem problem_from(const Scene& scene, const Vehicle& vehicle, const Pose& pose,
+                     double curvature) {
+  const double sharpest = 1.0 / scene.vehicle.min_turning_radius;
+  const double now = std::clamp(curvature, -sharpest, sharpest);
+  if (scene.goal_set.empty()) {
+    return make_problem(scene.world, vehicle, pose, scene.goal, {now, scene.goal_curvature});
+  }
+  return with_goal_set(make_problem(scene.world, vehicle, pose, pose, {now, now}), scene.goal_set);
+}
+
 double Ways::braking_distance(double v) const {
   const DrivingLimits& limits = scene_.planned.limits;
   return v * v / (2 * limits.max_braking.value_or(limits.max_acceleration));
@@ -76,37 +86,41 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
   return TimedPath{path, *std::move(yielding.speeds)};
 }
 
-/// What the planner drives from standing at a pose, `t` seconds from now; nothing if it finds none.
+/// What the planner drives from standing at a pose, `t` seconds from now; none if it finds none.
 /// Nobody has judged it: whoever takes a drive lets the judge see the whole of it.
-std::vector<Segment> Ways::segments_to_goal(const Pose& pose, double curvature, double t,
-                                            const PlanOptions& options, bool whole_drive) {
-  const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
-  if (reeds_shepp_length(pose, scene_.goal, scene_.vehicle.min_turning_radius) == 0.0) return {};
+std::optional<std::vector<Segment>> Ways::segments_to_goal(const Pose& pose, double curvature,
+                                                           double t, const PlanOptions& options,
+                                                           bool whole_drive) {
+  const bool has_set = !scene_.goal_set.empty();
+  const double radius = scene_.vehicle.min_turning_radius;
+  if (!has_set && reeds_shepp_length(pose, scene_.goal, radius) == 0.0) {
+    return std::vector<Segment>{};
+  }
   try {
-    Problem problem =
-        make_problem(scene_.world, scene_.planned, pose, scene_.goal,
-                     {std::clamp(curvature, -sharpest, sharpest), scene_.goal_curvature});
+    Problem problem = problem_from(scene_, scene_.planned, pose, curvature);
     if (t >= 0.0) problem = with_moving(std::move(problem), later(scene_.moving, t));
     const Planner& planner = default_planner();
     const PlanOptions all = complete(planner, options, scene_.vehicle);
     const Task task = task_of(problem, all.clearance, *all.steering);
-    if (!task.checker->is_free(task.start) || !task.checker->is_free(task.goal)) return {};
+    if (!task.checker->is_free(task.start)) return std::nullopt;
+    if (!has_set && !task.checker->is_free(task.goal)) return std::nullopt;
     const bool is_drive = whole_drive || !task.moving.empty();
     PlannerAnswer answer = is_drive ? in_time::plan(task, all) : planner.function(task, all);
     work_.iterations += answer.iterations;
-    if (answer.segments) return *std::move(answer.segments);
+    return std::move(answer.segments);
   } catch (const InputError&) {
     // Whoever is off by more than a planner accepts finds no way from there.
   }
-  return {};
+  return std::nullopt;
 }
 
 std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const Effort& effort) {
   PlanOptions options = options_;
   options.budget.seed = effort.seed;
   if (!options.budget.time_limit) options.budget.max_iterations = effort.iterations;
-  const Path path{pose, segments_to_goal(pose, curvature, 0.0, options, true)};
-  if (path.segments.empty() && !(pose == scene_.goal)) return std::nullopt;
+  auto segments = segments_to_goal(pose, curvature, 0.0, options, true);
+  if (!segments) return std::nullopt;
+  const Path path{pose, *std::move(segments)};
   const Motion begin{.pose = pose, .curvature = curvature};
   auto drive = timed(path, begin, 0.0, options_.clearance.margin, effort, endless);
   if (!drive) return std::nullopt;
@@ -142,10 +156,9 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t, con
     }
   }
   if (look == Look::around) begins_at = t + 2 * length(path.segments) / std::max(speed, stands);
-  const std::vector<Segment> found =
-      segments_to_goal(root, curvature, begins_at, options, effort.whole_drive);
-  if (found.empty()) return std::nullopt;
-  path.segments.insert(path.segments.end(), found.begin(), found.end());
+  const auto found = segments_to_goal(root, curvature, begins_at, options, effort.whole_drive);
+  if (!found || found->empty()) return std::nullopt;
+  path.segments.insert(path.segments.end(), found->begin(), found->end());
   return path;
 }
 

@@ -22,6 +22,7 @@ struct Scene {
   Vehicle planned;  ///< with the limits that planned speeds keep
   Pose goal;
   double goal_curvature = 0.0;
+  std::vector<GoalRegion> goal_set = {};    ///< instead of `goal`; empty if that is the only one
   std::vector<MovingObstacle> moving = {};  ///< times count from now
 };
 
@@ -92,8 +93,10 @@ class Ways {
  private:
   [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const Motion& begin, double t,
                                                double margin, const Effort& effort, double longest);
-  [[nodiscard]] std::vector<Segment> segments_to_goal(const Pose& pose, double curvature, double t,
-                                                      const PlanOptions& options, bool whole_drive);
+  [[nodiscard]] std::optional<std::vector<Segment>> segments_to_goal(const Pose& pose,
+                                                                     double curvature, double t,
+                                                                     const PlanOptions& options,
+                                                                     bool whole_drive);
   [[nodiscard]] std::optional<Path> path_of(Look look, const CutDrive& from, double t,
                                             const Effort& effort);
   [[nodiscard]] double braking_distance(double v) const;
@@ -102,6 +105,10 @@ class Ways {
   const PlanOptions& options_;
   Work work_;
 };
+
+/// The problem from a pose to the goal of a scene, or to its set of goals, where nothing moves.
+[[nodiscard]] Problem problem_from(const Scene& scene, const Vehicle& vehicle, const Pose& pose,
+                                   double curvature);
 
 /// What moves, seen so many seconds later.
 [[nodiscard]] std::vector<MovingObstacle> later(std::vector<MovingObstacle> moving, double t);

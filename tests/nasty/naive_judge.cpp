@@ -364,6 +364,78 @@ std::string drive(const Look& look, const Vehicle& vehicle, const Segment& segme
   return "";
 }
 
+// ---- Sets of goals ----
+
+Real from_segment(const Vector& p, const Vector& a, const Vector& b) {
+  const Vector along{b.x - a.x, b.y - a.y};
+  const Real square = along.x * along.x + along.y * along.y;
+  Real t = square > 0 ? ((p.x - a.x) * along.x + (p.y - a.y) * along.y) / square : 0;
+  t = std::min(std::max(t, Real{0}), Real{1});
+  return std::hypot(p.x - a.x - t * along.x, p.y - a.y - t * along.y);
+}
+
+/// How far a place is from an area: by the angles under which it sees the sides whether it is in
+/// it.
+Real from_area(const Polygon& area, const Pose& origin, const Vector& p) {
+  Real turns = 0;
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const Point& from = area[i];
+    const Point& to = area[(i + 1) % area.size()];
+    const Vector a{Real{from.x} - origin.x, Real{from.y} - origin.y};
+    const Vector b{Real{to.x} - origin.x, Real{to.y} - origin.y};
+    least = std::min(least, from_segment(p, a, b));
+    turns +=
+        std::remainder(std::atan2(b.y - p.y, b.x - p.x) - std::atan2(a.y - p.y, a.x - p.x), 2 * pi);
+  }
+  return std::abs(turns) > pi ? 0 : least;
+}
+
+Real beyond(Real value, Real least, Real most) {
+  return std::max({least - value, value - most, Real{0}});
+}
+
+/// How far a heading is beyond all of a range, counter-clockwise from the first to the last.
+Real beyond_headings(Real heading, const HeadingRange& range) {
+  Real width = Real{range.to} - range.from;
+  while (width < 0) width += 2 * pi;
+  Real after = std::fmod(heading - range.from, 2 * pi);
+  if (after < 0) after += 2 * pi;
+  return after <= width ? 0 : std::min(after - width, 2 * pi - after);
+}
+
+bool is_of_region(const Scenario& scenario, const GoalRegion& region, const Drive& at) {
+  Vector place = at.place;
+  Real heading = at.heading;
+  if (region.is_of_trailer) {
+    const Vehicle& v = scenario.vehicle;
+    heading = at.heading - at.angle;
+    place = {place.x + v.hitch * std::cos(at.heading) - v.trailer->wheelbase * std::cos(heading),
+             place.y + v.hitch * std::sin(at.heading) - v.trailer->wheelbase * std::sin(heading)};
+  }
+  const Pose& origin = scenario.start;
+  const Real off =
+      region.area.empty()
+          ? std::hypot(
+                beyond(place.x, Real{region.x.least} - origin.x, Real{region.x.most} - origin.x),
+                beyond(place.y, Real{region.y.least} - origin.y, Real{region.y.most} - origin.y))
+          : from_area(region.area, origin, place);
+  Real turn = beyond_headings(heading, region.heading);
+  if (region.either_way) turn = std::min(turn, beyond_headings(heading + pi, region.heading));
+  const Real fold = std::remainder(at.angle, 2 * pi);
+  const bool is_folded =
+      scenario.vehicle.trailer &&
+      !(beyond(fold, region.hitch_angle.least, region.hitch_angle.most) <= allowed_miss);
+  return off <= allowed_miss && turn <= allowed_miss && !is_folded;
+}
+
+std::string flaw_of_end(const Scenario& scenario, const Drive& at) {
+  for (const GoalRegion& region : scenario.goal_set) {
+    if (is_of_region(scenario, region, at)) return "";
+  }
+  return flaw_at("ends at none of the goals", at.place);
+}
+
 }  // namespace
 
 std::string naive_flaw(const Scenario& scenario, const Path& path) {
@@ -381,6 +453,7 @@ std::string naive_flaw(const Scenario& scenario, const Path& path) {
     std::string flaw = drive(look, scenario.vehicle, segment, at);
     if (!flaw.empty()) return flaw;
   }
+  if (!scenario.goal_set.empty()) return flaw_of_end(scenario, at);
   const Pose& goal = scenario.goal;
   const Real dx = at.place.x - (Real{goal.x} - scenario.start.x);
   const Real dy = at.place.y - (Real{goal.y} - scenario.start.y);

@@ -325,6 +325,62 @@ Scenario nasty_world(std::uint64_t seed) {
   return moved_by(std::move(scenario), any_sign(far, rng), any_sign(far * uniform01(rng), rng));
 }
 
+namespace {
+
+/// From a value to either side, mostly nowhere.
+Interval nasty_interval(double middle, double size, Rng& rng) {
+  if (chance(0.4, rng)) return {middle, middle};
+  const double width = any_size(1e-9, 2, rng) * size;
+  const double least = middle - uniform01(rng) * width;
+  return {least, least + width};
+}
+
+GoalRegion nasty_region(const Scenario& scenario, double size, Rng& rng) {
+  Pose at = scenario.goal;
+  if (chance(0.4, rng)) {
+    at = {at.x + uniform(-2, 2, rng) * size, at.y + uniform(-2, 2, rng) * size,
+          uniform(-pi, pi, rng)};
+  }
+  if (chance(0.05, rng)) at = scenario.start;
+  GoalRegion region = region_of_pose(at);
+  if (chance(0.3, rng)) {
+    const double reach = any_size(1e-3, 2, rng) * size;
+    const double notch = uniform(0.05, 0.95, rng) * reach;
+    region.area = {{at.x - reach, at.y - reach},
+                   {at.x + reach, at.y - reach},
+                   {at.x + reach, at.y + reach},
+                   {at.x, at.y + reach - notch},
+                   {at.x - reach, at.y + reach}};
+  } else {
+    region.x = nasty_interval(at.x, size, rng);
+    region.y = nasty_interval(at.y, size, rng);
+  }
+  const Interval turn = nasty_interval(at.heading, chance(0.3, rng) ? pi : 0.1, rng);
+  region.heading = chance(0.3, rng) ? any_heading : HeadingRange{turn.least, turn.most};
+  region.either_way = chance(0.3, rng);
+  region.curvature = chance(0.9, rng) ? 0.0 : scenario.curvatures.start;
+  if (!scenario.vehicle.trailer) return region;
+  const double most = scenario.vehicle.max_hitch_angle;
+  const Interval angle = nasty_interval(scenario.hitch_angles.goal, 0.2, rng);
+  region.hitch_angle = {std::clamp(angle.least, -most, most), std::clamp(angle.most, -most, most)};
+  if (chance(0.2, rng)) region.hitch_angle = {-most, most};
+  region.is_of_trailer = chance(0.3, rng);
+  return region;
+}
+
+}  // namespace
+
+Scenario nasty_world_of_goals(std::uint64_t seed) {
+  Rng rng(stream_seed(seed, 4));
+  Scenario scenario = chance(0.2, rng) ? nasty_world_of_a_rig(seed) : nasty_world(seed);
+  const double size = std::max(whole_length(scenario.vehicle), scenario.vehicle.min_turning_radius);
+  const int regions = 1 + static_cast<int>(any_size(1, 4, rng));
+  for (int i = chance(0.5, rng) ? regions : 1; i > 0; --i) {
+    scenario.goal_set.push_back(nasty_region(scenario, size, rng));
+  }
+  return scenario;
+}
+
 Scenario nasty_world_of_a_rig(std::uint64_t seed) {
   Scenario scenario = nasty_world(seed);
   Rng rng(stream_seed(seed, 2));

@@ -19,4 +19,8 @@ namespace vandplan::nasty {
 /// its body over the hitch, and with hitch angles at both ends.
 [[nodiscard]] Scenario nasty_world_of_a_rig(std::uint64_t seed);
 
+/// One of both whose goal is a set: of one region to four, beside the goal it had, on the start, or
+/// anywhere; some so narrow that they are all but poses.
+[[nodiscard]] Scenario nasty_world_of_goals(std::uint64_t seed);
+
 }  // namespace vandplan::nasty

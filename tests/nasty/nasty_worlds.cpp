@@ -21,13 +21,14 @@ namespace {
 using vandplan::nasty::Trial;
 
 constexpr const char* usage =
-    "usage: nasty_worlds [--patient | --rigs] FROM COUNT [JOBS]\n"
+    "usage: nasty_worlds [--patient | --rigs | --goals] FROM COUNT [JOBS]\n"
     "       nasty_worlds --save SEED FOLDER\n\n"
     "Tries the worlds FROM to FROM + COUNT - 1, JOBS at a time (1), and prints a line for each "
     "broken\n"
     "promise with the number that repeats it; exit status 1 if there is one. --rigs: "
     "with a\n"
-    "trailer; --patient: with 25 times the iterations. --save writes a world as a scenario file.\n";
+    "trailer; --goals: to sets of goals; --patient: with 25 times the iterations. --save writes a "
+    "world as a scenario file.\n";
 
 /// What all trials brought.
 struct Total {
@@ -84,6 +85,9 @@ int main(int argc, char** argv) {
   Try one = vandplan::nasty::try_world;
   if (!words.empty() && words[0] == "--rigs") {
     one = vandplan::nasty::try_world_of_a_rig;
+    words.erase(words.begin());
+  } else if (!words.empty() && words[0] == "--goals") {
+    one = vandplan::nasty::try_world_of_goals;
     words.erase(words.begin());
   } else if (!words.empty() && words[0] == "--patient") {
     one = vandplan::nasty::try_world_patiently;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int worlds = 500;
 constexpr int worlds_of_rigs = 100;
+constexpr int worlds_of_goals = 100;
 constexpr int patient_worlds = 25;
 
 /// What a share of the worlds brought, with a failure for each fault: `command` repeats it.
@@ -51,6 +52,11 @@ TEST_P(NastyWorlds, KeepNoPromiseFromBeingKept) {
 TEST_P(NastyWorlds, KeepNoPromiseToARigFromBeingKept) {
   const Share share(GetParam(), worlds_of_rigs, try_world_of_a_rig, "nasty_worlds --rigs");
   EXPECT_GT(share.paths, cases(worlds_of_rigs) / 10);
+}
+
+TEST_P(NastyWorlds, KeepNoPromiseToASetOfGoalsFromBeingKept) {
+  const Share share(GetParam(), worlds_of_goals, try_world_of_goals, "nasty_worlds --goals");
+  EXPECT_GT(share.paths, cases(worlds_of_goals) / 4);
 }
 
 TEST_P(NastyWorlds, KeepNoPromiseFromBeingKeptInTheLongRun) {

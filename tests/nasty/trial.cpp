@@ -181,7 +181,10 @@ class Judgement {
   double leeway_of(const Path& path) const {
     const Pose end = end_pose(path);
     const double far = std::max({std::abs(end.x), std::abs(end.y), 1.0});
-    const double beside = std::hypot(end.x - scenario_.goal.x, end.y - scenario_.goal.y);
+    constexpr double allowed_beside = 1e-6;
+    const bool has_set = !scenario_.goal_set.empty();
+    const double beside =
+        has_set ? allowed_beside : std::hypot(end.x - scenario_.goal.x, end.y - scenario_.goal.y);
     const double rounding = far * std::numeric_limits<double>::epsilon();
     constexpr double moved = 1e-9;
     return std::sqrt(8 * scenario_.vehicle.min_turning_radius * (beside + rounding + moved));
@@ -263,6 +266,8 @@ Trial try_world_patiently(std::uint64_t seed) {
 }
 
 Trial try_world_of_a_rig(std::uint64_t seed) { return tried(nasty_world_of_a_rig(seed), seed); }
+
+Trial try_world_of_goals(std::uint64_t seed) { return tried(nasty_world_of_goals(seed), seed); }
 
 std::string save_world(std::uint64_t seed, const std::string& folder) {
   Scenario scenario = nasty_world(seed);

@@ -93,7 +93,6 @@ class Composer {
   [[nodiscard]] std::unique_ptr<Seeker> seeker(const Task& task, std::uint64_t stream,
                                                Make make) const;
   void take_known(const Path& known);
-  void take_open_ground(const CostRule& rule);
   void add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row);
   void add_trees();
   void add_length_prover();
@@ -140,8 +139,7 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
                  .gap = options.budget.target_gap,
                  .routes_are_answers = !pricing_->counts_time()} {
   if (bends_) bend_ = std::make_unique<BendWorker>(task, rule_, seed(stream::bend));
-  take_open_ground(length_rule(rule_));  // [1]
-  if (!rule_.is_length()) take_open_ground(rule_);
+  portfolio_.routes = open_ways(task, rule_);  // [1]
   if (given.known != nullptr) take_known(*given.known);
   looks_around_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
 }
@@ -156,18 +154,6 @@ FinishRules Composer::finish_rules() const {
   if (!pricing_->is_time()) rules.stroke = std::max(min_stroke, shortest_stroke);
   if (min_stroke == 0.0) rules.slack = pricing_->is_time() ? slack_of_time : slack_of_both;
   return rules;
-}
-
-// The best word on open ground, if it is free: by length it is found sooner, by price it may be the
-// optimum.
-void Composer::take_open_ground(const CostRule& rule) {
-  Connector connector(task_, rule);
-  const std::optional<Piece> piece =
-      connector.steer(task_.start, task_.goal, {rule.initial_gear, 0});
-  if (!piece || !connector.is_free(task_.start, *piece)) return;
-  Route route{task_.start, {{*piece, task_.goal}}, 0.0};
-  price(Connector(task_, rule_), route);
-  portfolio_.routes.push_back(std::move(route));
 }
 
 // A route along a path that was good for a like task.
@@ -369,6 +355,21 @@ Portfolio Composer::portfolio() && {
 }
 
 }  // namespace
+
+// By length a word is found sooner, by price it may be the optimum.
+std::vector<search::Route> open_ways(const Task& task, const search::CostRule& rule) {
+  std::vector<Route> routes;
+  std::vector<CostRule> rules = {length_rule(rule)};
+  if (!rule.is_length()) rules.push_back(rule);
+  for (const CostRule& of : rules) {
+    Connector connector(task, of);
+    const std::optional<Piece> piece = connector.steer(task.start, task.goal, {of.initial_gear, 0});
+    if (!piece || !connector.is_free(task.start, *piece)) continue;
+    Route& route = routes.emplace_back(Route{task.start, {{*piece, task.goal}}, 0.0});
+    price(Connector(task, rule), route);
+  }
+  return routes;
+}
 
 Portfolio compose(const Task& task, const PlanOptions& options, double time_price,
                   const Given& given) {

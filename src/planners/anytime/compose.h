@@ -23,6 +23,10 @@ struct Given {
   std::span<const NamedSource> sources = {};  ///< of paths, beside the planner's own workers
 };
 
+/// The cheapest words on open ground, by length and by the prices of a rule, if nothing is in their
+/// way. The task has no trailer.
+[[nodiscard]] std::vector<search::Route> open_ways(const Task& task, const search::CostRule& rule);
+
 /// The portfolio of a task without a trailer. Each second costs `time_price` [m] beside the prices
 /// of the path; without effect where the cost is the time. The task and the sources outlive the
 /// portfolio.

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How are the start and the goal of a scenario read and written?
+
+#include <string>
+#include <vector>
+
+#include "io/document.h"
+#include "vandplan/goal_set.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan::io {
+
+/// What a start or a goal of one pose says.
+struct End {
+  Pose pose = {};
+  double curvature = 0.0;    ///< how far the wheels are turned [1/m]
+  double hitch_angle = 0.0;  ///< between the vehicle and its trailer [rad]
+};
+
+[[nodiscard]] End end_from(const Document& file, const Node& node, const Vehicle& vehicle);
+
+/// One pose of the vehicle, or of its trailer.
+[[nodiscard]] End goal_from(const Document& file, const Node& node, const Vehicle& vehicle);
+
+/// Whether a goal says more than one pose.
+[[nodiscard]] bool is_goal_set(const Document& file, const Node& node);
+
+/// The regions of a goal that says more than one pose.
+[[nodiscard]] std::vector<GoalRegion> goal_set_from(const Document& file, const Node& node,
+                                                    const Vehicle& vehicle);
+
+/// Adds a warning for each heading of a start or a goal that looks like degrees.
+void warn_of_degrees(const Document& file, const Node& node, std::vector<std::string>& warnings);
+
+[[nodiscard]] std::string yaml_of(const End& end);
+[[nodiscard]] std::string yaml_of(const std::vector<GoalRegion>& set);
+
+}  // namespace vandplan::io

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "judge/goals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vandplan::judge {
+namespace {
+
+constexpr Real tolerance = 1e-6;  // of places [m], angles [rad] and curvatures [1/m]
+
+struct Spot {
+  Real x = 0, y = 0;
+};
+
+Real distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+Spot nearest_on_side(const Spot& p, const Point& a, const Point& b) {
+  const Real dx = static_cast<Real>(b.x) - a.x, dy = static_cast<Real>(b.y) - a.y;
+  const Real square = dx * dx + dy * dy;
+  const Real t = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
+  const Real inside = std::clamp(t, Real{0}, Real{1});
+  return {a.x + inside * dx, a.y + inside * dy};
+}
+
+/// The place in a closed polygon that is nearest to another place.
+Spot nearest_in(const Polygon& area, const Spot& p) {
+  bool is_inside = false;
+  Spot nearest{area[0].x, area[0].y};
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const Point& a = area[i];
+    const Point& b = area[(i + 1) % area.size()];
+    if ((a.y > p.y) != (b.y > p.y)) {
+      const Real x = a.x + (p.y - a.y) * (static_cast<Real>(b.x) - a.x) / (b.y - a.y);
+      if (p.x < x) is_inside = !is_inside;
+    }
+    const Spot there = nearest_on_side(p, a, b);
+    if (distance(there, p) < distance(nearest, p)) nearest = there;
+  }
+  return is_inside ? p : nearest;
+}
+
+Real clamped(Real value, const Interval& interval) {
+  return std::clamp<Real>(value, interval.least, interval.most);
+}
+
+/// The heading of a range that is nearest to another one, as a turn from that.
+Real turn_into(const HeadingRange& range, Real heading, Real turned) {
+  Real width = static_cast<Real>(range.to) - range.from;
+  if (width < 0) width += full_turn * std::ceil(-width / full_turn);
+  const Real half = width / 2;
+  const Real off = std::remainder(heading - (range.from + turned + half), full_turn);
+  return std::clamp(off, -half, half) - off;
+}
+
+Real beyond(Real off) { return std::max(std::abs(off) - tolerance, Real{0}); }
+
+/// Where the tractor is if the axle of its trailer is there.
+Position tractor_ahead_of(const Position& trailer, const Vehicle& vehicle, Real angle) {
+  const Real length = vehicle.trailer->wheelbase;
+  const Real heading = trailer.heading + angle;
+  return {trailer.x + length * std::cos(trailer.heading) - vehicle.hitch * std::cos(heading),
+          trailer.y + length * std::sin(trailer.heading) - vehicle.hitch * std::sin(heading),
+          heading};
+}
+
+}  // namespace
+
+Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing, bool wheels_count,
+                  std::optional<std::size_t> only) {
+  const Place end{track.stretches.size() - 1, track.stretches.back().length};
+  const Real angle = trailing == nullptr ? 0 : trailing->angle(end);
+  const Real curvature =
+      track.length > 0 ? curvature_at(track.stretches.back(), end.t) : task.curvatures.start;
+  Goal nearest;
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < task.goal_set.size(); ++i) {
+    if (only && *only != i) continue;
+    const GoalRegion& region = task.goal_set[i];
+    const bool is_of_trailer = region.is_of_trailer && trailing != nullptr;
+    const Position axle = is_of_trailer ? trailing->position(end) : track.end;
+    const Spot place{axle.x, axle.y};
+    const Spot goal = region.area.empty()
+                          ? Spot{clamped(place.x, region.x), clamped(place.y, region.y)}
+                          : nearest_in(region.area, place);
+    const Real ahead = turn_into(region.heading, axle.heading, 0);
+    const Real back = turn_into(region.heading, axle.heading, full_turn / 2);
+    const Real turn = region.either_way && std::abs(back) < std::abs(ahead) ? back : ahead;
+    const Real fold = std::remainder(angle, full_turn);
+    const Real hitch_angle = clamped(fold, region.hitch_angle);
+    const Real off = beyond(distance(goal, place)) + beyond(turn) + beyond(hitch_angle - fold) +
+                     (wheels_count ? beyond(curvature - region.curvature) : 0);
+    if (!(off < least)) continue;
+    least = off;
+    Position pose{goal.x, goal.y, axle.heading + turn};
+    if (is_of_trailer) pose = tractor_ahead_of(pose, task.vehicle, hitch_angle);
+    nearest = {i,
+               {static_cast<double>(pose.x), static_cast<double>(pose.y),
+                static_cast<double>(std::remainder(pose.heading, full_turn))},
+               region.curvature,
+               static_cast<double>(hitch_angle)};
+  }
+  return nearest;
+}
+
+}  // namespace vandplan::judge

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which goal of a set does a path end at, in the eyes of the judge?
+
+#include <cstddef>
+#include <optional>
+
+#include "judge/track.h"
+#include "judge/trailing.h"
+#include "vandplan/problem.h"
+
+namespace vandplan::judge {
+
+/// A goal of a set: what the end of a path is held to.
+struct Goal {
+  std::size_t index = 0;  ///< of its region in the set
+  Pose pose = {};
+  double curvature = 0.0;    ///< [1/m]
+  double hitch_angle = 0.0;  ///< [rad]; 0 without a trailer
+};
+
+/// The goal nearest to the end of a track, of region number `only` or of all regions of a set that
+/// is not empty: distances [m], angles [rad] and, where wheels may not turn at standstill,
+/// curvatures [1/m] that are off by more than the judge's tolerance count alike. Of equal ones that
+/// of the first region. `trailing` is null without a trailer.
+[[nodiscard]] Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing,
+                                bool wheels_count, std::optional<std::size_t> only);
+
+}  // namespace vandplan::judge

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/goal_poses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include "problem/goal_set.h"
+#include "steering/words.h"
+#include "vandplan/reeds_shepp.h"
+
+namespace vandplan::planning {
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+enum Axis : std::size_t { x, y, heading, hitch };
+
+Bounds box_of(const GoalRegion& region) {
+  if (!region.area.empty()) return bounding_box(region.area);
+  return {region.x.least, region.x.most, region.y.least, region.y.most};
+}
+
+/// How long the interval of each axis is [m, rad].
+std::array<double, 4> widths_of(const GoalRegion& region) {
+  const auto [x_min, x_max, y_min, y_max] = box_of(region);
+  return {x_max - x_min, y_max - y_min, width(region.heading),
+          region.hitch_angle.most - region.hitch_angle.least};
+}
+
+bool is_any(const GoalRegion& region) { return width(region.heading) >= full_turn; }
+
+Point nearest_on_side(const Point& p, const Point& a, const Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  const double t = square > 0.0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0.0;
+  const double inside = std::clamp(t, 0.0, 1.0);
+  if (inside == 1.0) return b;
+  return {a.x + inside * dx, a.y + inside * dy};
+}
+
+bool is_inside(const Polygon& area, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = area.size() - 1; i < area.size(); j = i++) {
+    const Point& a = area[i];
+    const Point& b = area[j];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+  }
+  return inside;
+}
+
+/// The place itself, or the nearest one of the area's edge.
+Point moved_into(const Polygon& area, const Point& p) {
+  if (is_inside(area, p)) return p;
+  Point nearest = area.front();
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const Point there = nearest_on_side(p, area[i], area[(i + 1) % area.size()]);
+    if (std::hypot(there.x - p.x, there.y - p.y) < std::hypot(nearest.x - p.x, nearest.y - p.y)) {
+      nearest = there;
+    }
+  }
+  return nearest;
+}
+
+double between(double least, double most, double at) {
+  if (at >= 1.0) return most;
+  return least + at * (most - least);
+}
+
+Point place_in_box(const GoalRegion& region, const GoalPoint& point) {
+  const auto [x_min, x_max, y_min, y_max] = box_of(region);
+  return {between(x_min, x_max, point.at[x]), between(y_min, y_max, point.at[y])};
+}
+
+}  // namespace
+
+Local<RigState> state_of(const Task& task, const GoalPoint& point) {
+  const GoalRegion& region = task.goal_set[point.region];
+  Point place = place_in_box(region, point);
+  if (!region.area.empty()) place = moved_into(region.area, place);
+  const double turned = point.is_turned ? std::numbers::pi : 0.0;
+  const Pose axle{
+      place.x, place.y,
+      wrap_angle(region.heading.from + point.at[heading] * width(region.heading) + turned)};
+  const double angle = between(region.hitch_angle.least, region.hitch_angle.most, point.at[hitch]);
+  return Local(problem::state_at(task.vehicle, region, axle, angle));
+}
+
+bool is_in_region(const Task& task, const GoalPoint& point) {
+  const GoalRegion& region = task.goal_set[point.region];
+  return region.area.empty() || is_inside(region.area, place_in_box(region, point));
+}
+
+// The additive recurrence with the inverse powers of the root of z^(d+1) = z + 1 (Roberts 2018).
+// Its first point is the middle. Intervals are gone over a little too far and cut off, as the best
+// goal is often at an end.
+GoalPoint point_of_sequence(const Task& task, std::size_t region, std::size_t i) {
+  const GoalRegion& of = task.goal_set[region];
+  const std::array<double, 4> widths = widths_of(of);
+  const auto axes =
+      std::count_if(widths.begin(), widths.end(), [](double width) { return width > 0.0; });
+  GoalPoint point{.region = region, .at = {}};
+  if (of.either_way) point.is_turned = i % 2 == 1;
+  const std::size_t number = of.either_way ? i / 2 : i;
+  constexpr std::array roots = {2.0, 1.618033988749895, 1.324717957244746, 1.2207440846057594,
+                                1.1673039782614187};
+  const double root = roots[static_cast<std::size_t>(axes)];
+  double step = 1.0;
+  for (std::size_t axis = 0; axis < widths.size(); ++axis) {
+    if (widths[axis] == 0.0) continue;
+    step /= root;
+    const double turns = 0.5 + step * static_cast<double>(number);
+    double at = turns - std::floor(turns);
+    const bool is_round = axis == heading && is_any(of);
+    constexpr double beyond = 0.1;
+    if (!is_round) at = std::clamp((1 + 2 * beyond) * at - beyond, 0.0, 1.0);
+    point.at[axis] = at;
+  }
+  return point;
+}
+
+std::vector<GoalPoint> beside(const Task& task, const GoalPoint& point, double share) {
+  const GoalRegion& region = task.goal_set[point.region];
+  const std::array<double, 4> widths = widths_of(region);
+  std::vector<GoalPoint> points;
+  for (std::size_t axis = 0; axis < widths.size(); ++axis) {
+    if (widths[axis] == 0.0) continue;
+    for (const double step : {share, -share}) {
+      GoalPoint other = point;
+      double& at = other.at[axis];
+      at += step;
+      at = axis == heading && is_any(region) ? at - std::floor(at) : std::clamp(at, 0.0, 1.0);
+      if (!(other == point)) points.push_back(other);
+    }
+  }
+  return points;
+}
+
+namespace {
+
+/// Some goals of a region: all within half of the widths of the one in their midst.
+struct Part {
+  GoalPoint middle;
+  std::array<double, 4> half;  // of the widths, in shares of the region's
+  double least;                // no path to any of them is shorter [m]
+  bool operator<(const Part& other) const { return least > other.least; }
+};
+
+/// How far the tractor may be from where it is in the midst of a part, and how far turned.
+struct Spread {
+  double place, turn;
+};
+
+Spread spread_of(const Task& task, const Part& part) {
+  const GoalRegion& region = task.goal_set[part.middle.region];
+  const std::array<double, 4> widths = widths_of(region);
+  const auto half = [&](Axis axis) { return part.half[axis] * widths[axis]; };
+  // Both ends of a path may be off as the judge allows.
+  Spread spread{std::hypot(half(x), half(y)) + 2 * steering::judged.position,
+                half(heading) + 2 * steering::judged.heading};
+  if (!region.is_of_trailer) return spread;
+  spread.place += task.vehicle.trailer->wheelbase * spread.turn +
+                  std::abs(task.vehicle.hitch) * (spread.turn + half(hitch));
+  spread.turn += half(hitch);
+  return spread;
+}
+
+/// The Reeds-Shepp length is a distance: it changes by no more than the length of the move, which
+/// is made ahead, sideways and on the spot.
+double least_length(const Task& task, const Part& part) {
+  const double radius = task.vehicle.min_turning_radius;
+  const Spread spread = spread_of(task, part);
+  GoalPoint middle = part.middle;
+  const GoalRegion& region = task.goal_set[middle.region];
+  const Point place = place_in_box(region, middle);
+  const Pose axle{place.x, place.y,
+                  region.heading.from + middle.at[heading] * width(region.heading) +
+                      (middle.is_turned ? std::numbers::pi : 0.0)};
+  const double angle = between(region.hitch_angle.least, region.hitch_angle.most, middle.at[hitch]);
+  const Pose pose = problem::state_at(task.vehicle, region, axle, angle).pose;
+  const double sideways =
+      spread.place > 0.0 ? reeds_shepp_length({}, {0, spread.place, 0}, radius) : 0.0;
+  const double move = spread.place + sideways + radius * spread.turn;
+  const double apart = std::hypot(pose.x - task.start.x, pose.y - task.start.y) - spread.place;
+  return std::max({reeds_shepp_length(task.start, pose, radius) - move, apart, 0.0});
+}
+
+/// Both halves of a part, cut where that narrows the way most.
+std::array<Part, 2> halves(const Task& task, const Part& part) {
+  const GoalRegion& region = task.goal_set[part.middle.region];
+  const std::array<double, 4> widths = widths_of(region);
+  const double radius = task.vehicle.min_turning_radius;
+  std::size_t axis = 0;
+  double most = -1.0;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const double half = part.half[i] * widths[i];
+    const double way = i == x || i == y ? half + 2 * std::sqrt(radius * half) : radius * half;
+    if (way <= most) continue;
+    most = way;
+    axis = i;
+  }
+  std::array<Part, 2> parts = {part, part};
+  for (const std::size_t side : {0, 1}) {
+    Part& half = parts[side];
+    half.half[axis] /= 2;
+    half.middle.at[axis] += (side == 0 ? -1 : 1) * half.half[axis];
+    half.least = std::max(part.least, least_length(task, half));
+  }
+  return parts;
+}
+
+}  // namespace
+
+// The part that may be nearest is halved until that hardly tells more.
+double least_length_to(const Task& task, std::size_t region) {
+  constexpr int most_halvings = 2000;
+  constexpr double fine = 1e-4;  // of the length, relative
+  std::priority_queue<Part> parts;
+  const bool either_way = task.goal_set[region].either_way;
+  for (const bool is_turned : either_way ? std::vector{false, true} : std::vector{false}) {
+    Part all{{region, {0.5, 0.5, 0.5, 0.5}, is_turned}, {0.5, 0.5, 0.5, 0.5}, 0.0};
+    all.least = least_length(task, all);
+    parts.push(all);
+  }
+  for (int i = 0; i < most_halvings; ++i) {
+    const Part part = parts.top();
+    const Spread spread = spread_of(task, part);
+    if (spread.place + spread.turn <= fine * part.least) break;
+    parts.pop();
+    for (const Part& half : halves(task, part)) parts.push(half);
+  }
+  return parts.top().least;
+}
+
+}  // namespace vandplan::planning

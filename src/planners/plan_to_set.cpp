@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/plan_to_set.h"
+
+#include <algorithm>
+#include <bit>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "planners/anytime/compose.h"
+#include "planners/anytime/cost_bound.h"
+#include "planners/goal_poses.h"
+#include "planners/pricing.h"
+#include "planners/rig/towed.h"
+#include "problem/goal_set.h"
+#include "vandplan/reeds_shepp.h"
+#include "vandplan/search.h"
+
+namespace vandplan::planning {
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+constexpr std::size_t most_of_region = 64;  // goals of a continuous region that are searched for
+constexpr std::size_t most_open_ways = 32;  // that are looked at before the first search
+/// Work on the most promising goal after which twice as many goals are looked at [iterations].
+constexpr double work_of_doubling = 64.0;
+/// The less work is done on a goal the more its path costs: by the ratio to a power that grows, as
+/// a first path says little. It grows by 1 in so many iterations, up to `severity`.
+constexpr std::int64_t work_of_power = 64;
+constexpr std::int64_t severity = 32;
+/// A goal without a path counts as one that costs so much more.
+constexpr double doubt = 1.08;
+constexpr std::int64_t chance = 256;  // iterations
+constexpr double dropped = 1.2;       // costs above the best one by this factor are not bettered
+/// How far apart goals beside the best one are, in shares of the intervals of its region.
+constexpr double first_share = 0.125;
+constexpr double last_share = 5e-4;
+
+/// A goal of the set and the search for a path to it.
+struct Candidate {
+  GoalPoint point;
+  Task task;
+  double bound = 0.0;              // no path to it costs less
+  int rank = 0;                    // how often the number of goals doubled before it
+  std::optional<Path> known = {};  // a path to a goal nearby
+  std::unique_ptr<PathSearch> search = {};
+  std::optional<std::vector<Segment>> path = {};
+  double cost = endless;
+  std::int64_t spent = 0;
+  double begun = 0.0;  // when its search began [s]
+  bool is_done = false;
+  bool is_closed = false;  // proven: there is no path
+};
+
+/// Goals beside the best one, which are tried together.
+struct Refinement {
+  const Candidate* middle = nullptr;
+  double share = first_share;
+  std::vector<const Candidate*> tried;
+};
+
+class SetRun {
+ public:
+  SetRun(const Task& task, const PlanOptions& options, double time_price, const SearchTo& search_to)
+      : task_(task),
+        options_(options),
+        time_price_(time_price),
+        search_to_(search_to),
+        pricing_(task, options.cost, time_price),
+        budget_(options.budget) {
+    alone_.goal_set.clear();
+    add_goals();
+  }
+
+  [[nodiscard]] PlannerAnswer answer() {
+    if (candidates_.empty()) {
+      return {.status = PlanStatus::goal_in_collision,
+              .reason = "none of the " + std::to_string(looked_at_) +
+                        " poses of the goal that were looked at is free"};
+    }
+    while (!is_over()) {
+      Candidate* const next = next_candidate();
+      if (next != nullptr) go_on(*next);
+      if (!refine() && next == nullptr) break;
+    }
+    return finished();
+  }
+
+ private:
+  // ---- The goals of the set ----
+
+  void add_goals() {
+    std::vector<Candidate> goals;
+    for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
+      const auto may_be = [&](const GoalPoint& point) {
+        ++looked_at_;
+        std::optional<Candidate> goal = candidate_at(point);
+        if (goal) goals.push_back(*std::move(goal));
+        return goal.has_value();
+      };
+      (void)spread(task_, region, most_of_region, may_be);
+    }
+    std::vector<Candidate*> order;
+    for (Candidate& goal : goals) order.push_back(&goal);
+    std::ranges::stable_sort(order, {}, [](const Candidate* goal) { return goal->bound; });
+    const auto last = order.begin() + looks_at_open_ways(order.size());
+    const auto open =
+        std::find_if(order.begin(), last, [this](const Candidate* goal) { return is_open(*goal); });
+    if (open != last) std::rotate(order.begin(), open, open + 1);
+    for (Candidate* const goal : order) {
+      goal->rank = static_cast<int>(std::bit_width(candidates_.size()));
+      candidates_.push_back(std::move(*goal));
+    }
+  }
+
+  /// Goals whose open ways are looked at: none where no search begins with them.
+  [[nodiscard]] std::ptrdiff_t looks_at_open_ways(std::size_t goals) const {
+    const bool begins_there = !task_.vehicle.trailer && task_.moving.empty();
+    return begins_there ? static_cast<std::ptrdiff_t>(std::min(goals, most_open_ways)) : 0;
+  }
+
+  /// Whether its search has a path at once.
+  [[nodiscard]] bool is_open(const Candidate& goal) const {
+    return !anytime::open_ways(goal.task, pricing_.rule()).empty();
+  }
+
+  /// None if the vehicle cannot stand there.
+  [[nodiscard]] std::optional<Candidate> candidate_at(const GoalPoint& point) const {
+    const Local<RigState> state = state_of(task_, point);
+    Candidate goal{.point = point,
+                   .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
+                                            options_.clearance)};
+    if (!goal.task.checker->rig_is_free(state)) return std::nullopt;
+    goal.bound = least_cost_to(goal.task);
+    return goal;
+  }
+
+  [[nodiscard]] double least_cost_to(const Task& task) const {
+    const Pricing pricing(task, options_.cost, time_price_);
+    if (task.vehicle.trailer) return rig::least_cost(task, pricing);
+    return anytime::CostBound(task, pricing).least({});
+  }
+
+  /// No path to any of the continuous regions costs less.
+  [[nodiscard]] double bound_of_regions() {
+    if (!bound_of_regions_) bound_of_regions_ = find_bound_of_regions();
+    return *bound_of_regions_;
+  }
+
+  [[nodiscard]] double find_bound_of_regions() const {
+    double least = endless;
+    for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
+      if (!is_continuous(task_.goal_set[region])) continue;
+      const double length = least_length_to(task_, region);
+      const anytime::OpenGround ground{length, length, length, 0.0};
+      const double priced = anytime::least_cost(ground, pricing_.rule(), 0.0);
+      const double cost = pricing_.counts_time() ? pricing_.least_cost(length, length) : priced;
+      least = std::min(least, cost);
+    }
+    return least;
+  }
+
+  [[nodiscard]] bool is_single(const Candidate& goal) const {
+    return !is_continuous(task_.goal_set[goal.point.region]);
+  }
+
+  // ---- Whose turn it is ----
+
+  [[nodiscard]] bool may_win(const Candidate& goal) const {
+    return !goal.is_done && (best_ == nullptr || &goal == best_ || goal.bound < best_->cost);
+  }
+
+  /// The less the sooner.
+  [[nodiscard]] double priority(const Candidate& goal) const {
+    const double joins = work_of_doubling * (goal.path ? 0 : goal.rank);
+    const double work = static_cast<double>(goal.spent) + work_of_doubling + joins;
+    if (best_ == nullptr) return work;
+    const double dearer = goal.path ? goal.cost / best_->cost : doubt;
+    double weight = 1.0;
+    for (std::int64_t i = std::min(goal.spent / work_of_power, severity); i > 0; --i) {
+      weight *= dearer;
+    }
+    return work * weight;
+  }
+
+  [[nodiscard]] Candidate* next_candidate() {
+    Candidate* next = nullptr;
+    double least = endless;
+    for (Candidate& goal : candidates_) {
+      if (!may_win(goal)) continue;
+      const double work = priority(goal);
+      if (work >= least) continue;
+      least = work;
+      next = &goal;
+    }
+    return next;
+  }
+
+  void go_on(Candidate& goal) {
+    if (is_at_start(goal)) {
+      goal.path.emplace();
+      goal.cost = 0.0;
+      goal.is_done = true;
+      note(goal);
+      return;
+    }
+    if (!goal.search) {
+      PlanOptions options = options_;
+      options.budget.max_iterations.reset();
+      if (options.budget.time_limit) {
+        *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
+      }
+      goal.begun = budget_.elapsed();
+      goal.search = search_to_(goal.task, options, goal.known ? &*goal.known : nullptr);
+    }
+    const std::int64_t done = goal.search->iterations();
+    goal.is_done = !goal.search->advance(budget_.left(most_of_turn, 0));
+    const std::int64_t work = goal.search->iterations() - done;
+    budget_.spend(work);
+    goal.spent += std::max<std::int64_t>(work, 1);
+    take_path(goal);
+    if (options_.budget.target_gap || (goal.is_done && !goal.path)) take_proof(goal);
+    const bool had_its_chance = goal.path && goal.spent > 4 * chance;
+    if (had_its_chance && &goal != best_ && goal.cost > dropped * best_->cost) {
+      goal.is_done = true;
+      goal.search.reset();
+    }
+  }
+
+  [[nodiscard]] bool is_at_start(const Candidate& goal) const {
+    if (!task_.moving.empty()) return false;
+    const auto [first, last] = goal.task.curvatures;
+    if (task_.steering == Steering::continuous && first != last) return false;
+    if (goal.task.hitch_angles.start != goal.task.hitch_angles.goal) return false;
+    return reeds_shepp_length(task_.start, goal.task.goal, task_.vehicle.min_turning_radius) == 0.0;
+  }
+
+  void take_path(Candidate& goal) {
+    std::optional<std::vector<Segment>> path = goal.search->path();
+    if (!path || path == goal.path) return;
+    const double cost = cost_of(goal, *path);
+    if (goal.path && cost >= goal.cost) return;
+    goal.path = std::move(path);
+    goal.cost = cost;
+    note(goal);
+  }
+
+  /// Among what moves the drive may have to wait.
+  [[nodiscard]] double cost_of(const Candidate& goal, const std::vector<Segment>& path) const {
+    if (task_.moving.empty()) return pricing_.cost(path, search::Looks::search);
+    const double duration = goal.search->answer().speeds->duration;
+    if (pricing_.is_time()) return duration;
+    const Pricing of_path(goal.task, options_.cost);
+    return of_path.cost(path, search::Looks::search) + time_price_ * duration;
+  }
+
+  void take_proof(Candidate& goal) {
+    const PlannerAnswer answer = goal.search->answer();
+    goal.is_closed = answer.status == PlanStatus::no_path;
+    if (goal.is_closed) goal.bound = endless;
+    if (task_.moving.empty()) goal.bound = std::max(goal.bound, answer.lower_bound);
+  }
+
+  void note(Candidate& goal) {
+    if (best_ != nullptr && goal.cost >= best_->cost) return;
+    best_ = &goal;
+    if (!goal.search) {
+      trace_.push_back({budget_.elapsed(), budget_.iterations(), goal.cost});
+      return;
+    }
+    // What its search has found since it began, as far as that is better than what was there.
+    const std::int64_t others = budget_.iterations() - goal.search->iterations();
+    for (const auto& [time, iteration, cost] : goal.search->answer().anytime) {
+      const CostSample sample{goal.begun + time, std::max<std::int64_t>(others, 0) + iteration,
+                              cost};
+      const bool is_new = trace_.empty() || sample.iteration > trace_.back().iteration;
+      if (!is_new || (!trace_.empty() && task_.moving.empty() && cost >= trace_.back().cost))
+        continue;
+      trace_.push_back(sample);
+      if (trace_.size() > 1) {
+        trace_.back().time = std::max(sample.time, trace_[trace_.size() - 2].time);
+      }
+    }
+  }
+
+  // ---- Between the goals of a continuous region ----
+
+  /// Tries goals beside the best one, ever nearer to it. False: there are none to try.
+  bool refine() {
+    if (best_ == nullptr || is_single(*best_)) return false;
+    if (!best_->is_done && best_->spent < chance / 4) return true;
+    if (refinement_ && !is_tried(*refinement_)) return true;
+    if (refinement_ && refinement_->middle == best_) {
+      if (refinement_->share <= last_share) return false;
+      refinement_->share /= 2;
+    } else {
+      const bool is_one_of_them =
+          refinement_ && std::ranges::find(refinement_->tried, best_) != refinement_->tried.end();
+      refinement_ = Refinement{
+          .middle = best_, .share = is_one_of_them ? refinement_->share : first_share, .tried = {}};
+    }
+    refinement_->tried.clear();
+    const Path known{task_.start, *best_->path};
+    for (const GoalPoint& point : beside(task_, best_->point, refinement_->share)) {
+      std::optional<Candidate> goal = candidate_at(point);
+      if (!goal || goal->bound >= best_->cost) continue;
+      goal->known = known;
+      candidates_.push_back(*std::move(goal));
+      refinement_->tried.push_back(&candidates_.back());
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_tried(const Refinement& refinement) const {
+    return std::ranges::all_of(refinement.tried, [this](const Candidate* goal) {
+      return !may_win(*goal) || goal->spent >= std::min<std::int64_t>(chance, best_->spent) ||
+             goal == best_;
+    });
+  }
+
+  // ---- The end ----
+
+  /// No path to any goal of the set costs less.
+  [[nodiscard]] double lower_bound() {
+    double least = bound_of_regions();
+    for (const Candidate& goal : candidates_) {
+      if (is_single(goal)) least = std::min(least, goal.bound);
+    }
+    return least;
+  }
+
+  [[nodiscard]] bool is_over() {
+    if (budget_.exhausted()) return true;
+    const std::optional<double>& gap = options_.budget.target_gap;
+    return gap && best_ != nullptr && best_->cost <= (1 + *gap) * lower_bound();
+  }
+
+  PlannerAnswer finished() {
+    PlannerAnswer answer;
+    if (best_ != nullptr && best_->search) answer = best_->search->answer();
+    if (best_ != nullptr && !best_->search) answer.segments = best_->path;
+    if (best_ == nullptr) {
+      answer.status = budget_.exhausted().value_or(PlanStatus::stopped);
+      explain(answer);
+      return answer;
+    }
+    answer.status = PlanStatus::solved;
+    answer.iterations = budget_.iterations();
+    answer.anytime = std::move(trace_);
+    for (Candidate& goal : candidates_) {
+      if (goal.search && is_single(goal) && goal.bound < best_->cost) take_proof(goal);
+    }
+    answer.lower_bound = task_.moving.empty() ? std::min(lower_bound(), best_->cost) : 0.0;
+    return answer;
+  }
+
+  void explain(PlannerAnswer& answer) {
+    answer.iterations = budget_.iterations();
+    const bool all_closed = std::ranges::all_of(candidates_, &Candidate::is_closed);
+    if (!all_closed || bound_of_regions() < endless) {
+      const bool is_limit = answer.status != PlanStatus::stopped;
+      if (!is_limit) answer.status = PlanStatus::iteration_limit;
+      return;
+    }
+    answer.status = PlanStatus::no_path;
+    const std::size_t closed = candidates_.size();
+    const std::string reason = candidates_.front().search->answer().reason;
+    answer.reason = reason;
+    if (closed > 1)
+      answer.reason += "; so for all " + std::to_string(closed) + " goals that are free";
+  }
+
+  static constexpr std::int64_t most_of_turn = std::int64_t{1} << 40;  // iterations: a whole round
+
+  const Task& task_;
+  Task alone_ = task_;  // without the set
+  const PlanOptions& options_;
+  double time_price_;
+  const SearchTo& search_to_;
+  Pricing pricing_;
+  search::Budget budget_;
+  std::deque<Candidate> candidates_;
+  std::size_t looked_at_ = 0;  // poses
+  std::optional<double> bound_of_regions_;
+  Candidate* best_ = nullptr;
+  std::optional<Refinement> refinement_;
+  std::vector<CostSample> trace_;
+};
+
+}  // namespace
+
+PlannerAnswer plan_to_set(const Task& task, const PlanOptions& options, double time_price,
+                          const SearchTo& search_to) {
+  return SetRun(task, options, time_price, search_to).answer();
+}
+
+SearchTo restarted_search(std::function<PlannerAnswer(const Task&, const PlanOptions&)> planner) {
+  return [planner = std::move(planner)](const Task& task, const PlanOptions& options,
+                                        const Path* /*known*/) {
+    return restarted([&task, planner](const PlanOptions& round) { return planner(task, round); },
+                     options);
+  };
+}
+
+}  // namespace vandplan::planning

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How is a path to the best goal of a set found?
+//
+// Method: docs/algorithms/goal_sets.md.
+
+#include <functional>
+#include <memory>
+
+#include "planners/path_search.h"
+#include "vandplan/outcome.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
+
+namespace vandplan::planning {
+
+/// Begins a search for paths to the one goal of a task. `known` is a path of the task's frame to a
+/// goal nearby, or null. The task outlives the search.
+using SearchTo = std::function<std::unique_ptr<PathSearch>(
+    const Task& task, const PlanOptions& options, const Path* known)>;
+
+/// Plans to the cheapest goal of the set of a task. Goals of the set are searched for in turn, the
+/// more promising the more; what continuous regions hold between them follows. Each second costs
+/// `time_price` [m] beside the prices of the path; without effect where the cost is the time.
+/// Expects a start that is free.
+[[nodiscard]] PlannerAnswer plan_to_set(const Task& task, const PlanOptions& options,
+                                        double time_price, const SearchTo& search_to);
+
+/// The search of a planner that knows nothing of sets: it plans anew, with more iterations each
+/// time.
+[[nodiscard]] SearchTo restarted_search(
+    std::function<PlannerAnswer(const Task&, const PlanOptions&)> planner);
+
+}  // namespace vandplan::planning

@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// A path to a set of goals ends at one of them, costs no more than paths to the others, and what is
+// proven of it is true.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "planners/goal_poses.h"
+#include "problem/goal_set.h"
+#include "support/cases.h"
+#include "support/draws.h"
+#include "support/problems.h"
+#include "vandplan/input_error.h"
+#include "vandplan/live_drive.h"
+#include "vandplan/path_check.h"
+#include "vandplan/planner.h"
+#include "vandplan/reeds_shepp.h"
+#include "vandplan/replanner.h"
+#include "vandplan/smooth.h"
+
+namespace vandplan {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double endless_cost = std::numeric_limits<double>::infinity();
+
+PlanOptions with_iterations(std::int64_t iterations, std::uint64_t seed = 1) {
+  PlanOptions options;
+  options.budget.max_iterations = iterations;
+  options.budget.seed = seed;
+  return options;
+}
+
+PlanOptions by_length(std::int64_t iterations) {
+  PlanOptions options = with_iterations(iterations);
+  options.cost = shortest_style;
+  return options;
+}
+
+Scenario yard(std::vector<GoalRegion> set, std::vector<Polygon> obstacles = {}) {
+  return {.name = "set",
+          .bounds = {-60, 100, -60, 60},
+          .goal_set = std::move(set),
+          .obstacles = std::move(obstacles)};
+}
+
+GoalRegion region(Interval x, Interval y, HeadingRange heading) {
+  return {.x = x, .y = y, .heading = heading};
+}
+
+/// Docks side by side that are backed into from a lane, the first ones behind a wall.
+Scenario docks(int count) {
+  std::vector<GoalRegion> set;
+  std::vector<Polygon> obstacles = {box(-60, 20, 100, 21), box(10, 8, 14, 20)};
+  for (int i = 0; i < count; ++i) {
+    const double x = 12 + 4.0 * i;
+    set.push_back(region_of_pose({x, 17, -pi / 2}));
+    obstacles.push_back(box(x + 1.9, 14, x + 2.1, 20));
+  }
+  return yard(set, obstacles);
+}
+
+/// Whether the path ends at the goal that the result says, in that region of the set.
+void expect_at_goal(const Problem& problem, const PlanResult& result) {
+  ASSERT_TRUE(result.path) << name_of(result.status) << ": " << result.reason;
+  ASSERT_TRUE(result.goal);
+  ASSERT_LT(result.goal->index, problem.goal_set().size());
+  const Pose off = relative(result.goal->pose, end_pose(*result.path));
+  EXPECT_LT(std::hypot(off.x, off.y), 1.1e-6);
+  EXPECT_LT(std::abs(off.heading), 1.1e-6);
+  const PathCheck check = check_path(problem, *result.path, {.goal = result.goal});
+  EXPECT_TRUE(check.valid) << check.reason;
+  EXPECT_EQ(check.goal, result.goal);
+}
+
+TEST(GoalSet, TakesTheDockThatIsCheapest) {
+  const Scenario scenario = docks(6);
+  const PlanResult result = plan(make_problem(scenario), with_iterations(8000));
+  expect_at_goal(make_problem(scenario), result);
+  double least = endless_cost;
+  for (const GoalRegion& dock : scenario.goal_set) {
+    Scenario alone = scenario;
+    alone.goal_set = {dock};
+    const PlanResult single = plan(make_problem(alone), with_iterations(3000));
+    if (single.path) least = std::min(least, single.cost);
+  }
+  EXPECT_LT(result.cost, 1.02 * least);
+}
+
+TEST(GoalSet, TakesTheFreeDockWhereOthersAreTaken) {
+  Scenario scenario = docks(4);
+  for (const int taken : {0, 1, 3}) {
+    const double x = 12 + 4.0 * taken;
+    scenario.obstacles.push_back(box(x - 1, 15, x + 1, 16));
+  }
+  const PlanResult result = plan(make_problem(scenario), with_iterations(3000));
+  expect_at_goal(make_problem(scenario), result);
+  EXPECT_EQ(result.goal->index, 2U);
+}
+
+TEST(GoalSet, SaysThatNoGoalIsFree) {
+  Scenario scenario = docks(3);
+  scenario.obstacles.push_back(box(0, 16, 40, 17));
+  const PlanResult result = plan(make_problem(scenario), with_iterations(3000));
+  EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
+  EXPECT_EQ(result.reason, "none of the 3 poses of the goal that were looked at is free");
+  scenario.goal_set = {scenario.goal_set[1]};  // of one pose the judge says more
+  EXPECT_NE(plan(make_problem(scenario), with_iterations(10)).reason.find("obstacles["),
+            std::string::npos);
+}
+
+TEST(GoalSet, ProvesThatAllGoalsAreWalledIn) {
+  Scenario scenario = docks(3);
+  scenario.obstacles.push_back(box(-60, 10, 100, 10.5));
+  const PlanResult result = plan(make_problem(scenario), with_iterations(100'000));
+  EXPECT_EQ(result.status, PlanStatus::no_path) << name_of(result.status);
+  EXPECT_NE(result.reason.find("so for all 2 goals that are free"), std::string::npos)
+      << result.reason;
+  scenario.goal_set.push_back(region_of_pose({30, 0, 0}));
+  EXPECT_EQ(plan(make_problem(scenario), with_iterations(1000)).goal->index, 3U);
+}
+
+TEST(GoalSet, EndsWhereAnIntervalIsNearest) {
+  const PlanResult ahead =
+      plan(make_problem(yard({region({20, 30}, {-2, 2}, {-0.2, 0.2})})), by_length(4000));
+  EXPECT_NEAR(ahead.cost, 20.0, 0.02);
+  EXPECT_EQ(ahead.goal->index, 0U);
+  const PlanResult behind =
+      plan(make_problem(yard({region({-30, -20}, {0, 0}, {0, 0})})), by_length(4000));
+  EXPECT_NEAR(behind.cost, 20.0, 0.02);
+  EXPECT_LE(behind.lower_bound, behind.cost);
+  EXPECT_GT(behind.lower_bound, 19.5);
+}
+
+TEST(GoalSet, EndsAtTheEdgeOfAnArea) {
+  const Polygon area = {{20, -5}, {40, -5}, {40, 5}, {20, 5}, {30, 0}};
+  const GoalRegion region{.area = area, .heading = any_heading};
+  const PlanResult result = plan(make_problem(yard({region})), by_length(8000));
+  expect_at_goal(make_problem(yard({region})), result);
+  // The nearest corners are at (20, +-5): no path is shorter than the line.
+  EXPECT_GE(result.cost, std::hypot(20, 5));
+  EXPECT_LT(result.cost, 1.03 * std::hypot(20, 5));
+  EXPECT_LE(result.lower_bound, result.cost);
+}
+
+TEST(GoalSet, PointsEitherWay) {
+  GoalRegion both = region_of_pose({-20, 0, pi});
+  both.either_way = true;
+  const PlanResult result = plan(make_problem(yard({both})), by_length(2000));
+  EXPECT_NEAR(result.cost, 20.0, 1e-9);  // in reverse, as it stands
+  EXPECT_NEAR(std::abs(result.goal->pose.heading), 0.0, 1e-9);
+}
+
+TEST(GoalSet, DrivesNowhereIfTheStartIsAGoal) {
+  const PlanResult result =
+      plan(make_problem(yard({region_of_pose({30, 0, 0}), region_of_pose({0, 0, 0})})));
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  EXPECT_TRUE(result.path->segments.empty());
+  EXPECT_EQ(result.cost, 0.0);
+  EXPECT_EQ(result.goal->index, 1U);
+}
+
+TEST(GoalSet, CostsNoMoreThanAnyOfItsHeadings) {
+  const std::vector<Polygon> walls = {box(15, -5, 18, 22), box(25, 10, 30, 30)};
+  GoalRegion any = region_of_pose({35, 20, 0});
+  any.heading = any_heading;
+  const Problem problem = make_problem(yard({any}, walls));
+  const PlanResult result = plan(problem, with_iterations(is_sanitized ? 2000 : 20'000));
+  expect_at_goal(problem, result);
+  for (int i = 0; i < 12 && !is_sanitized; ++i) {
+    const GoalRegion one = region_of_pose({35, 20, i * pi / 6});
+    const PlanResult single = plan(make_problem(yard({one}, walls)), with_iterations(5000));
+    if (!single.path) continue;
+    EXPECT_LT(result.cost, 1.005 * single.cost) << i;
+  }
+}
+
+TEST(GoalSet, AnswersAlikeOnAnyNumberOfThreads) {
+  GoalRegion any = region_of_pose({35, 20, 0});
+  any.heading = any_heading;
+  const Problem problem =
+      make_problem(yard({any, region_of_pose({30, -20, 1})}, docks(3).obstacles));
+  PlanOptions options = with_iterations(is_sanitized ? 500 : 4000);
+  const PlanResult one = plan(problem, options);
+  options.budget.threads = 3;
+  const PlanResult three = plan(problem, options);
+  EXPECT_EQ(one.path, three.path);
+  EXPECT_EQ(one.goal, three.goal);
+  EXPECT_EQ(one.cost, three.cost);
+  EXPECT_EQ(one.lower_bound, three.lower_bound);
+  EXPECT_EQ(one.iterations, three.iterations);
+}
+
+TEST(GoalSet, KeepsToItsIterations) {
+  for (const std::int64_t iterations : {0, 1, 7, 100, 1000}) {
+    const PlanResult result = plan(make_problem(docks(5)), with_iterations(iterations));
+    EXPECT_LE(result.iterations, iterations);
+  }
+}
+
+TEST(GoalSet, EndsAsSoonAsTheGapIsProven) {
+  const Scenario scenario = yard({region({20, 30}, {-2, 2}, {0, 0}), region_of_pose({40, 0, 0})});
+  PlanOptions options = by_length(50'000);
+  options.budget.target_gap = 0.05;
+  const PlanResult result = plan(make_problem(scenario), options);
+  EXPECT_LT(result.iterations, 50'000);
+  EXPECT_LE(result.cost, 1.05 * result.lower_bound + 1e-6);
+}
+
+TEST(GoalSet, TraceFallsToTheCostOfTheAnswer) {
+  const PlanResult result = plan(make_problem(docks(6)), with_iterations(3000));
+  ASSERT_FALSE(result.anytime.empty());
+  for (std::size_t i = 1; i < result.anytime.size(); ++i) {
+    EXPECT_LE(result.anytime[i].cost, result.anytime[i - 1].cost);
+    EXPECT_GE(result.anytime[i].iteration, result.anytime[i - 1].iteration);
+    EXPECT_GE(result.anytime[i].time, result.anytime[i - 1].time);
+  }
+  EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-6);
+}
+
+TEST(GoalSet, IsTakenByEveryPlanner) {
+  GoalRegion any = region_of_pose({20, 6, 0});
+  any.heading = any_heading;
+  const Problem problem = make_problem(yard({region_of_pose({45, 20, 1}), any}));
+  for (const Planner& planner : planners()) {
+    PlanOptions options = with_iterations(is_sanitized ? 300 : 6000);
+    if (honours(planner, "region")) options.planner.set("region", "scene");
+    const PlanResult result = plan(problem, planner, options);
+    EXPECT_NE(result.status, PlanStatus::rejected) << planner.name << ": " << result.reason;
+    EXPECT_LE(result.iterations, options.budget.max_iterations) << planner.name;
+    if (is_sanitized) continue;
+    EXPECT_EQ(result.status, PlanStatus::solved) << planner.name << ": " << result.reason;
+    EXPECT_EQ(result.goal.has_value(), result.path.has_value()) << planner.name;
+  }
+}
+
+// ---- Everything together ----
+
+enum class Hauls { alone, rig };
+using SetCombination = std::tuple<Hauls, Steering, CostMeasure, bool, double>;
+
+class OfASet : public testing::TestWithParam<SetCombination> {};
+
+std::string name_of_set(const testing::TestParamInfo<SetCombination>& info) {
+  const auto& [who, steering, measure, has_movers, margin] = info.param;
+  constexpr const char* steerings[] = {"Arcs", "BetweenStops", "Continuous"};
+  std::string name = who == Hauls::rig ? "Rig" : "Truck";
+  name += steerings[static_cast<int>(steering)];
+  if (measure == CostMeasure::time) name += "Time";
+  if (has_movers) name += "Movers";
+  if (margin > 0) name += "Margin";
+  return name;
+}
+
+TEST_P(OfASet, EverythingIsPlanned) {
+  const auto& [who, steering, measure, has_movers, margin] = GetParam();
+  GoalRegion bay = region({30, 34}, {4, 5}, {-0.2, 0.2});
+  if (who == Hauls::rig) bay.hitch_angle = {-0.2, 0.2};
+  Scenario scenario = yard({region_of_pose({60, 20, 0}), bay}, {box(14, -6, 16, 3)});
+  if (who == Hauls::rig) scenario.vehicle = semitrailer();
+  if (has_movers) {
+    scenario.moving = {{.outline = box(-2, -1, 2, 1),
+                        .trajectory = {{0, {24, 30, -pi / 2}}, {12, {24, -30, -pi / 2}}},
+                        .after = Afterwards::leaves}};
+  }
+  PlanOptions options = with_iterations(is_sanitized ? 100 : 2500);
+  options.cost.measure = measure;
+  options.steering = steering;
+  options.clearance = {margin, 0.0};
+  const Problem problem = make_problem(scenario);
+  const PlanResult result = plan(problem, options);
+  ASSERT_NE(result.status, PlanStatus::rejected) << result.reason;
+  if (is_sanitized && !result.path) return;  // in so few iterations
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_EQ(result.goal->index, 1U);
+  EXPECT_LE(result.lower_bound, result.cost);
+  EXPECT_EQ(result.speeds.has_value(), has_movers);
+  PathClaims claims{.clearance = options.clearance, .steering = steering, .goal = result.goal};
+  claims.cost = StatedCost{.cost = result.cost, .rule = result.rule};
+  const PathCheck check = check_path(problem, *result.path, claims);
+  EXPECT_TRUE(check.valid) << check.reason;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheDefaultPlanner, OfASet,
+                         testing::Combine(testing::Values(Hauls::alone, Hauls::rig),
+                                          testing::Values(Steering::reeds_shepp,
+                                                          Steering::continuous_between_stops,
+                                                          Steering::continuous),
+                                          testing::Values(CostMeasure::prices, CostMeasure::time),
+                                          testing::Bool(), testing::Values(0.0, 0.3)),
+                         name_of_set);
+
+TEST(GoalSet, GivesTheMarginWayAtTheGoalThatIsTaken) {
+  Scenario scenario = yard({region_of_pose({20, 0, 0}), region_of_pose({30, 0, 0})},
+                           {box(26, -1, 27, 1), box(36, -1, 37, 1)});  // 0.1 m ahead
+  PlanOptions options = with_iterations(2000);
+  options.clearance = {.margin = 0.3, .margin_ramp = 6.0};
+  const PlanResult result = plan(make_problem(scenario), options);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_EQ(result.goal->index, 0U);
+  options.clearance.margin_ramp = 0.0;
+  EXPECT_EQ(plan(make_problem(scenario), options).status, PlanStatus::goal_in_collision);
+}
+
+TEST(GoalSet, OfATrailerIsWhereItsAxleIs) {
+  GoalRegion bay = region({10, 12}, {0, 0}, {0, 0});
+  bay.is_of_trailer = true;
+  bay.hitch_angle = {-0.3, 0.3};
+  Scenario scenario = yard({bay});
+  scenario.vehicle = semitrailer();
+  const Problem problem = make_problem(scenario);
+  const PlanResult result = plan(problem, by_length(is_sanitized ? 300 : 4000));
+  if (is_sanitized && !result.path) return;
+  expect_at_goal(problem, result);
+  RigState end{result.path->start, 0.0};
+  for (const Segment& segment : result.path->segments) {
+    end = advance(problem.vehicle(), end, segment);
+  }
+  const Pose axle = trailer_pose(problem.vehicle(), end);
+  EXPECT_GT(axle.x, 10 - 1e-5);
+  EXPECT_LT(axle.x, 12 + 1e-5);
+  EXPECT_NEAR(axle.y, 0.0, 1e-5);
+  EXPECT_NEAR(axle.heading, 0.0, 1e-5);
+}
+
+TEST(GoalSet, IsSmoothedToTheGoalThatWasReached) {
+  const Problem problem = make_problem(docks(4));
+  PlanOptions options = with_iterations(1500);
+  options.steering = Steering::reeds_shepp;
+  const PlanResult planned = plan(problem, options);
+  ASSERT_TRUE(planned.path);
+  const Smoothed smoothed =
+      smooth(problem, *planned.path, SmoothMethod::optimised, with_iterations(500));
+  ASSERT_TRUE(smoothed.result.path) << smoothed.result.reason;
+  EXPECT_EQ(smoothed.result.goal->index, planned.goal->index);
+  expect_at_goal(problem, smoothed.result);
+}
+
+TEST(GoalSet, IsDrivenToWhilePlanningAnew) {
+  Scenario scenario = docks(4);
+  ReplanOptions options;
+  options.plan.budget.max_iterations = is_sanitized ? 300 : 3000;
+  Replanner replanner(scenario, options);
+  const ReplanAnswer first = replanner.tick(0.0);
+  if (is_sanitized && !first.reaches_goal) return;
+  ASSERT_TRUE(first.reaches_goal) << first.reason;
+  const Problem problem = make_problem(scenario);
+  const std::optional<ReachedGoal> goal = check_path(problem, first.drive->path).goal;
+  ASSERT_TRUE(goal);
+  // Somebody parks there: it drives to another one.
+  const Pose taken = goal->pose;
+  replanner.patch({.added = {{1, box(taken.x - 1, taken.y - 2, taken.x + 1, taken.y - 1)}}});
+  std::optional<ReachedGoal> other;
+  for (int i = 1; i < 12 && !other; ++i) {
+    const ReplanAnswer& answer = replanner.tick(0.1 * i);
+    if (!answer.reaches_goal) continue;
+    const Pose end = end_pose(answer.drive->path);
+    for (std::size_t k = 0; k < scenario.goal_set.size(); ++k) {
+      const GoalRegion& dock = scenario.goal_set[k];
+      if (std::hypot(end.x - dock.x.least, end.y - dock.y.least) < 1e-5) {
+        other = ReachedGoal{k, end};
+      }
+    }
+  }
+  if (is_sanitized) return;
+  ASSERT_TRUE(other);
+  EXPECT_NE(other->index, goal->index);
+}
+
+// ---- What is proven ----
+
+TEST(GoalSet, NoPathToARegionIsShorterThanItsBound) {
+  for_each_case(4711, 300, [](Rng& rng) {
+    GoalRegion any;
+    const auto interval = [&](double reach, double width) {
+      const double least = uniform(-reach, reach, rng);
+      return Interval{least, least + (chance(0.4, rng) ? 0.0 : uniform(0, width, rng))};
+    };
+    any.x = interval(30, 10);
+    any.y = interval(30, 10);
+    const auto [from, to] = interval(pi, 2 * pi);
+    any.heading = chance(0.2, rng) ? any_heading : HeadingRange{from, to};
+    any.either_way = chance(0.3, rng);
+    const Problem problem = make_problem(yard({any}));
+    const Task& task = problem.task();
+    const double bound = planning::least_length_to(task, 0);
+    double least = endless_cost;
+    for (std::size_t i = 0; i < 500; ++i) {
+      const planning::GoalPoint point = planning::point_of_sequence(task, 0, i);
+      const Pose pose = planning::state_of(task, point).pose;
+      least = std::min(least,
+                       reeds_shepp_length(task.start, pose, problem.vehicle().min_turning_radius));
+    }
+    EXPECT_LE(bound, least);
+    EXPECT_GE(bound, 0.5 * least - 3.0);
+  });
+}
+
+TEST(GoalSet, PointsOfARegionAreInIt) {
+  for_each_case(815, 200, [](Rng& rng) {
+    const Polygon area = {{0, 0}, {10, 0}, {10, 8}, {5, 2}, {0, 8}};
+    GoalRegion any =
+        region({1, 3}, {-2, uniform(-2, 2, rng)}, {uniform(-7, 7, rng), uniform(-7, 7, rng)});
+    if (width(any.heading) > 2 * pi) return;
+    if (chance(0.5, rng)) any.area = area;
+    any.either_way = chance(0.5, rng);
+    const Problem problem = make_problem(yard({any}));
+    planning::GoalPoint point = planning::point_of_sequence(
+        problem.task(), 0, static_cast<std::size_t>(uniform(0, 4000, rng)));
+    if (chance(0.5, rng)) {
+      const auto others = planning::beside(problem.task(), point, uniform(0, 0.5, rng));
+      if (!others.empty()) point = others[rng() % others.size()];
+    }
+    const Pose pose = planning::state_of(problem.task(), point).pose;
+    const PathCheck check = check_path(problem, {{}, {}});
+    EXPECT_FALSE(check.goal.has_value() && check.valid && any.area.empty());
+    // The judge agrees: a path of no length that stands there ends at the goal.
+    Scenario there = yard({any});
+    there.start = pose;
+    there.goal_set = {any};
+    const PathCheck stands = check_path(make_problem(there), {pose, {}});
+    EXPECT_TRUE(stands.valid) << stands.reason << as_code(pose.x) << " " << as_code(pose.y);
+  });
+}
+
+}  // namespace
+}  // namespace vandplan
