@@ -32,6 +32,33 @@ export interface TrailerEnd {
   hitch_angles?: [number];
 }
 
+/** A number, or all from the first to the second; headings counter-clockwise. */
+export type Range = number | [number, number];
+
+/** Poses where a path may end. */
+export interface GoalRegion {
+  x?: Range;
+  y?: Range;
+  /** Instead of `x` and `y`: anywhere in a simple polygon. */
+  area?: Point[];
+  heading: Range | 'any';
+  /** Or turned by half a turn. */
+  either_way?: boolean;
+  curvature?: number;
+  hitch_angles?: 'any' | [Range];
+}
+
+/** The same of the trailer's axle. */
+export interface TrailerRegion {
+  trailer: Omit<GoalRegion, 'curvature' | 'hitch_angles'>;
+  curvature?: number;
+  hitch_angles?: 'any' | [Range];
+}
+
+/** A pose, or whichever of several is cheapest. */
+export type Goal =
+  | EndPose | TrailerEnd | GoalRegion | TrailerRegion | {any_of: (GoalRegion | TrailerRegion)[]};
+
 /** Keys and units as in vehicle files: hitch to axle, hitch to the front of the body, axle to rear. */
 export interface Trailer {
   wheelbase: number;
@@ -97,7 +124,7 @@ export interface Scenario {
   /** Where the rear axle may be; without a map they have to be given. */
   bounds?: {x: Point; y: Point};
   start: EndPose;
-  goal: EndPose | TrailerEnd;
+  goal: Goal;
   moving?: MovingObstacle[];
   obstacles?: Point[][];
   kerbs?: Point[][];
@@ -185,6 +212,8 @@ export interface Result {
   /** What is in the way of a start or goal in collision. */
   hit: Hit | null;
   path: Path | null;
+  /** Of a set of goals the one that the path ends at, by its number in `any_of`. */
+  goal: ({index: number} & Pose) | null;
   cost: number | null;
   /** No path costs less; 0 where nothing is proven. */
   lower_bound: number;
@@ -228,7 +257,7 @@ export interface Claims {
 /** Another start, goal or vehicle than the scenario's. */
 export interface Ends {
   start?: EndPose;
-  goal?: EndPose | TrailerEnd;
+  goal?: Goal;
   vehicle?: Vehicle | string;
 }
 

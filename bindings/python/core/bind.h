@@ -12,6 +12,7 @@ void bind_path(pybind11::module_& module);
 void bind_lengths(pybind11::module_& module);
 void bind_vehicle(pybind11::module_& module);
 void bind_grid(pybind11::module_& module);
+void bind_goal(pybind11::module_& module);
 void bind_scenario(pybind11::module_& module);
 void bind_moving(pybind11::module_& module);
 void bind_check(pybind11::module_& module);

@@ -108,6 +108,8 @@ void bind_path_check(py::module_& module) {
 
 "what" is the key of the scenario: "obstacles", "kerbs" (then "index" is its number), "map" or
 "bounds".)")
+      .field("goal", &Verdict::goal,
+             "Of a set of goals the one that the path ends at, a `ReachedGoal`; or None.")
       .field("length", &Verdict::length, "Driven distance [m].")
       .field("reverse_length", &Verdict::reverse_length, "Distance driven in reverse [m].")
       .field("gear_changes", &Verdict::gear_changes, "How often the direction changes.")

@@ -54,6 +54,7 @@ PYBIND11_MODULE(_core, module) {
   own::bind_path(module);
   own::bind_vehicle(module);
   own::bind_grid(module);
+  own::bind_goal(module);
   own::bind_scenario(module);
   own::bind_lengths(module);
   own::bind_own_planner(module);

@@ -124,6 +124,9 @@ void bind_result_class(py::module_& module) {
   property(
       "path", [](const PlanResult& r) { return r.path; }, "The path, or None.");
   property(
+      "goal", [](const PlanResult& r) { return r.goal; },
+      "Of a set of goals the one that the path ends at, a `ReachedGoal`; or None.");
+  property(
       "bound", [](const PlanResult& r) { return r.lower_bound; },
       "No path costs less, proven; in the unit of `cost`. 0: nothing is proven.");
   property(
@@ -181,7 +184,9 @@ PathClaims claims_of(const RunResult& result) {
   if (result.record.result.lower_bound > 0.0) cost.bound = result.record.result.lower_bound;
   return {.cost = cost,
           .clearance = options.clearance,
-          .steering = options.steering.value_or(Steering::reeds_shepp)};
+          .steering = options.steering.value_or(Steering::reeds_shepp),
+          .gears = options.cost.gears,
+          .goal = result.record.result.goal};
 }
 
 const Path& path_from(const py::handle& given) {

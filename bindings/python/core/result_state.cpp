@@ -62,7 +62,7 @@ py::tuple state_of(const PathClaims& claims) {
   const py::object cost = claims.cost ? py::object(state_of(*claims.cost)) : py::none();
   return py::make_tuple(claims.length, claims.gear_changes, cost, claims.clearance.margin,
                         claims.clearance.margin_ramp, name_of(claims.steering),
-                        claims.start_hitch_angle, poses, name_of(claims.gears));
+                        claims.start_hitch_angle, poses, name_of(claims.gears), claims.goal);
 }
 
 PathClaims claims_from(const py::handle& given) {
@@ -72,6 +72,7 @@ PathClaims claims_from(const py::handle& given) {
                     .clearance = {state[3].cast<double>(), state[4].cast<double>()},
                     .steering = steering_named(state[5].cast<std::string>()),
                     .gears = gears_named(state[8].cast<std::string>()),
+                    .goal = state[9].cast<std::optional<ReachedGoal>>(),
                     .start_hitch_angle = state[6].cast<std::optional<double>>()};
   if (!state[2].is_none()) claims.cost = cost_from(state[2]);
   for (const py::handle item : state[7]) {
@@ -126,7 +127,7 @@ py::tuple state_of(const PlanResult& plan) {
   if (plan.check) check = Verdict{*plan.check};
   return py::make_tuple(name_of(plan.status), plan.reason, plan.path, plan.cost, plan.lower_bound,
                         plan.iterations, plan.time_total, state_of_trace(plan), check, speeds,
-                        plan.drive_check, plan.hit);
+                        plan.drive_check, plan.hit, plan.goal);
 }
 
 PlanResult plan_from(const py::handle& given) {
@@ -146,6 +147,7 @@ PlanResult plan_from(const py::handle& given) {
   if (!state[9].is_none()) plan.speeds = profile_from(state[9]);
   plan.drive_check = state[10].cast<std::optional<DriveCheck>>();
   plan.hit = state[11].cast<std::optional<Hit>>();
+  plan.goal = state[12].cast<std::optional<ReachedGoal>>();
   return plan;
 }
 

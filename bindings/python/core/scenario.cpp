@@ -14,6 +14,7 @@
 
 #include "bindings/python/core/arrays.h"
 #include "bindings/python/core/bind.h"
+#include "bindings/python/core/goal.h"
 #include "bindings/python/core/options.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
@@ -78,14 +79,15 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
                     .start = pose_from(start, "start"),
-                    .goal = pose_from(goal, "goal"),
                     .curvatures = {start_curvature, goal_curvature},
                     .hitch_angles = {start_hitch_angle, goal_hitch_angle},
+                    .goal_set = goal_set_from(goal),
                     .obstacles = polygons_from(obstacles, "obstacles"),
                     .kerbs = polygons_from(kerbs, "kerbs"),
                     .map = map_from(grid, resolution, origin),
                     .moving = moving};
   scenario.bounds = bounds_from(bounds, scenario.map);
+  if (scenario.goal_set.empty()) scenario.goal = pose_from(goal, "goal");
   warn_of_degrees({&scenario.start, 1}, "start");
   warn_of_degrees({&scenario.goal, 1}, "goal");
   if (scenario.map) scenario.map_file = name + ".map.yaml";
@@ -132,6 +134,8 @@ CheckedScenario moved(const CheckedScenario& self, const py::object& start,
     return other;
   };
   const Pose from = pose_or(start, "start", scenario.start);
+  const std::vector<GoalRegion> set = goal.is_none() ? scenario.goal_set : goal_set_from(goal);
+  if (!set.empty()) return self.with_goal_set(from, set, scenario.curvatures.start);
   return self.with_poses(from, pose_or(goal, "goal", scenario.goal), scenario.curvatures);
 }
 
@@ -152,10 +156,13 @@ CheckedScenario scenario_from_state(const py::tuple& state) {
 
 std::string scenario_text(const CheckedScenario& self) {
   const Scenario& s = self.scenario();
-  return fmt::format(
-      "<vandplan.Scenario {}: ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {} obstacles{}>", s.name,
-      s.start.x, s.start.y, s.start.heading, s.goal.x, s.goal.y, s.goal.heading, s.obstacles.size(),
-      s.map ? ", a grid" : "");
+  const std::string goal =
+      s.goal_set.empty()
+          ? fmt::format("({:g}, {:g}, {:g})", s.goal.x, s.goal.y, s.goal.heading)
+          : fmt::format("any of {} region{}", s.goal_set.size(), s.goal_set.size() == 1 ? "" : "s");
+  return fmt::format("<vandplan.Scenario {}: ({:g}, {:g}, {:g}) to {}, {} obstacles{}>", s.name,
+                     s.start.x, s.start.y, s.start.heading, goal, s.obstacles.size(),
+                     s.map ? ", a grid" : "");
 }
 
 void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
@@ -177,8 +184,12 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       "Where the rear axle may be: (x_min, x_max, y_min, y_max) [m].");
   property(
       "start", [](const Scenario& s) { return array_of(s.start); }, "[x, y, heading]");
+  scenario.def_property_readonly(
+      "goal", [](const CheckedScenario& self) { return array_of(self.problem().goal()); },
+      "[x, y, heading]; of a set of goals some pose of its first region.");
   property(
-      "goal", [](const Scenario& s) { return array_of(s.goal); }, "[x, y, heading]");
+      "goal_set", [](const Scenario& s) { return s.goal_set; },
+      "The `GoalRegion` objects of a set of goals; empty if the goal is a pose.");
   property(
       "start_curvature", [](const Scenario& s) { return s.curvatures.start; },
       "How far the wheels are turned at the start [1/m].");
@@ -219,8 +230,8 @@ void bind_scenario_class(py::module_& module) {
     options={}, moving=())
 
 What is to be planned, checked and unchangeable; metres and radians, counter-clockwise. `start` and
-`goal` are poses [x, y, heading] of the midpoint of the rear axle, which has to stay in `bounds`
-(x_min, x_max, y_min, y_max); with a grid these are those of the grid unless given. `obstacles` and
+`goal` are poses [x, y, heading] of the midpoint of the rear axle; `goal` may be a `GoalRegion` or a
+sequence of them, too. The rear axle has to stay in `bounds` (x_min, x_max, y_min, y_max); with a grid these are those of the grid unless given. `obstacles` and
 `kerbs` are simple polygons, arrays of the shape (N, 2); only the wheels keep off kerbs. `grid` is an
 `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
 or a dict; None is a truck. With a trailer the hitch angles are the heading of the vehicle less that
@@ -279,6 +290,7 @@ const Scenario& CheckedScenario::scenario() const {
     changed.start = ends_->start;
     changed.goal = ends_->goal;
     changed.curvatures = ends_->curvatures;
+    changed.goal_set.clear();
     scenario_ = std::make_shared<const Scenario>(std::move(changed));
     ends_.reset();
   }
@@ -305,6 +317,24 @@ CheckedScenario CheckedScenario::with_poses(const Pose& start, const Pose& goal,
                                          curvatures, scenario_->hitch_angles),
                             scenario_->moving));
   other.ends_ = {start, goal, curvatures};
+  return other;
+}
+
+CheckedScenario CheckedScenario::with_goal_set(const Pose& start,
+                                               const std::vector<GoalRegion>& set,
+                                               double start_curvature) const {
+  const double angle = scenario_->hitch_angles.start;
+  CheckedScenario other = with_poses(start, start, {start_curvature, start_curvature});
+  other.problem_ = std::make_shared<const Problem>(vandplan::with_moving(
+      vandplan::with_goal_set(make_problem(problem().world(), scenario_->vehicle, start, start,
+                                           {start_curvature, start_curvature}, {angle, angle}),
+                              set),
+      scenario_->moving));
+  Scenario changed = scenario();
+  changed.start = start;
+  changed.goal_set = set;
+  other.scenario_ = std::make_shared<const Scenario>(std::move(changed));
+  other.ends_.reset();
   return other;
 }
 

@@ -34,6 +34,10 @@ class CheckedScenario {
   [[nodiscard]] CheckedScenario with_poses(const Pose& start, const Pose& goal,
                                            const EndCurvatures& curvatures) const;
 
+  /// The one that starts there, with a set of goals.
+  [[nodiscard]] CheckedScenario with_goal_set(const Pose& start, const std::vector<GoalRegion>& set,
+                                              double start_curvature) const;
+
   /// The one in which these move.
   [[nodiscard]] CheckedScenario with_moving(const std::vector<MovingObstacle>& moving) const;
 

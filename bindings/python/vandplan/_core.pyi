@@ -21,6 +21,7 @@ _Option = Union[bool, int, float, str]
 _Returned = Union[Path, Sequence[Path], Answer, None]
 _Function = Callable[[Task], _Returned]
 _AnyPlanner = Union[str, Planner, _Function]
+_Range = Union[float, tuple[float, float]]
 
 class InputError(ValueError):
     where: str
@@ -142,6 +143,46 @@ class Meeting:
     @property
     def obstacle(self) -> int: ...
 
+class GoalRegion:
+    def __init__(
+        self,
+        x: _Range | None = None,
+        y: _Range | None = None,
+        heading: _Range | Literal["any"] = "any",
+        *,
+        area: ArrayLike | None = None,
+        either_way: bool = False,
+        curvature: float = 0,
+        hitch_angle: _Range = 0,
+        of_trailer: bool = False,
+    ) -> None: ...
+    @property
+    def x(self) -> _Range | None: ...
+    @property
+    def y(self) -> _Range | None: ...
+    @property
+    def heading(self) -> _Range | str: ...
+    @property
+    def area(self) -> _Floats | None: ...
+    @property
+    def either_way(self) -> bool: ...
+    @property
+    def curvature(self) -> float: ...
+    @property
+    def hitch_angle(self) -> _Range: ...
+    @property
+    def of_trailer(self) -> bool: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+
+class ReachedGoal:
+    @property
+    def index(self) -> int: ...
+    @property
+    def pose(self) -> _Floats: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+
 class OccupancyGrid:
     def __init__(
         self,
@@ -167,7 +208,7 @@ class Scenario:
     def __init__(
         self,
         start: ArrayLike,
-        goal: ArrayLike,
+        goal: ArrayLike | GoalRegion | Sequence[GoalRegion],
         *,
         bounds: Sequence[float] | _Floats | None = None,
         obstacles: Iterable[ArrayLike] = ...,
@@ -185,7 +226,9 @@ class Scenario:
         moving: Sequence[MovingObstacle] = (),
     ) -> None: ...
     def with_poses(
-        self, start: ArrayLike | None = None, goal: ArrayLike | None = None
+        self,
+        start: ArrayLike | None = None,
+        goal: ArrayLike | GoalRegion | Sequence[GoalRegion] | None = None,
     ) -> Scenario: ...
     def with_moving(self, moving: Sequence[MovingObstacle]) -> Scenario: ...
     def to_yaml(self) -> str: ...
@@ -202,6 +245,8 @@ class Scenario:
     def start(self) -> _Floats: ...
     @property
     def goal(self) -> _Floats: ...
+    @property
+    def goal_set(self) -> list[GoalRegion]: ...
     @property
     def start_curvature(self) -> float: ...
     @property
@@ -246,6 +291,8 @@ class PathCheck:
     @property
     def at(self) -> dict[str, Any] | None: ...
     @property
+    def goal(self) -> ReachedGoal | None: ...
+    @property
     def length(self) -> float: ...
     @property
     def reverse_length(self) -> float: ...
@@ -272,6 +319,8 @@ class Result:
     def hit(self) -> dict[str, Any] | None: ...
     @property
     def path(self) -> Path | None: ...
+    @property
+    def goal(self) -> ReachedGoal | None: ...
     @property
     def cost(self) -> float | None: ...
     @property

@@ -139,13 +139,16 @@ class Yard {
     const End start = has(query, "start") ? end_from(query["start"], "start", vehicle)
                                           : End{scenario_.start, scenario_.curvatures.start,
                                                 scenario_.hitch_angles.start};
-    const End goal = has(query, "goal") ? end_from(query["goal"], "goal", vehicle)
-                                        : End{scenario_.goal, scenario_.curvatures.goal,
-                                              scenario_.hitch_angles.goal};
-    return with_moving(
-        make_problem(world_, vehicle, start.pose, goal.pose, {start.curvature, goal.curvature},
-                     {start.hitch_angle, goal.hitch_angle}),
-        scenario_.moving);
+    Goal goal = has(query, "goal")
+                    ? goal_from(query["goal"], vehicle)
+                    : Goal{{scenario_.goal, scenario_.curvatures.goal, scenario_.hitch_angles.goal},
+                           scenario_.goal_set};
+    if (!goal.set.empty()) goal.end = start;
+    const Problem problem = make_problem(world_, vehicle, start.pose, goal.end.pose,
+                                         {start.curvature, goal.end.curvature},
+                                         {start.hitch_angle, goal.end.hitch_angle});
+    return with_moving(goal.set.empty() ? problem : with_goal_set(problem, goal.set),
+                       scenario_.moving);
   }
 
   Scenario scenario_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "vandplan/input_error.h"
 #include "vandplan/rig.h"
@@ -28,12 +29,6 @@ std::size_t size_of(const val& list, const std::string& where) {
 Point point_from(const val& given, const std::string& where) {
   if (size_of(given, where) != 2) throw InputError(where, "expected [x, y]");
   return {number_from(given[0], where), number_from(given[1], where)};
-}
-
-Polygon polygon_from(const val& corners, const std::string& where) {
-  Polygon polygon(size_of(corners, where));
-  for (std::size_t i = 0; i < polygon.size(); ++i) polygon[i] = point_from(corners[i], where);
-  return polygon;
 }
 
 std::vector<Polygon> polygons_at(const val& object, const char* key) {
@@ -200,6 +195,12 @@ std::vector<MovingObstacle> moving_at(const val& object) {
 
 }  // namespace
 
+Polygon polygon_from(const val& corners, const std::string& where) {
+  Polygon polygon(size_of(corners, where));
+  for (std::size_t i = 0; i < polygon.size(); ++i) polygon[i] = point_from(corners[i], where);
+  return polygon;
+}
+
 double number_from(const val& given, const std::string& where) {
   if (!given.isNumber()) throw InputError(where, "expected a number");
   return given.as<double>();
@@ -291,11 +292,12 @@ Scenario scenario_from(const val& given) {
     throw InputError("bounds", "is missing");
   }
   const End start = end_from(given["start"], "start", scenario.vehicle);
-  const End goal = end_from(given["goal"], "goal", scenario.vehicle);
+  Goal goal = goal_from(given["goal"], scenario.vehicle);
   scenario.start = start.pose;
-  scenario.goal = goal.pose;
-  scenario.curvatures = {start.curvature, goal.curvature};
-  scenario.hitch_angles = {start.hitch_angle, goal.hitch_angle};
+  scenario.goal = goal.end.pose;
+  scenario.goal_set = std::move(goal.set);
+  scenario.curvatures = {start.curvature, goal.end.curvature};
+  scenario.hitch_angles = {start.hitch_angle, goal.end.hitch_angle};
   scenario.obstacles = polygons_at(given, "obstacles");
   scenario.kerbs = polygons_at(given, "kerbs");
   scenario.moving = moving_at(given);

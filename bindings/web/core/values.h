@@ -9,6 +9,7 @@
 #include <emscripten/val.h>
 
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,15 @@ struct End {
 /// {x, y, heading, curvature, hitch_angles}, or {trailer: {x, y, heading}, ...}: the trailer's
 /// axle.
 [[nodiscard]] End end_from(const val& given, const std::string& where, const Vehicle& vehicle);
+/// A goal: a pose, or a set of goals.
+struct Goal {
+  End end = {};                      ///< of no account with a set
+  std::vector<GoalRegion> set = {};  ///< empty for a pose
+};
+
+/// With the keys of a scenario file.
+[[nodiscard]] Goal goal_from(const val& given, const Vehicle& vehicle);
+[[nodiscard]] Polygon polygon_from(const val& corners, const std::string& where);
 /// {x, y, heading} of it, passing over the rest.
 [[nodiscard]] Pose pose_from(const val& given, const std::string& where);
 [[nodiscard]] Vehicle vehicle_from(const val& given);
@@ -58,6 +68,8 @@ struct End {
 
 [[nodiscard]] val object_of(const Pose& pose);
 [[nodiscard]] val object_of(const Path& path);
+/// {index, x, y, heading}, or null.
+[[nodiscard]] val object_of(const std::optional<ReachedGoal>& goal);
 [[nodiscard]] val list_of(std::span<const Segment> segments);
 [[nodiscard]] val object_of(const PathCheck& check);
 [[nodiscard]] val object_of(const PlanResult& result);

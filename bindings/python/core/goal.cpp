@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Goals that are more than a pose.
+
+#include "bindings/python/core/goal.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/value.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+
+/// A number, or a pair of them.
+Interval interval_from(const py::object& given, const char* where) {
+  const Numbers numbers = numbers_from(given, where);
+  if (numbers.ndim() == 0) return {*numbers.data(), *numbers.data()};
+  if (numbers.size() == 2) return {numbers.data()[0], numbers.data()[1]};
+  throw InputError(where, "expected a number or a pair of them");
+}
+
+HeadingRange headings_from(const py::object& given) {
+  if (py::isinstance<py::str>(given)) {
+    const auto word = given.cast<std::string>();
+    if (word == "any") return any_heading;
+    throw InputError("heading", "is \"" + word + "\", expected any, a number or a pair of them");
+  }
+  const auto [from, to] = interval_from(given, "heading");
+  return {from, to};
+}
+
+GoalRegion made_region(const py::object& x, const py::object& y, const py::object& heading,
+                       const py::object& area, bool either_way, double curvature,
+                       const py::object& hitch_angle, bool of_trailer) {
+  GoalRegion region{.heading = headings_from(heading),
+                    .either_way = either_way,
+                    .curvature = curvature,
+                    .hitch_angle = interval_from(hitch_angle, "hitch_angle"),
+                    .is_of_trailer = of_trailer};
+  const bool has_area = !area.is_none();
+  if (has_area != (x.is_none() && y.is_none()) || x.is_none() != y.is_none()) {
+    throw InputError("area", "expected either x and y or an area");
+  }
+  if (has_area) {
+    region.area = polygon_from(area, "area");
+  } else {
+    region.x = interval_from(x, "x");
+    region.y = interval_from(y, "y");
+  }
+  return region;
+}
+
+py::object number_or_pair(double least, double most) {
+  if (least == most) return py::float_(least);
+  return py::make_tuple(least, most);
+}
+
+py::object heading_of(const GoalRegion& region) {
+  if (region.heading == any_heading) return py::str("any");
+  return number_or_pair(region.heading.from, region.heading.to);
+}
+
+py::object area_of(const GoalRegion& region) {
+  if (region.area.empty()) return py::none();
+  return array_of(std::span<const Point>(region.area));
+}
+
+py::object place_of(const GoalRegion& region, const Interval& interval) {
+  if (!region.area.empty()) return py::none();
+  return number_or_pair(interval.least, interval.most);
+}
+
+py::tuple state_of_region(const GoalRegion& self) {
+  return py::make_tuple(place_of(self, self.x), place_of(self, self.y), heading_of(self),
+                        area_of(self), self.either_way, self.curvature,
+                        number_or_pair(self.hitch_angle.least, self.hitch_angle.most),
+                        self.is_of_trailer);
+}
+
+GoalRegion region_from_state(const py::tuple& state) {
+  return made_region(state[0], state[1], state[2], state[3], state[4].cast<bool>(),
+                     state[5].cast<double>(), state[6], state[7].cast<bool>());
+}
+
+std::string text_of_region(const GoalRegion& self) {
+  const py::object place =
+      self.area.empty() ? py::object(py::make_tuple(place_of(self, self.x), place_of(self, self.y)))
+                        : py::object(py::str("an area"));
+  return fmt::format("<vandplan.GoalRegion: {}, heading {}{}>", std::string(py::str(place)),
+                     std::string(py::str(heading_of(self))),
+                     self.either_way ? " or turned round" : "");
+}
+
+void bind_region(py::module_& module) {
+  py::class_<GoalRegion>(module, "GoalRegion", R"(GoalRegion(x=None, y=None, heading="any", *,
+    area=None, either_way=False, curvature=0, hitch_angle=0, of_trailer=False)
+
+Poses where a path may end. `x` and `y` [m], `heading` [rad] and `hitch_angle` [rad] are a number or a
+pair: from the first to the second, headings counter-clockwise; `heading` may be "any". `area` is a
+simple polygon, (N, 2) [m], that replaces `x` and `y`. With `either_way` the headings turned by half a
+turn are goals, too. `curvature` is how far the wheels are turned there [1/m]. Place and heading are
+those of the midpoint of the rear axle, or of the axle of the trailer.)")
+      .def(py::init(&made_region), "x"_a = py::none(), "y"_a = py::none(), "heading"_a = "any",
+           py::kw_only(), "area"_a = py::none(), "either_way"_a = false, "curvature"_a = 0.0,
+           "hitch_angle"_a = 0.0, "of_trailer"_a = false)
+      .def_property_readonly(
+          "x", [](const GoalRegion& self) { return place_of(self, self.x); },
+          "A number or a pair [m]; None with an area.")
+      .def_property_readonly(
+          "y", [](const GoalRegion& self) { return place_of(self, self.y); },
+          "A number or a pair [m]; None with an area.")
+      .def_property_readonly("heading", &heading_of, "A number, a pair or \"any\" [rad].")
+      .def_property_readonly("area", &area_of, "Corners [m], shape (N, 2); or None.")
+      .def_readonly("either_way", &GoalRegion::either_way,
+                    "Whether the headings turned by half a turn are goals, too.")
+      .def_readonly("curvature", &GoalRegion::curvature, "How far the wheels are turned [1/m].")
+      .def_property_readonly(
+          "hitch_angle",
+          [](const GoalRegion& self) {
+            return number_or_pair(self.hitch_angle.least, self.hitch_angle.most);
+          },
+          "Heading of the vehicle less that of its trailer: a number or a pair [rad].")
+      .def_readonly("of_trailer", &GoalRegion::is_of_trailer,
+                    "Whether place and heading are those of the trailer's axle.")
+      .def("__eq__", [](const GoalRegion& self, const GoalRegion& other) { return self == other; })
+      .def("__eq__", [](const GoalRegion&, const py::object&) { return false; })
+      .def("__repr__", &text_of_region)
+      .def(py::pickle(&state_of_region, &region_from_state))
+      .attr("__hash__") = py::none();
+}
+
+}  // namespace
+
+std::vector<GoalRegion> goal_set_from(const py::handle& given) {
+  if (py::isinstance<GoalRegion>(given)) return {given.cast<GoalRegion>()};
+  std::vector<GoalRegion> set;
+  if (!py::isinstance<py::sequence>(given) || py::isinstance<py::str>(given)) return set;
+  const auto all = py::reinterpret_borrow<py::sequence>(given);
+  for (const py::handle item : all) {
+    if (!py::isinstance<GoalRegion>(item)) {
+      if (set.empty()) return set;
+      throw InputError("goal", "expected a pose, or GoalRegion objects only");
+    }
+    set.push_back(item.cast<GoalRegion>());
+  }
+  return set;
+}
+
+void bind_goal(py::module_& module) {
+  bind_region(module);
+  ValueClass<ReachedGoal> reached(module, "ReachedGoal",
+                                  R"(The goal of a set that a path ends at.)");
+  reached.field("index", &ReachedGoal::index, "Which region of the set, from 0.")
+      .field("pose", &ReachedGoal::pose, "[x, y, heading] of the vehicle there.");
+  reached.pickled()
+      .def("__eq__",
+           [](const ReachedGoal& self, const ReachedGoal& other) { return self == other; })
+      .def("__eq__", [](const ReachedGoal&, const py::object&) { return false; })
+      .def("__repr__",
+           [](const ReachedGoal& self) {
+             return fmt::format("<vandplan.ReachedGoal: {}, ({:.3f}, {:.3f}, {:.4f})>", self.index,
+                                self.pose.x, self.pose.y, self.pose.heading);
+           })
+      .attr("__hash__") = py::none();
+}
+
+}  // namespace vandplan::python
