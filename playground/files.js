@@ -7,6 +7,7 @@ import {JSON_SCHEMA, dump, load} from 'js-yaml';
 
 import {boxOf, mapCorners} from './geometry.js';
 import {most, ReadError, scenesOf} from './reading.js';
+import {goalOf} from './scene.js';
 
 /** The value of a YAML text; nothing in it is ever run. */
 export function parsed(text, name) {
@@ -25,14 +26,14 @@ export const scenesFrom = (text, name, map) => scenesOf(parsed(text, name), map)
 
 /** What a scenario file says of a scene, as plain keys. */
 function documentOf(scene) {
-  const {name, description, vehicle, bounds, start, goal, obstacles, kerbs, moving, map, options} = scene;
+  const {name, description, vehicle, bounds, start, obstacles, kerbs, moving, map, options} = scene;
   return {
     name,
     ...(description ? {description} : {}),
     vehicle,
     bounds,
     start,
-    goal,
+    goal: goalOf(scene),
     ...(obstacles.length || !map ? {obstacles} : {}),
     ...(kerbs.length ? {kerbs} : {}),
     ...(moving.length ? {moving} : {}),

@@ -68,6 +68,7 @@ export class Page {
   /** Lets the lists say which yard and which vehicle are shown. */
   named() {
     panel.showYard(this.scene);
+    byId('turns').value = this.scene.goal.turns ?? '';
     const lengths = ({wheelbase, width, min_turning_radius: radius, outline, trailers}) => JSON.stringify([wheelbase, width, radius, outline, trailers]);
     byId('vehicle').value = Object.keys(vehicles).find((name) => lengths(vehicle(name)) === lengths(this.scene.vehicle)) ?? '';
   }
@@ -237,6 +238,10 @@ export class Page {
     if (key === 'planner') {
       this.info = this.planners.get(value);
       panel.enable(this.info);
+    } else if (key === 'turns') {
+      this.history.remember(this.scene);
+      const {turns, ...pose} = this.scene.goal;
+      this.scene.goal = value ? {...pose, turns: value} : pose;
     } else if (key === 'vehicle') {
       if (!vehicles[value]) return;
       this.history.remember(this.scene);

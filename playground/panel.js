@@ -139,7 +139,7 @@ export function listen(changed) {
       changed(key, Number(target.value));
     });
   }
-  for (const key of [...choices, 'planner', 'vehicle']) {
+  for (const key of [...choices, 'planner', 'vehicle', 'turns']) {
     byId(key).addEventListener('change', ({target}) => changed(key, target.value));
   }
 }

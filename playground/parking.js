@@ -3,7 +3,8 @@
 
 // Parking by hand: arrow keys drive, and what was driven is compared with what the planner found.
 
-import {clamp, wrap} from './geometry.js';
+import {clamp} from './geometry.js';
+import {pointsLike} from './scene.js';
 
 const keys = {ArrowUp: 1, ArrowDown: -1, ArrowLeft: 1, ArrowRight: -1};
 
@@ -65,7 +66,7 @@ export class Parking {
     this.#gear = drive;
     this.trail.push([next.x, next.y]);
     const off = Math.hypot(next.x - this.goal.x, next.y - this.goal.y);
-    this.done = off < 0.6 && Math.abs(wrap(next.heading - this.goal.heading)) < 0.12;
+    this.done = off < 0.6 && pointsLike(this.goal, next.heading, 0.12);
     return true;
   }
 }

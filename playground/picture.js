@@ -53,7 +53,7 @@ function paintHint({context, view, scene}, colours) {
 function paintTrucks(page, colours, driven) {
   const {context, view, scene, result} = page;
   const bad = result?.status;
-  paint.paintTruck(context, view, scene.vehicle, scene.goal, colours, {ghost: true, bad: bad === 'goal_in_collision'});
+  paint.paintTruck(context, view, scene.vehicle, result?.goal ?? scene.goal, colours, {ghost: true, bad: bad === 'goal_in_collision'});
   if (page.parked) {
     context.beginPath();
     page.parked.trail.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));

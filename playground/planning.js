@@ -5,7 +5,7 @@
 
 import {load} from 'vandplan';
 
-import {scenarioOf} from './scene.js';
+import {goalOf, scenarioOf} from './scene.js';
 
 /** How long a plan may take in a frame, its judge included, and to a first path where that takes longer [s]. */
 const frameBudget = 0.003;
@@ -56,7 +56,7 @@ export function queryOf(scene, settings, info, time) {
   else delete options.gears;
   if (info.honours_steering && !scene.vehicle.trailers) options.steering = settings.steering;
   else delete options.steering;
-  return {planner: info.name, options, start: scene.start, goal: scene.goal, vehicle: scene.vehicle};
+  return {planner: info.name, options, start: scene.start, goal: goalOf(scene), vehicle: scene.vehicle};
 }
 
 /** Runs in the second thread: {id, version, scenario, query} in, {id, result} or {id, error} out. */

@@ -64,6 +64,16 @@ function end(value, where, driven) {
   return {...tractorPose(driven, pose(value.trailer, `${where}.trailer`), hitch), hitch_angles: [hitch]};
 }
 
+/** A goal, which may turn: `turns` is 'either_way' or 'any' then. */
+function goal(value, where, driven) {
+  if (value === null || typeof value !== 'object') fail(where, 'expected a map of keys');
+  const {either_way: either, ...pose} = value;
+  if (pose.any_of || pose.area || [pose.x, pose.y, pose.heading].some(Array.isArray)) fail(where, 'is more than one place, which the page cannot show');
+  if (either !== undefined && typeof either !== 'boolean') fail(`${where}.either_way`, 'expected true or false');
+  if (pose.heading === 'any') return {...end({...pose, heading: 0}, where, driven), turns: 'any'};
+  return {...end(pose, where, driven), ...(either ? {turns: 'either_way'} : {})};
+}
+
 /** What moves while the vehicle drives. */
 function movers(value) {
   if (value === undefined) return [];
@@ -194,7 +204,7 @@ export function scenesOf(document, map = null) {
   } else {
     fail('bounds', 'are missing');
   }
-  if (document.goals === undefined) return [{...scene, goal: end(document.goal, 'goal', driven)}];
+  if (document.goals === undefined) return [{...scene, goal: goal(document.goal, 'goal', driven)}];
   if (!Array.isArray(document.goals) || document.goals.length < 1 || document.goals.length > 200) fail('goals', 'expected a list');
   return document.goals.map((one, i) => {
     object(one, `goals[${i}]`, ['distance', 'goal', 'obstacles']);

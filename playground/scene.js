@@ -14,10 +14,22 @@ export function sceneBox(scene) {
   return boxOf(points);
 }
 
+/** The goal with the keys of a scenario file: as it is drawn, turned round as well ('either_way'), or 'any' way. */
+export function goalOf({goal: {turns, ...pose}}) {
+  if (turns === 'any') return {...pose, heading: 'any'};
+  return turns === 'either_way' ? {...pose, either_way: true} : pose;
+}
+
+/** Whether a vehicle that points somewhere points as a goal wants it, within an angle. */
+export function pointsLike({heading, turns}, other, within) {
+  const off = Math.abs(wrap(other - heading));
+  return turns === 'any' || off < within || (turns === 'either_way' && Math.PI - off < within);
+}
+
 /** What the planner gets: the keys of a scenario file. */
 export function scenarioOf(scene) {
-  const {name, vehicle, bounds, start, goal, obstacles, kerbs, moving, map} = scene;
-  return {name, vehicle, bounds, start, goal, obstacles, kerbs, moving, ...(map ? {map: map.grid} : {})};
+  const {name, vehicle, bounds, start, obstacles, kerbs, moving, map} = scene;
+  return {name, vehicle, bounds, start, goal: goalOf(scene), obstacles, kerbs, moving, ...(map ? {map: map.grid} : {})};
 }
 
 /** An object of the scene by its handle: {kind: 'start' | 'goal'} or {kind: 'obstacles' | 'kerbs', index}. */

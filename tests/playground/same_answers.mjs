@@ -138,6 +138,14 @@ const ahead = vandplan.plan(yard, {max_iterations: 2000, time_limit: null, gears
 expect(ahead.path.segments.every(({length}) => length >= 0), 'a path in one gear');
 expect(!vandplan.check(yard, ahead.path, {steering: ahead.steering, gears: 'reverse'}).valid, 'the judge knows gears');
 refuses('gears', () => vandplan.plan(yard, {gears: 'first'}));
+const anyway = {...yard, goal: {any_of: [{x: 500, y: 0, heading: 0}, {...yard.goal, heading: 'any'}]}};
+const turned = vandplan.plan(anyway, {max_iterations: 2000, time_limit: null});
+expect(turned.goal.index === 1 && turned.goal.x === yard.goal.x, 'a set of goals');
+expect(turned.cost <= 1.01 * vandplan.plan(yard, {max_iterations: 2000, time_limit: null}).cost, 'any heading is no dearer than one');
+expect(vandplan.plan(yard, {max_iterations: 500, time_limit: null}).goal === null, 'a pose is no set');
+refuses('goal.any_of', () => vandplan.plan({...yard, goal: {any_of: []}}));
+refuses('goal.x', () => vandplan.plan({...yard, goal: {x: [2, 1], y: 0, heading: 'any'}}));
+refuses('goal.heading', () => vandplan.plan({...yard, goal: {x: [1, 2], y: 0}}));
 const from = {x: 1, y: 4, heading: 0.4};
 const nodes = {x: new Float32Array([1]), y: new Float32Array([4]), heading: new Float32Array([0.4])};
 const exact = vandplan.steer(from, {x: 0, y: 0, heading: 0}, 7).reduce((sum, {length}) => sum + Math.abs(length), 0);

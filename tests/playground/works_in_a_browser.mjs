@@ -140,6 +140,24 @@ async function goesInOneGear(page) {
   await found(page);
 }
 
+/** A goal that may point any way is no dearer, and the file says so; undo takes it back. */
+async function turnsAtTheGoal(page) {
+  await choose(page, 'scenario', 'Thesis: 5 leave cage');
+  await found(page);
+  const fixed = await page.value('vandplanPage.result.cost');
+  await choose(page, 'turns', 'whichever way');
+  await page.until('vandplanPage.result?.path && vandplanPage.result.goal');
+  await page.until(`vandplanPage.result.cost <= ${1.01 * fixed}`);
+  expect((await page.value('vandplanPage.scene.goal.turns')) === 'any', 'the scene says that the goal may turn');
+  await choose(page, 'turns', 'or turned round');
+  await page.until('vandplanPage.result?.path && vandplanPage.result.goal');
+  await click(page, 'undo');
+  await click(page, 'undo');
+  await found(page);
+  expect((await page.value('document.getElementById("turns").value')) === '', 'undo takes it back');
+  expect((await page.value('vandplanPage.result.goal')) === null, 'a pose is no set');
+}
+
 async function slides(page) {
   await choose(page, 'scenario', 'Thesis: 5 leave cage');
   await found(page);
@@ -401,6 +419,8 @@ async function onADesk(browser) {
   await edits(page);
   await lists(page);
   await slides(page);
+  await goesInOneGear(page);
+  await turnsAtTheGoal(page);
   await picture(page, 'desk-cage');
   await pulls(page);
   await opensFiles(page);

@@ -53,6 +53,13 @@ def plans(folder: pathlib.Path) -> None:
     vp.plot(yard, result).set_title("yard")
 
 
+def ends(yard: vp.Scenario) -> int:
+    docks = [vp.GoalRegion(3.0 * i, 4, "any") for i in range(3)]
+    vp.GoalRegion(3, 4, "north")  # type: ignore[arg-type]
+    reached: vp.ReachedGoal | None = vp.plan(yard.with_poses(goal=docks)).goal
+    return reached.index if reached else len(vp.Scenario((0, 0, 0), docks[0]).goal_set)
+
+
 def drives(yard: vp.Scenario, result: vp.Result) -> float:
     car = vp.MovingObstacle([(0, 0), (1, 0), (1, 1)], [(0, 0, 0, 0)], after="leaves")
     busy = yard.with_moving([car])
