@@ -26,7 +26,7 @@ export const scenesFrom = (text, name, map) => scenesOf(parsed(text, name), map)
 
 /** What a scenario file says of a scene, as plain keys. */
 function documentOf(scene) {
-  const {name, description, vehicle, bounds, start, obstacles, kerbs, moving, map, options} = scene;
+  const {name, description, vehicle, bounds, start, obstacles, kerbs, inside, moving, map, options} = scene;
   return {
     name,
     ...(description ? {description} : {}),
@@ -36,6 +36,7 @@ function documentOf(scene) {
     goal: goalOf(scene),
     ...(obstacles.length || !map ? {obstacles} : {}),
     ...(kerbs.length ? {kerbs} : {}),
+    ...(inside.length ? {inside} : {}),
     ...(moving.length ? {moving} : {}),
     ...(map ? {map: map.name, ...(map.grid.unknown === 'free' ? {unknown: 'free'} : {})} : {}),
     ...(Object.keys(options ?? {}).length ? {options} : {}),
@@ -168,7 +169,7 @@ export function sceneOnMap(map, vehicle, isFree) {
   const {grid} = map;
   const free = [];
   const step = Math.max(1, Math.round(2 / grid.resolution));
-  const scene = {name: map.name, description: '', vehicle, bounds: map.bounds, obstacles: [], kerbs: [], moving: [], map, options: {}};
+  const scene = {name: map.name, description: '', vehicle, bounds: map.bounds, obstacles: [], kerbs: [], inside: [], moving: [], map, options: {}};
   for (let row = 0; row < grid.rows; row += step) {
     for (let column = 0; column < grid.columns; column += step) {
       if (grid.cells[row * grid.columns + column] === 0) free.push([column, row]);

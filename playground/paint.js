@@ -37,18 +37,29 @@ export function paintGrid(context, view, colours) {
   context.stroke();
 }
 
-/** Where the rear axle may be: what is outside is shaded. */
-export function paintBounds(context, view, bounds, colours) {
+/** Shades all that is outside of some areas. */
+function shadeOutside(context, view, areas, colours) {
   const [left, top] = view.toYard([-10, -10]);
   const [right, bottom] = view.toYard([view.width + 10, view.height + 10]);
   context.beginPath();
   trace(context, [[left, bottom], [right, bottom], [right, top], [left, top]]);
-  const {x, y} = bounds;
-  trace(context, [[x[0], y[0]], [x[0], y[1]], [x[1], y[1]], [x[1], y[0]]]);
+  for (const area of areas) trace(context, area);
   context.fillStyle = colours.grid;
   context.globalAlpha = 0.6;
   context.fill('evenodd');
   context.globalAlpha = 1;
+}
+
+/** Where the rear axle may be, and where the whole body may. */
+export function paintBounds(context, view, {bounds: {x, y}, inside}, colours) {
+  shadeOutside(context, view, [[[x[0], y[0]], [x[0], y[1]], [x[1], y[1]], [x[1], y[0]]]], colours);
+  if (!inside.length) return;
+  shadeOutside(context, view, inside, colours);
+  context.beginPath();
+  for (const area of inside) trace(context, area);
+  context.strokeStyle = colours['wall-line'];
+  context.lineWidth = 1.25 / view.scale;
+  context.stroke();
 }
 
 const images = new WeakMap();

@@ -15,7 +15,7 @@ export function paintPage(page, colours, driven) {
   context.fillRect(0, 0, page.canvas.width, page.canvas.height);
   view.enter(context);
   paint.paintGrid(context, view, colours);
-  paint.paintBounds(context, view, scene.bounds, colours);
+  paint.paintBounds(context, view, scene, colours);
   if (scene.map) paint.paintMap(context, scene.map, colours);
   if (page.shown) paint.paintSwept(context, view, scene.vehicle, page.shown, colours, page.editor.dragging ? 3 : 1);
   paint.paintPolygons(context, view, scene, colours);

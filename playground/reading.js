@@ -178,7 +178,7 @@ function options(value) {
   );
 }
 
-const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'obstacles', 'kerbs', 'map', 'unknown', 'moving', 'options'];
+const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'obstacles', 'kerbs', 'inside', 'map', 'unknown', 'moving', 'options'];
 
 /** The problems that a parsed scenario file states, as scenes; a row of goals has one for each. */
 export function scenesOf(document, map = null) {
@@ -192,6 +192,7 @@ export function scenesOf(document, map = null) {
     start: end(document.start, 'start', driven),
     obstacles: polygons(document.obstacles, 'obstacles'),
     kerbs: polygons(document.kerbs, 'kerbs'),
+    inside: polygons(document.inside, 'inside'),
     map: map && document.unknown === 'free' ? {...map, grid: {...map.grid, unknown: 'free'}} : map,
     moving: movers(document.moving),
     options: options(document.options),

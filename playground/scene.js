@@ -9,7 +9,7 @@ import {boxOf, centreOf, mapCorners, middle, outlines, placed, turned, wrap} fro
 /** Everything that is drawn lies in this box. */
 export function sceneBox(scene) {
   const points = [scene.start, scene.goal].flatMap((pose) => outlines(scene.vehicle, pose).flat());
-  for (const polygon of [...scene.obstacles, ...scene.kerbs]) points.push(...polygon);
+  for (const polygon of [...scene.obstacles, ...scene.kerbs, ...scene.inside]) points.push(...polygon);
   if (scene.map) points.push(...mapCorners(scene.map.grid));
   return boxOf(points);
 }
@@ -28,8 +28,8 @@ export function pointsLike({heading, turns}, other, within) {
 
 /** What the planner gets: the keys of a scenario file. */
 export function scenarioOf(scene) {
-  const {name, vehicle, bounds, start, obstacles, kerbs, moving, map} = scene;
-  return {name, vehicle, bounds, start, goal: goalOf(scene), obstacles, kerbs, moving, ...(map ? {map: map.grid} : {})};
+  const {name, vehicle, bounds, start, obstacles, kerbs, inside, moving, map} = scene;
+  return {name, vehicle, bounds, start, goal: goalOf(scene), obstacles, kerbs, ...(inside.length ? {inside} : {}), moving, ...(map ? {map: map.grid} : {})};
 }
 
 /** An object of the scene by its handle: {kind: 'start' | 'goal'} or {kind: 'obstacles' | 'kerbs', index}. */

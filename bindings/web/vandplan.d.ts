@@ -128,6 +128,8 @@ export interface Scenario {
   moving?: MovingObstacle[];
   obstacles?: Point[][];
   kerbs?: Point[][];
+  /** The whole body stays in one of these areas. */
+  inside?: Point[][];
   map?: OccupancyMap;
 }
 
@@ -181,7 +183,7 @@ export interface Prices {
 
 /** What is hit: an obstacle or a kerb by its number, a cell of the map by its middle, or the edge of the bounds. */
 export type Hit =
-  | {what: 'obstacles' | 'kerbs'; index: number}
+  | {what: 'obstacles' | 'kerbs' | 'inside'; index: number}
   | {what: 'map'; cell?: {x: number; y: number}}
   | {what: 'bounds'};
 

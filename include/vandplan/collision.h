@@ -30,6 +30,8 @@ struct Surroundings {
   std::vector<Polygon> obstacles = {};  ///< the footprint keeps clear of them
   std::vector<Polygon> kerbs = {};      ///< the wheels do, overhangs may swing over them
   std::optional<OccupancyGrid> map = {};
+  /// The whole body stays in one of these areas, which have nothing in common. None: anywhere.
+  std::vector<Polygon> inside = {};
 };
 
 /// Around a place the margin is less than elsewhere: `least` there, and it grows evenly with the
@@ -54,7 +56,8 @@ struct Margin {
 /// Answers collision queries for one footprint in one set of obstacles. Immutable after
 /// construction and safe to share between threads. A trailer is looked at by `rig_...` alone. Local
 /// poses and points are in the frame of the world that the checker is from (`to_local`), or of the
-/// surroundings that it was made of.
+/// surroundings that it was made of. Around what the body stays inside of the surroundings of a
+/// world have fences; those that a checker is made of have none.
 ///
 /// Promise: whatever is accepted keeps the closed footprint clear of every closed obstacle, by more
 /// than the margin, and the rear axle inside the bounds; whatever has a clearance above the margin

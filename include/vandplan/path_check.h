@@ -61,15 +61,15 @@ struct PathClaims {
 };
 
 /// What a vehicle may touch, come too near to, or leave.
-enum class HitKind : std::uint8_t { obstacle, kerb, map, bounds };
+enum class HitKind : std::uint8_t { obstacle, kerb, map, bounds, inside };
 
-/// The key of a scenario file: "obstacles", "kerbs", "map", "bounds".
+/// The key of a scenario file: "obstacles", "kerbs", "map", "bounds", "inside".
 [[nodiscard]] std::string_view name_of(HitKind kind) noexcept;
 
 /// What a vehicle touches, comes too near to, or leaves.
 struct Hit {
   HitKind kind = HitKind::obstacle;
-  std::size_t index = 0;  ///< of the obstacle or kerb in the scenario
+  std::size_t index = 0;  ///< of the obstacle, kerb or area to stay in, in the scenario
   /// Middle of the cell of the map, in the scenario's frame; `PlanResult::hit` alone says it.
   std::optional<Point> cell = {};
   bool operator==(const Hit&) const = default;
@@ -96,11 +96,12 @@ struct PathCheck {
 
 /// Judges a path in the scenario's frame, in this order: every number is finite, it
 /// begins at the start, every curvature is drivable, the wheels turn and the gears are as is
-/// claimed, the rear axle stays in the bounds, the footprint touches no obstacle and no blocked
-/// cell and the wheels no kerb, both of the vehicle and of its trailer, whose hitch angle stays
-/// within its limit (looked at every millimetre that a point of the vehicle moves, skipping only
-/// what is proven to be free), they keep the margin that is claimed, it ends at the goal, or at one
-/// of a set, within 1e-6 m and 1e-6 rad, and what is claimed is true.
+/// claimed, the rear axle stays in the bounds, the body begins and stays in what it may not leave,
+/// the footprint touches no obstacle and no blocked cell and the wheels no kerb, both of the
+/// vehicle and of its trailer, whose hitch angle stays within its limit (looked at every millimetre
+/// that a point of the vehicle moves, skipping only what is proven to be free), they keep the
+/// margin that is claimed, it ends at the goal, or at one of a set, within 1e-6 m and 1e-6 rad, and
+/// what is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});
 

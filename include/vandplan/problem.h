@@ -62,6 +62,7 @@ struct Scenario {
   std::vector<GoalRegion> goal_set = {};
   std::vector<Polygon> obstacles = {};
   std::vector<Polygon> kerbs = {};          ///< low ones, that overhangs may swing over
+  std::vector<Polygon> inside = {};         ///< the whole body stays in one of them; none: anywhere
   std::string map_file = {};                ///< where the map is from; empty without map
   std::optional<OccupancyGrid> map = {};    ///< the occupancy map itself; none: there is no map
   std::vector<MovingObstacle> moving = {};  ///< what else moves while the vehicle drives
@@ -73,10 +74,10 @@ class World {
  public:
   /// Takes surroundings in the scenario's frame; `near` is a place around which one plans, such as
   /// a start: the world's origin is `near`, rounded to whole metres. Throws InputError naming the
-  /// key ("bounds.x", "obstacles[2]", "map.resolution") when a number is not finite or out of
-  /// range, bounds are crossed, or a polygon has fewer than three corners, no area, or crosses or
-  /// touches itself. Repeated corners are dropped; a polygon of one repeated corner stands for
-  /// that point.
+  /// key ("bounds.x", "obstacles[2]", "inside[1]", "map.resolution") when a number is not finite or
+  /// out of range, bounds are crossed, areas of `inside` touch each other, or a polygon has fewer
+  /// than three corners, no area, or crosses or touches itself. Repeated corners are dropped; a
+  /// polygon of one repeated corner stands for that point.
   World(const Surroundings& surroundings, const Point& near);
   /// Another world with more obstacles, in the frame of that one, whose origin is 0 here. What was
   /// made of the map is shared. Throws InputError naming "more[2]" as above.
@@ -89,8 +90,15 @@ class World {
   /// of both frames are parallel.
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
 
-  /// The cleaned surroundings in the world's frame, which planners and the judge work in.
+  /// The cleaned surroundings in the world's frame, which planners and the judge work in. The first
+  /// obstacles are fences around what the body stays inside of: `fences()` of them.
   [[nodiscard]] const Surroundings& local() const noexcept { return local_; }
+
+  /// Number of sides of all areas that the body stays in; each has a fence outside of it, a
+  /// micrometre thick.
+  [[nodiscard]] std::size_t fences() const noexcept;
+  /// `local()` without the fences: what another world like this one is made of.
+  [[nodiscard]] Surroundings without_fences() const;
 
   /// The checker of a vehicle that keeps a margin, in the world's frame. Kept with the world,
   /// unless the margin has ramps. Throws InputError naming "vehicle.width" or another key that is

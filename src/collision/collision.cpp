@@ -168,14 +168,19 @@ struct CollisionChecker::Data {
   /// Whether nothing contains the place of a rear axle.
   [[nodiscard]] bool is_outside(const Point& axle) const noexcept {
     return !ground->walls.contain(axle) && !ground->kerbs.contain(axle) &&
-           !(ground->map && ground->map->contain(axle));
+           !(ground->map && ground->map->contain(axle)) && may_begin_at(axle);
+  }
+
+  /// Whether a body whose axle is there is inside of what it may not leave, or all of it outside.
+  [[nodiscard]] bool may_begin_at(const Point& axle) const noexcept {
+    return ground->inside.is_empty() || ground->inside.contain(axle);
   }
 
   /// The same of a trailer's axle, or that a wall around it touches a body: where both bodies hold
   /// the hitch, the way over it from one axle to the other does not leave them.
   [[nodiscard]] bool is_trailer_outside(const Point& axle) const noexcept {
     return (towed->holds_hitch || !ground->walls.contain(axle)) && !ground->kerbs.contain(axle) &&
-           !(ground->map && ground->map->contain(axle));
+           !(ground->map && ground->map->contain(axle)) && may_begin_at(axle);
   }
 
   /// Whether no side is touched and the rear axle stays in the box. Together with a start outside

@@ -14,13 +14,17 @@ namespace vandplan::collision {
 /// Surroundings, ready to be asked quickly.
 struct Ground {
   explicit Ground(const Surroundings& surroundings)
-      : bounds(surroundings.bounds), walls(surroundings.obstacles), kerbs(surroundings.kerbs) {
+      : bounds(surroundings.bounds),
+        walls(surroundings.obstacles),
+        kerbs(surroundings.kerbs),
+        inside(surroundings.inside) {
     if (surroundings.map) map = std::make_shared<GridObstacles>(*surroundings.map);
   }
 
   Bounds bounds;
   Obstacles walls;                          ///< the body keeps clear of them
   Obstacles kerbs;                          ///< the wheels do
+  Obstacles inside;                         ///< the body begins in one of them; none: anywhere
   std::shared_ptr<GridObstacles> map = {};  ///< that all who have it share; none: there is no map
 };
 

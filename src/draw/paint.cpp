@@ -281,6 +281,12 @@ void paint_goal_set(cairo_t* cairo, const Scene& scene, const View& view) {
 
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   paint_bounds(cairo, scene, view);
+  for (const Polygon& area : scene.inside) {
+    add_polygon(cairo, view, area);
+    set_colour(cairo, colour::kerb, 0.12);
+    cairo_fill_preserve(cairo);
+    stroke(cairo, 1.6, colour::ink, 0.7);
+  }
   paint_polygons(cairo, scene.kerbs, colour::kerb, view);
   if (scene.map) paint_map(cairo, *scene.map, view);
   paint_polygons(cairo, scene.obstacles, colour::obstacle, view);

@@ -153,6 +153,7 @@ std::vector<Shadow> shadows_of(const std::vector<MovingObstacle>& moving, const 
 std::vector<Polygon> things_in(const Scene& scene) {
   std::vector<Polygon> things = scene.obstacles;
   things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());
+  things.insert(things.end(), scene.inside.begin(), scene.inside.end());
   if (scene.map) things.push_back(outline(*scene.map));
   for (const Shadow& shadow : scene.shadows) things.push_back(shadow.outline);
   return things;
@@ -171,9 +172,10 @@ RigState end_of(const Scene& scene) {
 
 /// The corners of what is hit; none of what the scenario has not.
 std::vector<Polygon> outline_of(const Scenario& scenario, const Hit& hit) {
-  const bool is_kerb = hit.kind == HitKind::kerb;
-  if (is_kerb || hit.kind == HitKind::obstacle) {
-    const std::vector<Polygon>& all = is_kerb ? scenario.kerbs : scenario.obstacles;
+  if (hit.kind != HitKind::map && hit.kind != HitKind::bounds) {
+    const std::vector<Polygon>& all = hit.kind == HitKind::kerb     ? scenario.kerbs
+                                      : hit.kind == HitKind::inside ? scenario.inside
+                                                                    : scenario.obstacles;
     if (hit.index >= all.size()) return {};
     return {all[hit.index]};
   }
@@ -210,6 +212,7 @@ Scene scene_of(const Drawing& drawing) {
   scene.goal_areas = moved(std::move(scene.goal_areas), scene.origin);
   scene.obstacles = moved(scenario.obstacles, scene.origin);
   scene.kerbs = moved(scenario.kerbs, scene.origin);
+  scene.inside = moved(scenario.inside, scene.origin);
   scene.shadows = shadows_of(scenario.moving, scene.origin);
   scene.map = scenario.map;
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");

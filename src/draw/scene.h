@@ -29,6 +29,7 @@ struct Scene {
   std::vector<RigState> goals;  ///< some poses of a set of goals; empty if `goal` is the only one
   std::vector<Polygon> obstacles;
   std::vector<Polygon> kerbs;
+  std::vector<Polygon> inside;  ///< areas that the body does not leave
   std::optional<OccupancyGrid> map;
   std::vector<Shadow> shadows;  ///< of what moves; the latest first
   std::optional<Path> path;

@@ -19,7 +19,7 @@ struct Unbounded {
 std::shared_ptr<const World> unbounded(const World& world) {
   const auto make = [&]() -> std::shared_ptr<const void> {
     constexpr double far = 1e6;  // worlds reach no further
-    Surroundings things = world.local();
+    Surroundings things = world.without_fences();
     things.bounds = {-far, far, -far, far};
     // A polygon that has shrunk to a point or a line has as many corners as one needs.
     for (std::vector<Polygon>* polygons : {&things.obstacles, &things.kerbs}) {

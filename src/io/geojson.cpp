@@ -99,7 +99,7 @@ struct Draft {
   Shapes obstacles = {};
   Shapes kerbs = {};
   const Node* bounds = nullptr;  // the feature
-  std::vector<Point> bounds_corners = {};
+  Polygon bounds_ring = {};      // the outer one
   std::map<std::string, int> left_out = {};
   int filled_holes = 0;
   std::vector<std::string> notes = {};
@@ -147,21 +147,20 @@ void warn_of_ends_within(Draft& draft, const Node& source, const Polygon& ring) 
                   draft.file.place_of(source), ends));
 }
 
-/// Adds a warning if the bounds were drawn as something else than a box along the axes.
-void warn_of_box(Draft& draft) {
-  if (draft.bounds == nullptr) return;
-  const Bounds box = bounding_box(draft.bounds_corners);
+/// What the body stays inside of: the outer ring of bounds that were drawn as something else than a
+/// box along the axes.
+std::vector<Polygon> inside_of(const Draft& draft) {
+  if (draft.bounds == nullptr) return {};
+  const Bounds box = bounding_box(draft.bounds_ring);
   const double slack = 0.01 * std::max(box.x_max - box.x_min, box.y_max - box.y_min);
   const auto is_at_corner = [&](const Point& p) {
     return std::min(p.x - box.x_min, box.x_max - p.x) <= slack &&
            std::min(p.y - box.y_min, box.y_max - p.y) <= slack;
   };
-  if (draft.bounds_corners.size() >= 4 && std::ranges::all_of(draft.bounds_corners, is_at_corner)) {
-    return;
-  }
-  draft.warnings.push_back(draft.file.place_of(*draft.bounds) +
-                           ": the bounds become the box around them; a LineString along the ring "
-                           "keeps the vehicle inside of it");
+  const bool is_box =
+      draft.bounds_ring.size() >= 4 && std::ranges::all_of(draft.bounds_ring, is_at_corner);
+  if (is_box) return {};
+  return {draft.bounds_ring};
 }
 
 /// An area with holes. One that start and goal are not in is closed ground, and filled. Else the
@@ -229,11 +228,12 @@ void read_bounds(Draft& draft, const Feature& feature) {
                     "is a " + feature.type.substr(0, 40) + ", expected a Polygon for bounds");
   }
   draft.bounds = feature.node;
-  for (const Node& ring :
-       draft.file.list(draft.file.at(*feature.geometry, "coordinates"), "a list of rings")) {
+  const Node& rings = draft.file.at(*feature.geometry, "coordinates");
+  for (const Node& ring : draft.file.list(rings, "a list of rings")) {
     const Polygon corners = ring_from(draft, ring);
-    draft.bounds_corners.insert(draft.bounds_corners.end(), corners.begin(), corners.end());
+    if (draft.bounds_ring.empty()) draft.bounds_ring = corners;
   }
+  if (draft.bounds_ring.empty()) draft.file.fail(rings, "is empty, expected a ring");
 }
 
 void add_feature(Draft& draft, const Feature& feature) {
@@ -276,7 +276,7 @@ End end_from(const Document& file, const std::vector<Feature>& features, Feature
 
 /// Around the corners of the bounds, else around everything; rounded to millimetres.
 Bounds bounds_of(const Draft& draft) {
-  std::vector<Point> points = draft.bounds_corners;
+  std::vector<Point> points = draft.bounds_ring;
   const double around = draft.bounds != nullptr ? 0.0 : room;
   if (draft.bounds == nullptr) {
     points = {{draft.start.x, draft.start.y}, {draft.goal.x, draft.goal.y}};
@@ -305,7 +305,7 @@ Bounds bounds_of(const Draft& draft) {
   const Node* node = nullptr;
   if (key.starts_with("obstacles")) node = source_in(draft.obstacles);
   if (key.starts_with("kerbs")) node = source_in(draft.kerbs);
-  if (key.starts_with("bounds")) node = draft.bounds;
+  if (key.starts_with("bounds") || key.starts_with("inside")) node = draft.bounds;
   if (key.starts_with("start")) node = start;
   if (key.starts_with("goal")) node = goal;
   if (node == nullptr) throw error;
@@ -365,6 +365,7 @@ GeoJsonScenario read_geojson(const GeoJsonSite& site) {
   scenario.bounds = bounds_of(draft);
   scenario.obstacles = draft.obstacles.polygons;
   scenario.kerbs = draft.kerbs.polygons;
+  scenario.inside = inside_of(draft);
   if (result.origin) {
     scenario.description = fmt::format("GeoJSON; origin at longitude {}, latitude {}",
                                        result.origin->longitude, result.origin->latitude);
@@ -374,7 +375,6 @@ GeoJsonScenario read_geojson(const GeoJsonSite& site) {
   } catch (const InputError& error) {
     blame(draft, start.node, goal.node, error);
   }
-  warn_of_box(draft);
   tell(draft, result);
   result.warnings = draft.warnings;
   warn_of_degrees(file, features, result.warnings);

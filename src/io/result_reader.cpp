@@ -255,10 +255,12 @@ Hit hit_from(const Document& file, const Node& node) {
   Hit hit;
   const Node& what = file.at(node, "what");
   const std::string name = file.text(what);
-  constexpr std::array kinds = {HitKind::obstacle, HitKind::kerb, HitKind::map, HitKind::bounds};
+  constexpr std::array kinds = {HitKind::obstacle, HitKind::kerb, HitKind::map, HitKind::bounds,
+                                HitKind::inside};
   const auto* const kind = std::ranges::find(kinds, name, [](HitKind one) { return name_of(one); });
   if (kind == kinds.end()) {
-    file.fail(what, fmt::format("is \"{}\", expected obstacles, kerbs, map or bounds", name));
+    file.fail(what,
+              fmt::format("is \"{}\", expected obstacles, kerbs, map, bounds or inside", name));
   }
   hit.kind = *kind;
   if (const Node* const index = file.find(node, "index")) hit.index = file.count(*index);

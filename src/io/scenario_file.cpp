@@ -139,6 +139,10 @@ void read_ground(const Document& file, const std::string& where, const Map& know
   if (const Node* const kerbs = file.find(root, "kerbs")) {
     scenario.kerbs = polygons_from(file, *kerbs);
   }
+  if (const Node* const inside = file.find(root, "inside")) {
+    scenario.inside = polygons_from(file, *inside);
+    if (scenario.inside.empty()) file.fail(*inside, "is empty, expected one area at least");
+  }
   const Node* const obstacles = file.find(root, "obstacles");
   if (map != nullptr && obstacles == nullptr) return;
   scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
@@ -150,7 +154,7 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     file.fail(*image, "belongs into a map, expected a scenario that names this file as its map");
   }
   file.allow_only(root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals",
-                         "obstacles", "kerbs", "map", "unknown", "moving", "options"});
+                         "obstacles", "kerbs", "inside", "map", "unknown", "moving", "options"});
   const Node* const goals = file.find(root, "goals");
   const Node* const goal = file.find(root, "goal");
   if (goals != nullptr && goal != nullptr) {
@@ -361,6 +365,7 @@ std::string to_yaml(const ScenarioFile& file) {
                         yaml_of(goal.obstacles, "      "));
   }
   if (!scenario.kerbs.empty()) text += "kerbs:" + yaml_of(scenario.kerbs, "  ");
+  if (!scenario.inside.empty()) text += "inside:" + yaml_of(scenario.inside, "  ");
   if (scenario.map) {
     text += fmt::format("map: {}\n", quoted(scenario.map_file));
     if (scenario.map->unknown_is_free) text += "unknown: free\n";

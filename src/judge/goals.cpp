@@ -27,19 +27,15 @@ Spot nearest_on_side(const Spot& p, const Point& a, const Point& b) {
 
 /// The place in a closed polygon that is nearest to another place.
 Spot nearest_in(const Polygon& area, const Spot& p) {
-  bool is_inside = false;
+  if (is_in(area, p.x, p.y)) return p;
   Spot nearest{area[0].x, area[0].y};
   for (std::size_t i = 0; i < area.size(); ++i) {
     const Point& a = area[i];
     const Point& b = area[(i + 1) % area.size()];
-    if ((a.y > p.y) != (b.y > p.y)) {
-      const Real x = a.x + (p.y - a.y) * (static_cast<Real>(b.x) - a.x) / (b.y - a.y);
-      if (p.x < x) is_inside = !is_inside;
-    }
     const Spot there = nearest_on_side(p, a, b);
     if (distance(there, p) < distance(nearest, p)) nearest = there;
   }
-  return is_inside ? p : nearest;
+  return nearest;
 }
 
 Real clamped(Real value, const Interval& interval) {
@@ -67,6 +63,19 @@ Position tractor_ahead_of(const Position& trailer, const Vehicle& vehicle, Real 
 }
 
 }  // namespace
+
+// A ray to the right crosses the edge an odd number of times.
+bool is_in(const Polygon& area, Real x, Real y) {
+  bool is_inside = false;
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const Point& a = area[i];
+    const Point& b = area[(i + 1) % area.size()];
+    if ((a.y > y) == (b.y > y)) continue;
+    const Real crossing = a.x + (y - a.y) * (static_cast<Real>(b.x) - a.x) / (b.y - a.y);
+    if (x < crossing) is_inside = !is_inside;
+  }
+  return is_inside;
+}
 
 Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing, bool wheels_count,
                   std::optional<std::size_t> only) {

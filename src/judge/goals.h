@@ -20,6 +20,9 @@ struct Goal {
   double hitch_angle = 0.0;  ///< [rad]; 0 without a trailer
 };
 
+/// Whether a place is in a polygon, its edge included as far as it is met by chance.
+[[nodiscard]] bool is_in(const Polygon& area, Real x, Real y);
+
 /// The goal nearest to the end of a track, of region number `only` or of all regions of a set that
 /// is not empty: distances [m], angles [rad] and, where wheels may not turn at standstill,
 /// curvatures [1/m] that are off by more than the judge's tolerance count alike. Of equal ones that

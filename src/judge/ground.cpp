@@ -23,8 +23,19 @@ Outlines outlines_of(const Trailer& trailer) {
           .wheels = {0.0, 0.0, -half_width, half_width}};
 }
 
+namespace {
+
+std::vector<std::size_t> sides_of_all(const std::vector<Polygon>& areas) {
+  std::vector<std::size_t> sides;
+  for (const Polygon& area : areas) sides.push_back(area.size());
+  return sides;
+}
+
+}  // namespace
+
 Ground::Ground(const Surroundings& surroundings)
-    : obstacles_(surroundings.obstacles),
+    : fences_(sides_of_all(surroundings.inside)),
+      obstacles_(surroundings.obstacles),
       kerbs_(surroundings.kerbs),
       is_empty_(surroundings.obstacles.empty() && surroundings.kerbs.empty() && !surroundings.map) {
   if (surroundings.map) cells_.emplace(*surroundings.map);
@@ -38,7 +49,8 @@ std::string door_fault(const Problem& problem, double margin) {
 
 Ground::Ground(const Ground& before, const Surroundings& surroundings,
                std::span<const CellRange> cells)
-    : obstacles_(surroundings.obstacles),
+    : fences_(before.fences_),
+      obstacles_(surroundings.obstacles),
       kerbs_(surroundings.kerbs),
       cells_(before.cells_),
       is_empty_(surroundings.obstacles.empty() && surroundings.kerbs.empty() && !surroundings.map) {
@@ -59,8 +71,17 @@ double Ground::clearance(const View& view, const Outlines& outlines, double most
 
 Thing Ground::first_within(double distance, const View& view, const Outlines& outlines) const {
   if (const auto first = obstacles_.first_within(distance, view, outlines.body)) {
+    std::size_t index = *first;
+    for (std::size_t area = 0; area < fences_.size(); ++area) {
+      if (index < fences_[area]) {
+        return {"the edge of inside[" + std::to_string(area) + "]",
+                "the footprint",
+                {HitKind::inside, area}};
+      }
+      index -= fences_[area];
+    }
     return {
-        "obstacles[" + std::to_string(*first) + "]", "the footprint", {HitKind::obstacle, *first}};
+        "obstacles[" + std::to_string(index) + "]", "the footprint", {HitKind::obstacle, index}};
   }
   if (const auto first = kerbs_.first_within(distance, view, outlines.wheels)) {
     return {"kerbs[" + std::to_string(*first) + "]", "the wheels", {HitKind::kerb, *first}};

@@ -61,6 +61,7 @@ class Ground {
                                    const Outlines& outlines) const;
 
  private:
+  std::vector<std::size_t> fences_;  // of each area that the body stays in: they come first
   PolygonTree obstacles_;
   PolygonTree kerbs_;
   std::optional<CellTree> cells_;

@@ -153,6 +153,15 @@ std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
   return std::nullopt;
 }
 
+/// A body that begins in none of the areas that it may not leave. Later it would meet a fence.
+std::optional<Fault> begins_outside(const Position& axle, const std::vector<Polygon>& inside,
+                                    const char* what) {
+  const auto holds_it = [&](const Polygon& area) { return is_in(area, axle.x, axle.y); };
+  if (inside.empty() || std::ranges::any_of(inside, holds_it)) return std::nullopt;
+  return Fault{text("the %s begins outside of what the vehicle stays inside of", what), Place{0, 0},
+               Hit{HitKind::inside}};
+}
+
 /// The wheels are many, the footprint is one.
 bool is_of_many(std::string_view part) { return part.ends_with('s'); }
 
@@ -301,6 +310,12 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
   if (auto f = false_steering(track, task, claims.steering)) return Fault{f->reason, f->place};
   if (auto f = wrong_gear(track, claims.gears)) return f;
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
+  const std::vector<Polygon>& inside = task.world->local().inside;
+  if (auto f = begins_outside(track.stretches[0].start, inside, "rear axle")) return f;
+  if (trailing != nullptr) {
+    if (auto f = begins_outside(trailing->position({0, 0}), inside, "axle of the trailer"))
+      return f;
+  }
   const std::shared_ptr<const Ground> ground = ground_of(*task.world);
   Bodies bodies{{track, *ground, outlines_of(task.vehicle)}};
   if (trailing != nullptr) {
@@ -342,7 +357,8 @@ PathClaims local_claims(const World& world, const PathClaims& claims) {
 }  // namespace
 
 std::string_view name_of(HitKind kind) noexcept {
-  constexpr std::array<std::string_view, 4> names = {"obstacles", "kerbs", "map", "bounds"};
+  constexpr std::array<std::string_view, 5> names = {"obstacles", "kerbs", "map", "bounds",
+                                                     "inside"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -89,6 +89,13 @@ Local<RigState> state_of(const Task& task, const GoalPoint& point) {
   return Local(problem::state_at(task.vehicle, region, axle, angle));
 }
 
+std::size_t number_of_intervals(const Task& task, std::size_t region) {
+  const std::array<double, 4> widths = widths_of(task.goal_set[region]);
+  const auto count =
+      std::count_if(widths.begin(), widths.end(), [](double width) { return width > 0.0; });
+  return static_cast<std::size_t>(count);
+}
+
 bool is_in_region(const Task& task, const GoalPoint& point) {
   const GoalRegion& region = task.goal_set[point.region];
   return region.area.empty() || is_inside(region.area, place_in_box(region, point));
@@ -100,14 +107,12 @@ bool is_in_region(const Task& task, const GoalPoint& point) {
 GoalPoint point_of_sequence(const Task& task, std::size_t region, std::size_t i) {
   const GoalRegion& of = task.goal_set[region];
   const std::array<double, 4> widths = widths_of(of);
-  const auto axes =
-      std::count_if(widths.begin(), widths.end(), [](double width) { return width > 0.0; });
   GoalPoint point{.region = region, .at = {}};
   if (of.either_way) point.is_turned = i % 2 == 1;
   const std::size_t number = of.either_way ? i / 2 : i;
   constexpr std::array roots = {2.0, 1.618033988749895, 1.324717957244746, 1.2207440846057594,
                                 1.1673039782614187};
-  const double root = roots[static_cast<std::size_t>(axes)];
+  const double root = roots[number_of_intervals(task, region)];
   double step = 1.0;
   for (std::size_t axis = 0; axis < widths.size(); ++axis) {
     if (widths[axis] == 0.0) continue;

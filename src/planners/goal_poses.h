@@ -23,11 +23,13 @@ struct GoalPoint {
 /// Where the vehicle is at that goal; heading in [-pi, pi).
 [[nodiscard]] Local<RigState> state_of(const Task& task, const GoalPoint& point);
 
-/// At most `most` goals of region number `region` that `may_be` lets pass, evenly spread over its
-/// intervals. A region of one pose has one, and another one that is turned.
-template <class MayBe>
-[[nodiscard]] std::vector<GoalPoint> spread(const Task& task, std::size_t region, std::size_t most,
-                                            MayBe may_be);
+/// How many intervals region number `region` has: of x, y, heading and hitch angle.
+[[nodiscard]] std::size_t number_of_intervals(const Task& task, std::size_t region);
+
+/// Hands goals of region number `region`, evenly spread over its intervals, to `take` until that
+/// has said true of `most` of them. A region of one pose has one, and another one that is turned.
+template <class Take>
+void spread(const Task& task, std::size_t region, std::size_t most, Take take);
 
 /// Goals beside another one of its region: forth and back along each interval, by that share of it.
 [[nodiscard]] std::vector<GoalPoint> beside(const Task& task, const GoalPoint& point, double share);
@@ -41,17 +43,14 @@ template <class MayBe>
 /// Numbers of points to look at before a region counts as having no more.
 inline constexpr std::size_t most_looks = 4096;
 
-template <class MayBe>
-std::vector<GoalPoint> spread(const Task& task, std::size_t region, std::size_t most,
-                              MayBe may_be) {
+template <class Take>
+void spread(const Task& task, std::size_t region, std::size_t most, Take take) {
   const GoalRegion& of = task.goal_set[region];
   const std::size_t looks = is_continuous(of) ? most_looks : of.either_way ? 2 : 1;
-  std::vector<GoalPoint> points;
-  for (std::size_t i = 0; i < looks && points.size() < most; ++i) {
+  for (std::size_t i = 0, taken = 0; i < looks && taken < most; ++i) {
     const GoalPoint point = point_of_sequence(task, region, i);
-    if (is_in_region(task, point) && may_be(point)) points.push_back(point);
+    if (is_in_region(task, point) && take(point)) ++taken;
   }
-  return points;
 }
 
 /// No path from the start to a region of the set is shorter, whatever stands in the way [m]. Looks

@@ -25,8 +25,10 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-constexpr std::size_t most_of_region = 64;  // goals of a continuous region that are searched for
-constexpr std::size_t most_open_ways = 32;  // that are looked at before the first search
+// Goals of a region that are searched for: of one interval, or of several.
+constexpr std::size_t most_of_line = 16;
+constexpr std::size_t most_of_region = 64;
+constexpr std::size_t most_open_ways = 16;  // that are looked at before the first search
 /// Work on the most promising goal after which twice as many goals are looked at [iterations].
 constexpr double work_of_doubling = 64.0;
 /// The less work is done on a goal the more its path costs: by the ratio to a power that grows, as
@@ -97,13 +99,14 @@ class SetRun {
   void add_goals() {
     std::vector<Candidate> goals;
     for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
-      const auto may_be = [&](const GoalPoint& point) {
+      const bool is_line = number_of_intervals(task_, region) == 1;
+      const std::size_t most = is_line ? most_of_line : most_of_region;
+      spread(task_, region, most, [&](const GoalPoint& point) {
         ++looked_at_;
         std::optional<Candidate> goal = candidate_at(point);
         if (goal) goals.push_back(*std::move(goal));
         return goal.has_value();
-      };
-      (void)spread(task_, region, most_of_region, may_be);
+      });
     }
     std::vector<Candidate*> order;
     for (Candidate& goal : goals) order.push_back(&goal);
@@ -345,7 +348,7 @@ class SetRun {
     if (best_ != nullptr && best_->search) answer = best_->search->answer();
     if (best_ != nullptr && !best_->search) answer.segments = best_->path;
     if (best_ == nullptr) {
-      answer.status = budget_.exhausted().value_or(PlanStatus::stopped);
+      answer.status = budget_.exhausted().value_or(PlanStatus::iteration_limit);
       explain(answer);
       return answer;
     }
@@ -362,11 +365,7 @@ class SetRun {
   void explain(PlannerAnswer& answer) {
     answer.iterations = budget_.iterations();
     const bool all_closed = std::ranges::all_of(candidates_, &Candidate::is_closed);
-    if (!all_closed || bound_of_regions() < endless) {
-      const bool is_limit = answer.status != PlanStatus::stopped;
-      if (!is_limit) answer.status = PlanStatus::iteration_limit;
-      return;
-    }
+    if (!all_closed || bound_of_regions() < endless) return;
     answer.status = PlanStatus::no_path;
     const std::size_t closed = candidates_.size();
     const std::string reason = candidates_.front().search->answer().reason;

@@ -10,6 +10,7 @@
 #include "base/require.h"
 #include "collision/ground.h"
 #include "problem/checks.h"
+#include "problem/fences.h"
 #include "problem/goal_set.h"
 #include "problem/moving.h"
 #include "vandplan/input_error.h"
@@ -23,7 +24,13 @@ Surroundings checked(const Surroundings& given, const Point& origin) {
   Surroundings local{.bounds = problem::local_bounds(given.bounds, origin),
                      .obstacles = problem::local_polygons(given.obstacles, origin, "obstacles"),
                      .kerbs = problem::local_polygons(given.kerbs, origin, "kerbs"),
-                     .map = {}};
+                     .map = {},
+                     .inside = problem::local_areas(given.inside, origin)};
+  if (!local.inside.empty()) {
+    std::vector<Polygon> all = problem::fences_around(local.inside);
+    all.insert(all.end(), local.obstacles.begin(), local.obstacles.end());
+    local.obstacles = std::move(all);
+  }
   if (given.map) local.map = problem::local_map(*given.map, origin);
   return local;
 }
@@ -88,6 +95,19 @@ World::World(const World& ground, const std::vector<Polygon>& more)
 
 World::~World() = default;
 
+std::size_t World::fences() const noexcept {
+  std::size_t sides = 0;
+  for (const Polygon& area : local_.inside) sides += area.size();
+  return sides;
+}
+
+Surroundings World::without_fences() const {
+  Surroundings given = local_;
+  const auto begin = given.obstacles.begin();
+  given.obstacles.erase(begin, begin + static_cast<std::ptrdiff_t>(fences()));
+  return given;
+}
+
 void World::change(std::vector<Polygon> obstacles, std::span<const CellRange> cells) {
   if (obstacles != local_.obstacles) {
     local_.obstacles = std::move(obstacles);
@@ -137,7 +157,8 @@ Surroundings surroundings(const Scenario& scenario) {
   return {.bounds = scenario.bounds,
           .obstacles = scenario.obstacles,
           .kerbs = scenario.kerbs,
-          .map = scenario.map};
+          .map = scenario.map,
+          .inside = scenario.inside};
 }
 
 Problem make_problem(const Scenario& scenario) {

@@ -3,6 +3,7 @@
 #include "replanning/known_ground.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -55,9 +56,13 @@ std::optional<CellRange> written(const CellPatch& patch, std::int32_t columns,
 }  // namespace
 
 KnownGround::KnownGround(const World& world) : origin_(world.origin()) {
-  Surroundings ground = world.local();
+  Surroundings ground = world.without_fences();
   for (std::vector<Polygon>* polygons : {&ground.obstacles, &ground.kerbs}) {
     for (Polygon& polygon : *polygons) pad(polygon);
+  }
+  // Fences come first, by names that nobody else uses.
+  for (std::size_t i = 0; i < world.fences(); ++i) {
+    names_.push_back(std::numeric_limits<std::int64_t>::min() + static_cast<std::int64_t>(i));
   }
   for (std::size_t i = 0; i < ground.obstacles.size(); ++i) {
     names_.push_back(static_cast<std::int64_t>(i));

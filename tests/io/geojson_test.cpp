@@ -149,16 +149,15 @@ const std::string ring =
     "[[[-50, -50], [50, -50], [50, 50], [-50, 50], [-50, -50]],"
     " [[-40, -40], [40, -40], [40, 40], [-40, 40], [-40, -40]]]";
 
-TEST_F(GeoJson, ABoundaryThatBecomesABoxIsSaid) {
+TEST_F(GeoJson, TheBodyStaysInBoundsThatAreNoBox) {
   const auto drawn = [&](const std::string& corners) {
-    return with(feature(R"({"kind": "bounds"})", "Polygon", corners)).warnings;
+    return with(feature(R"({"kind": "bounds"})", "Polygon", corners));
   };
-  const std::vector<std::string> triangle = drawn("[[[0,0],[60,0],[0,60],[0,0]]]");
-  ASSERT_EQ(triangle.size(), 1U);
-  EXPECT_NE(triangle[0].find("a.geojson:4: features[2]: the bounds become the box around them"),
-            std::string::npos)
-      << triangle[0];
-  EXPECT_EQ(drawn("[[[0,0],[60,0],[60,50],[0,50],[0,0]]]").size(), 0U);
+  const GeoJsonScenario triangle = drawn("[[[0,0],[60,0],[0,60],[0,0]]]");
+  EXPECT_EQ(triangle.scenario.inside, (std::vector<Polygon>{{{0, 0}, {60, 0}, {0, 60}}}));
+  EXPECT_EQ(triangle.scenario.bounds, (Bounds{0, 60, 0, 60}));
+  EXPECT_TRUE(triangle.warnings.empty());
+  EXPECT_TRUE(drawn("[[[0,0],[60,0],[60,50],[0,50],[0,0]]]").scenario.inside.empty());
 }
 
 TEST_F(GeoJson, AnObstacleAroundStartOrGoalIsSaid) {

@@ -172,6 +172,7 @@ class Look {
     if (scenario.vehicle.trailer) trailer_ = body_of(*scenario.vehicle.trailer, margin);
     add(scenario.obstacles, "obstacle", obstacles_);
     add(scenario.kerbs, "kerb", kerbs_);
+    add(scenario.inside, "inside", areas_);
     if (!scenario.map) return;
     const Pose& origin = scenario.map->origin;
     map_ = frame_at({Real{origin.x} - scenario.start.x, Real{origin.y} - scenario.start.y},
@@ -222,7 +223,20 @@ class Look {
         return thing.name;
       }
     }
+    if (!areas_.empty() && !is_in_an_area(body, vehicle)) return "the edge";
     return scenario_.map && hits_map(body, vehicle) ? "map" : "";
+  }
+
+  /// Whether an area holds a body: it holds a place of it, and no side runs through it.
+  [[nodiscard]] bool is_in_an_area(const Body& body, const Frame& vehicle) const {
+    return std::any_of(areas_.begin(), areas_.end(), [&](const Thing& area) {
+      std::vector<Vector> seen;
+      for (const Vector& corner : area.corners) seen.push_back(vehicle.seen(corner));
+      for (std::size_t i = 0, j = seen.size() - 1; i < seen.size(); j = i++) {
+        if (runs_through(seen[j], seen[i], body)) return false;
+      }
+      return holds(seen, body.middle);
+    });
   }
 
   [[nodiscard]] static bool is_near(const Thing& thing, const Vector& place, Real reach) {
@@ -273,6 +287,7 @@ class Look {
   Real reach_;  ///< of the vehicle
   std::vector<Thing> obstacles_;
   std::vector<Thing> kerbs_;
+  std::vector<Thing> areas_;  ///< that the body stays in
   Frame map_{};
 };
 

@@ -370,10 +370,33 @@ GoalRegion nasty_region(const Scenario& scenario, double size, Rng& rng) {
 
 }  // namespace
 
+namespace {
+
+/// An area around start and goal, most of the time: each corner is seen from their middle.
+Polygon nasty_area(const Scenario& scenario, double size, Rng& rng) {
+  const Pose& start = scenario.start;
+  const Pose& goal = scenario.goal;
+  const double half = std::hypot(goal.x - start.x, goal.y - start.y) / 2;
+  const int corners = static_cast<int>(uniform(3, 10, rng));
+  Polygon area;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * pi * (i + uniform(0, 0.8, rng)) / corners;
+    const double reach = half + any_size(0.5, 6, rng) * size;
+    area.push_back({(start.x + goal.x) / 2 + reach * std::cos(angle),
+                    (start.y + goal.y) / 2 + reach * std::sin(angle)});
+  }
+  if (chance(0.3, rng)) std::reverse(area.begin(), area.end());
+  return area;
+}
+
+}  // namespace
+
 Scenario nasty_world_of_goals(std::uint64_t seed) {
   Rng rng(stream_seed(seed, 4));
   Scenario scenario = chance(0.2, rng) ? nasty_world_of_a_rig(seed) : nasty_world(seed);
   const double size = std::max(whole_length(scenario.vehicle), scenario.vehicle.min_turning_radius);
+  if (chance(0.4, rng)) scenario.inside = {nasty_area(scenario, size, rng)};
+  if (!scenario.inside.empty() && chance(0.3, rng)) return scenario;
   const int regions = 1 + static_cast<int>(any_size(1, 4, rng));
   for (int i = chance(0.5, rng) ? regions : 1; i > 0; --i) {
     scenario.goal_set.push_back(nasty_region(scenario, size, rng));

@@ -20,7 +20,8 @@ namespace vandplan::nasty {
 [[nodiscard]] Scenario nasty_world_of_a_rig(std::uint64_t seed);
 
 /// One of both whose goal is a set: of one region to four, beside the goal it had, on the start, or
-/// anywhere; some so narrow that they are all but poses.
+/// anywhere; some so narrow that they are all but poses. Some are inside of an area, and of these
+/// some go to a pose.
 [[nodiscard]] Scenario nasty_world_of_goals(std::uint64_t seed);
 
 }  // namespace vandplan::nasty

@@ -96,6 +96,18 @@ TEST(GoalSet, TakesTheDockThatIsCheapest) {
   EXPECT_LT(result.cost, 1.02 * least);
 }
 
+TEST(GoalSet, ProvesNothingThatAnyOfItsGoalsDisproves) {
+  const Scenario scenario = docks(6);
+  const double bound = plan(make_problem(scenario), with_iterations(40)).lower_bound;
+  for (const GoalRegion& dock : scenario.goal_set) {
+    Scenario alone = scenario;
+    alone.goal_set = {dock};
+    const PlanResult single = plan(make_problem(alone), with_iterations(2000));
+    if (!single.path) continue;
+    EXPECT_LE(bound, single.cost);
+  }
+}
+
 TEST(GoalSet, TakesTheFreeDockWhereOthersAreTaken) {
   Scenario scenario = docks(4);
   for (const int taken : {0, 1, 3}) {

@@ -142,7 +142,8 @@ struct type_caster<vandplan::Hit> {
   bool load(handle given, bool) {
     using vandplan::HitKind;
     const auto values = reinterpret_borrow<dict>(given);
-    for (const HitKind kind : {HitKind::obstacle, HitKind::kerb, HitKind::map, HitKind::bounds}) {
+    for (const HitKind kind :
+         {HitKind::obstacle, HitKind::kerb, HitKind::map, HitKind::bounds, HitKind::inside}) {
       if (values["what"].cast<std::string>() == name_of(kind)) value.kind = kind;
     }
     if (values.contains("index")) value.index = values["index"].cast<std::size_t>();
@@ -156,7 +157,7 @@ struct type_caster<vandplan::Hit> {
     using vandplan::HitKind;
     dict values;
     values["what"] = std::string(name_of(hit.kind));
-    if (hit.kind == HitKind::obstacle || hit.kind == HitKind::kerb) values["index"] = hit.index;
+    if (hit.kind != HitKind::map && hit.kind != HitKind::bounds) values["index"] = hit.index;
     if (hit.cell) values["cell"] = make_tuple(hit.cell->x, hit.cell->y);
     return values.release();
   }

@@ -75,7 +75,8 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                               const py::object& vehicle, double start_curvature,
                               double goal_curvature, double start_hitch_angle,
                               double goal_hitch_angle, const std::string& name,
-                              const py::dict& options, const std::vector<MovingObstacle>& moving) {
+                              const py::dict& options, const std::vector<MovingObstacle>& moving,
+                              const py::iterable& inside) {
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
                     .start = pose_from(start, "start"),
@@ -84,6 +85,7 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                     .goal_set = goal_set_from(goal),
                     .obstacles = polygons_from(obstacles, "obstacles"),
                     .kerbs = polygons_from(kerbs, "kerbs"),
+                    .inside = polygons_from(inside, "inside"),
                     .map = map_from(grid, resolution, origin),
                     .moving = moving};
   scenario.bounds = bounds_from(bounds, scenario.map);
@@ -209,6 +211,9 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       "kerbs", [](const Scenario& s) { return arrays_of(s.kerbs); },
       "Polygons that overhangs may swing over.");
   property(
+      "inside", [](const Scenario& s) { return arrays_of(s.inside); },
+      "Polygons, in one of which the whole body stays; none: anywhere.");
+  property(
       "grid", [](const Scenario& s) { return s.map; }, "The occupancy grid, or None.");
   property(
       "moving", [](const Scenario& s) { return s.moving; },
@@ -227,7 +232,7 @@ void bind_scenario_class(py::module_& module) {
   py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
     obstacles=(), kerbs=(), grid=None, resolution=None, origin=None, vehicle=None,
     start_curvature=0, goal_curvature=0, start_hitch_angle=0, goal_hitch_angle=0, name="scenario",
-    options={}, moving=())
+    options={}, moving=(), inside=())
 
 What is to be planned, checked and unchangeable; metres and radians, counter-clockwise. `start` and
 `goal` are poses [x, y, heading] of the midpoint of the rear axle; `goal` may be a `GoalRegion` or a
@@ -236,14 +241,15 @@ sequence of them, too. The rear axle has to stay in `bounds` (x_min, x_max, y_mi
 `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
 or a dict; None is a truck. With a trailer the hitch angles are the heading of the vehicle less that
 of its trailer. `options` are what this scenario wants of planners: {"margin": 0.3}. `moving` are
-`MovingObstacle` objects: what else moves while the vehicle drives.)");
+`MovingObstacle` objects: what else moves while the vehicle drives. The whole body stays in one of the
+simple polygons of `inside`, if there are any.)");
   scenario
       .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
            "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
            "resolution"_a = py::none(), "origin"_a = py::none(), "vehicle"_a = py::none(),
            "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "start_hitch_angle"_a = 0.0,
            "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict(),
-           "moving"_a = std::vector<MovingObstacle>{})
+           "moving"_a = std::vector<MovingObstacle>{}, "inside"_a = py::tuple())
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
 

@@ -224,6 +224,7 @@ class Scenario:
         name: str = "scenario",
         options: Mapping[str, _Option] = ...,
         moving: Sequence[MovingObstacle] = (),
+        inside: Iterable[ArrayLike] = ...,
     ) -> None: ...
     def with_poses(
         self,
@@ -259,6 +260,8 @@ class Scenario:
     def obstacles(self) -> list[_Floats]: ...
     @property
     def kerbs(self) -> list[_Floats]: ...
+    @property
+    def inside(self) -> list[_Floats]: ...
     @property
     def grid(self) -> OccupancyGrid | None: ...
     @property

@@ -275,7 +275,7 @@ Vehicle vehicle_from(const val& given) {
 Scenario scenario_from(const val& given) {
   allow_only(given,
              {"name", "description", "vehicle", "bounds", "start", "goal", "obstacles", "kerbs",
-              "map", "moving"},
+              "inside", "map", "moving"},
              "");
   Scenario scenario;
   if (has(given, "vehicle")) scenario.vehicle = vehicle_from(given["vehicle"]);
@@ -300,6 +300,7 @@ Scenario scenario_from(const val& given) {
   scenario.hitch_angles = {start.hitch_angle, goal.end.hitch_angle};
   scenario.obstacles = polygons_at(given, "obstacles");
   scenario.kerbs = polygons_at(given, "kerbs");
+  scenario.inside = polygons_at(given, "inside");
   scenario.moving = moving_at(given);
   return scenario;
 }
