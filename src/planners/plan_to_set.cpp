@@ -28,12 +28,12 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 // Goals of a region that are searched for: of one interval, or of several.
 constexpr std::size_t most_of_line = 16;
 constexpr std::size_t most_of_region = 64;
-constexpr std::size_t most_open_ways = 16;  // that are looked at before the first search
+constexpr std::size_t most_open_ways = 2;  // that are looked at before the first search
 /// Work on the most promising goal after which twice as many goals are looked at [iterations].
 constexpr double work_of_doubling = 64.0;
 /// The less work is done on a goal the more its path costs: by the ratio to a power that grows, as
 /// a first path says little. It grows by 1 in so many iterations, up to `severity`.
-constexpr std::int64_t work_of_power = 64;
+constexpr std::int64_t work_of_power = 128;
 constexpr std::int64_t severity = 32;
 /// A goal without a path counts as one that costs so much more.
 constexpr double doubt = 1.08;
@@ -63,7 +63,7 @@ struct Candidate {
 struct Refinement {
   const Candidate* middle = nullptr;
   double share = first_share;
-  std::vector<const Candidate*> tried;
+  std::vector<Candidate*> tried;
 };
 
 class SetRun {
@@ -191,17 +191,24 @@ class SetRun {
     return work * weight;
   }
 
+  /// Goals beside the best one count as one goal: they hardly find paths of another kind.
   [[nodiscard]] Candidate* next_candidate() {
     Candidate* next = nullptr;
+    Candidate* next_beside = nullptr;
     double least = endless;
     for (Candidate& goal : candidates_) {
       if (!may_win(goal)) continue;
+      if (goal.known) {
+        if (next_beside == nullptr || goal.spent < next_beside->spent) next_beside = &goal;
+        continue;
+      }
       const double work = priority(goal);
       if (work >= least) continue;
       least = work;
       next = &goal;
     }
-    return next;
+    const bool is_beside = static_cast<double>(work_beside_) + work_of_doubling < least;
+    return next_beside != nullptr && is_beside ? next_beside : next;
   }
 
   void go_on(Candidate& goal) {
@@ -226,13 +233,16 @@ class SetRun {
     const std::int64_t work = goal.search->iterations() - done;
     budget_.spend(work);
     goal.spent += std::max<std::int64_t>(work, 1);
+    if (goal.known) work_beside_ += std::max<std::int64_t>(work, 1);
     take_path(goal);
     if (options_.budget.target_gap || (goal.is_done && !goal.path)) take_proof(goal);
     const bool had_its_chance = goal.path && goal.spent > 4 * chance;
-    if (had_its_chance && &goal != best_ && goal.cost > dropped * best_->cost) {
-      goal.is_done = true;
-      goal.search.reset();
-    }
+    if (had_its_chance && &goal != best_ && goal.cost > dropped * best_->cost) give_up(goal);
+  }
+
+  static void give_up(Candidate& goal) {
+    goal.is_done = true;
+    goal.search.reset();
   }
 
   [[nodiscard]] bool is_at_start(const Candidate& goal) const {
@@ -304,8 +314,12 @@ class SetRun {
     } else {
       const bool is_one_of_them =
           refinement_ && std::ranges::find(refinement_->tried, best_) != refinement_->tried.end();
-      refinement_ = Refinement{
-          .middle = best_, .share = is_one_of_them ? refinement_->share : first_share, .tried = {}};
+      if (!refinement_) refinement_.emplace();
+      refinement_->middle = best_;
+      if (!is_one_of_them) refinement_->share = first_share;
+    }
+    for (Candidate* const goal : refinement_->tried) {
+      if (goal != best_) give_up(*goal);
     }
     refinement_->tried.clear();
     const Path known{task_.start, *best_->path};
@@ -387,6 +401,7 @@ class SetRun {
   std::size_t looked_at_ = 0;  // poses
   std::optional<double> bound_of_regions_;
   Candidate* best_ = nullptr;
+  std::int64_t work_beside_ = 0;  // on goals beside the best one [iterations]
   std::optional<Refinement> refinement_;
   std::vector<CostSample> trace_;
 };

@@ -115,6 +115,7 @@ Task task_to(const Task& task, const Local<RigState>& goal, double curvature,
   to.goal = Local(state.pose);
   to.curvatures.goal = curvature;
   to.hitch_angles.goal = state.hitch_angle;
+  tell_ends_apart(to);
   if (options.margin_ramp > 0.0) {
     to.checker = task.world->checker(task.vehicle);
     keep_margin(to, options);

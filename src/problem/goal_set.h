@@ -28,6 +28,10 @@ void check_goal_set(const std::vector<GoalRegion>& set, const Vehicle& vehicle, 
 [[nodiscard]] Task task_to(const Task& task, const Local<RigState>& goal, double curvature,
                            const ClearanceOptions& options);
 
+/// Moves a goal a little that is where the start is, if the wheels have to be turned in between
+/// while the vehicle drives: planners know ends by their place.
+void tell_ends_apart(Task& task);
+
 /// Lets the vehicle keep its distance: `checker` of the task is without a margin before.
 void keep_margin(Task& task, const ClearanceOptions& options);
 

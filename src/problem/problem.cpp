@@ -220,13 +220,16 @@ Task task_of(const Problem& problem, const ClearanceOptions& options, Steering s
   validate({.clearance = options});
   Task task = problem.task();
   task.steering = steering;
-  const bool turns_wheels = task.curvatures.start != task.curvatures.goal;
-  if (steering == Steering::continuous && turns_wheels && task.start == task.goal) {
-    task.goal.x +=
-        1e-9;  // far below what a goal may be missed by: planners know ends by their place
-  }
+  problem::tell_ends_apart(task);
   problem::keep_margin(task, options);
   return task;
+}
+
+// By far less than a goal may be missed by.
+void problem::tell_ends_apart(Task& task) {
+  const bool turns_wheels = task.curvatures.start != task.curvatures.goal;
+  if (task.steering != Steering::continuous || !turns_wheels) return;
+  if (task.start == task.goal) task.goal.x += 1e-9;
 }
 
 void problem::keep_margin(Task& task, const ClearanceOptions& options) {

@@ -181,6 +181,16 @@ TEST(GoalSet, DrivesNowhereIfTheStartIsAGoal) {
   EXPECT_EQ(result.goal->index, 1U);
 }
 
+TEST(GoalSet, TurnsTheWheelsWhereTheStartIsTheGoal) {
+  GoalRegion here = region_of_pose({0, 0, 0});
+  here.curvature = 0.1;
+  PlanOptions options = with_iterations(is_sanitized ? 200 : 2000);
+  options.steering = Steering::continuous;
+  const PlanResult result = plan(make_problem(yard({here})), options);
+  EXPECT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_FALSE(result.path->segments.empty());
+}
+
 TEST(GoalSet, CostsNoMoreThanAnyOfItsHeadings) {
   const std::vector<Polygon> walls = {box(15, -5, 18, 22), box(25, 10, 30, 30)};
   GoalRegion any = region_of_pose({35, 20, 0});
