@@ -40,6 +40,7 @@ Json json_of_planner(const Planner& planner) {
                         {"honours_steering_of_rigs", properties.honours_steering_of_rigs},
                         {"honours_primitives", properties.honours_primitives},
                         {"honours_moving", properties.honours_moving},
+                        {"honours_goal_sets", properties.honours_goal_sets},
                         {"anytime", properties.anytime},
                         {"deterministic", properties.deterministic},
                         {"groups", properties.groups}};

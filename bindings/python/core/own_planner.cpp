@@ -126,15 +126,15 @@ py::dict options_of(const Planner& planner) {
 
 py::dict properties_of(const Planner& planner) {
   const PlannerProperties& p = planner.properties;
-  return py::dict("family"_a = p.family, "strategy"_a = p.strategy, "estimate"_a = p.estimate,
-                  "tries_goal"_a = p.tries_goal, "honours_prices"_a = p.honours_prices,
-                  "honours_gears"_a = p.honours_gears, "honours_threads"_a = p.honours_threads,
-                  "honours_target_gap"_a = p.honours_target_gap,
-                  "honours_steering"_a = p.honours_steering, "honours_time"_a = p.honours_time,
-                  "honours_moving"_a = p.honours_moving, "honours_trailers"_a = p.honours_trailers,
-                  "honours_steering_of_rigs"_a = p.honours_steering_of_rigs,
-                  "anytime"_a = p.anytime, "deterministic"_a = p.deterministic,
-                  "groups"_a = p.groups);
+  return py::dict(
+      "family"_a = p.family, "strategy"_a = p.strategy, "estimate"_a = p.estimate,
+      "tries_goal"_a = p.tries_goal, "honours_prices"_a = p.honours_prices,
+      "honours_gears"_a = p.honours_gears, "honours_threads"_a = p.honours_threads,
+      "honours_target_gap"_a = p.honours_target_gap, "honours_steering"_a = p.honours_steering,
+      "honours_time"_a = p.honours_time, "honours_moving"_a = p.honours_moving,
+      "honours_trailers"_a = p.honours_trailers, "honours_goal_sets"_a = p.honours_goal_sets,
+      "honours_steering_of_rigs"_a = p.honours_steering_of_rigs, "anytime"_a = p.anytime,
+      "deterministic"_a = p.deterministic, "groups"_a = p.groups);
 }
 
 /// A name, a path to begin with, or a function with what its planner honours.
