@@ -4,16 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "io/polygons.h"
 #include "vandplan/heading_doubt.h"
 #include "vandplan/rig.h"
 
 namespace vandplan::io {
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
 
 Pose lone_pose(const Document& file, const Node& node) {
   file.allow_only(node, {"x", "y", "heading", "curvature", "hitch_angles"});

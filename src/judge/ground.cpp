@@ -27,6 +27,7 @@ namespace {
 
 std::vector<std::size_t> sides_of_all(const std::vector<Polygon>& areas) {
   std::vector<std::size_t> sides;
+  sides.reserve(areas.size());
   for (const Polygon& area : areas) sides.push_back(area.size());
   return sides;
 }

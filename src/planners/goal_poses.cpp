@@ -208,7 +208,7 @@ std::array<Part, 2> halves(const Task& task, const Part& part) {
     axis = i;
   }
   std::array<Part, 2> parts = {part, part};
-  for (const std::size_t side : {0, 1}) {
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     Part& half = parts[side];
     half.half[axis] /= 2;
     half.middle.at[axis] += (side == 0 ? -1 : 1) * half.half[axis];

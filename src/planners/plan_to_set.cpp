@@ -96,6 +96,7 @@ class SetRun {
  private:
   // ---- The goals of the set ----
 
+  /// [1] [2]
   void add_goals() {
     std::vector<Candidate> goals;
     for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
@@ -109,6 +110,7 @@ class SetRun {
       });
     }
     std::vector<Candidate*> order;
+    order.reserve(goals.size());
     for (Candidate& goal : goals) order.push_back(&goal);
     std::ranges::stable_sort(order, {}, [](const Candidate* goal) { return goal->bound; });
     const auto last = order.begin() + looks_at_open_ways(order.size());
@@ -178,7 +180,7 @@ class SetRun {
     return !goal.is_done && (best_ == nullptr || &goal == best_ || goal.bound < best_->cost);
   }
 
-  /// The less the sooner.
+  /// [3] [4] The less the sooner.
   [[nodiscard]] double priority(const Candidate& goal) const {
     const double joins = work_of_doubling * (goal.path ? 0 : goal.rank);
     const double work = static_cast<double>(goal.spent) + work_of_doubling + joins;
@@ -303,7 +305,7 @@ class SetRun {
 
   // ---- Between the goals of a continuous region ----
 
-  /// Tries goals beside the best one, ever nearer to it. False: there are none to try.
+  /// [5] Tries goals beside the best one, ever nearer to it. False: there are none to try.
   bool refine() {
     if (best_ == nullptr || is_single(*best_)) return false;
     if (!best_->is_done && best_->spent < chance / 4) return true;
@@ -351,6 +353,7 @@ class SetRun {
     return least;
   }
 
+  /// [6]
   [[nodiscard]] bool is_over() {
     if (budget_.exhausted()) return true;
     const std::optional<double>& gap = options_.budget.target_gap;
@@ -378,7 +381,8 @@ class SetRun {
 
   void explain(PlannerAnswer& answer) {
     answer.iterations = budget_.iterations();
-    const bool all_closed = std::ranges::all_of(candidates_, &Candidate::is_closed);
+    const bool all_closed =
+        std::ranges::all_of(candidates_, [](const Candidate& goal) { return goal.is_closed; });
     if (!all_closed || bound_of_regions() < endless) return;
     answer.status = PlanStatus::no_path;
     const std::size_t closed = candidates_.size();

@@ -228,8 +228,9 @@ Task task_of(const Problem& problem, const ClearanceOptions& options, Steering s
 // By far less than a goal may be missed by.
 void problem::tell_ends_apart(Task& task) {
   const bool turns_wheels = task.curvatures.start != task.curvatures.goal;
-  if (task.steering != Steering::continuous || !turns_wheels) return;
-  if (task.start == task.goal) task.goal.x += 1e-9;
+  if (task.steering == Steering::continuous && turns_wheels && task.start == task.goal) {
+    task.goal.x += 1e-9;
+  }
 }
 
 void problem::keep_margin(Task& task, const ClearanceOptions& options) {
