@@ -173,14 +173,25 @@ struct CollisionChecker::Data {
 
   /// Whether a body whose axle is there is inside of what it may not leave, or all of it outside.
   [[nodiscard]] bool may_begin_at(const Point& axle) const noexcept {
-    return ground->inside.is_empty() || ground->inside.contain(axle);
+    const auto holds_it = [&](const Obstacles& area) { return area.contain(axle); };
+    const bool is_in_any = std::any_of(ground->inside.begin(), ground->inside.end(), holds_it);
+    return ground->inside.empty() || is_in_any;
+  }
+
+  /// Whether both bodies of a rig, by their axles, begin in the same area.
+  [[nodiscard]] bool begin_together(const Point& axle, const Point& trailer) const noexcept {
+    const auto holds_both = [&](const Obstacles& area) {
+      return area.contain(axle) && area.contain(trailer);
+    };
+    return ground->inside.empty() ||
+           std::any_of(ground->inside.begin(), ground->inside.end(), holds_both);
   }
 
   /// The same of a trailer's axle, or that a wall around it touches a body: where both bodies hold
   /// the hitch, the way over it from one axle to the other does not leave them.
   [[nodiscard]] bool is_trailer_outside(const Point& axle) const noexcept {
     return (towed->holds_hitch || !ground->walls.contain(axle)) && !ground->kerbs.contain(axle) &&
-           !(ground->map && ground->map->contain(axle)) && may_begin_at(axle);
+           !(ground->map && ground->map->contain(axle));
   }
 
   /// Whether no side is touched and the rear axle stays in the box. Together with a start outside
@@ -369,6 +380,7 @@ bool CollisionChecker::rig_is_free(const Local<RigState>& from,
   const Vehicle& vehicle = data_->towed->vehicle;
   RigPlacement rig(vehicle, placement_of(from.pose), from.hitch_angle);
   if (!data_->is_trailer_outside(rig.trailer.position)) return false;
+  if (!data_->begin_together({from.pose.x, from.pose.y}, rig.trailer.position)) return false;
   for (const Segment& segment : segments) {
     const TrailerPart part(vehicle, rig, segment);
     if (part.is_too_long() || !data_->crosses_nothing(part)) return false;

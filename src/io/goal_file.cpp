@@ -83,6 +83,7 @@ void read_axle(const Document& file, const Node& node, GoalRegion& region) {
       file.fail(*area, fmt::format("is given beside {}, expected one of the two", key));
     }
     region.area = polygon_from(file, *area);
+    if (region.area.empty()) file.fail(*area, "has 0 corners, expected at least 3");
   } else {
     region.x = interval_from(file, file.at(node, "x"));
     region.y = interval_from(file, file.at(node, "y"));

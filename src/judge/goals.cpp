@@ -25,6 +25,19 @@ Spot nearest_on_side(const Spot& p, const Point& a, const Point& b) {
   return {a.x + inside * dx, a.y + inside * dy};
 }
 
+// A ray to the right crosses the edge an odd number of times.
+bool is_in(const Polygon& area, Real x, Real y) {
+  bool is_inside = false;
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const Point& a = area[i];
+    const Point& b = area[(i + 1) % area.size()];
+    if ((a.y > y) == (b.y > y)) continue;
+    const Real crossing = a.x + (y - a.y) * (static_cast<Real>(b.x) - a.x) / (b.y - a.y);
+    if (x < crossing) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
 /// The place in a closed polygon that is nearest to another place.
 Spot nearest_in(const Polygon& area, const Spot& p) {
   if (is_in(area, p.x, p.y)) return p;
@@ -64,17 +77,8 @@ Position tractor_ahead_of(const Position& trailer, const Vehicle& vehicle, Real 
 
 }  // namespace
 
-// A ray to the right crosses the edge an odd number of times.
-bool is_in(const Polygon& area, Real x, Real y) {
-  bool is_inside = false;
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    const Point& a = area[i];
-    const Point& b = area[(i + 1) % area.size()];
-    if ((a.y > y) == (b.y > y)) continue;
-    const Real crossing = a.x + (y - a.y) * (static_cast<Real>(b.x) - a.x) / (b.y - a.y);
-    if (x < crossing) is_inside = !is_inside;
-  }
-  return is_inside;
+Real distance_from(const Polygon& area, Real x, Real y) {
+  return distance(nearest_in(area, {x, y}), {x, y});
 }
 
 Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing, bool wheels_count,
@@ -104,7 +108,10 @@ Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing
     if (!(off < least)) continue;
     least = off;
     Position pose{goal.x, goal.y, axle.heading + turn};
-    if (is_of_trailer) pose = tractor_ahead_of(pose, task.vehicle, hitch_angle);
+    // A heading of the trailer that is off by a little moves the tractor by more.
+    if (is_of_trailer) {
+      pose = off > 0 ? tractor_ahead_of(pose, task.vehicle, hitch_angle) : track.end;
+    }
     nearest = {i,
                {static_cast<double>(pose.x), static_cast<double>(pose.y),
                 static_cast<double>(std::remainder(pose.heading, full_turn))},

@@ -20,8 +20,8 @@ struct Goal {
   double hitch_angle = 0.0;  ///< [rad]; 0 without a trailer
 };
 
-/// Whether a place is in a polygon, its edge included as far as it is met by chance.
-[[nodiscard]] bool is_in(const Polygon& area, Real x, Real y);
+/// How far a place is from a closed polygon [m]; 0 in it.
+[[nodiscard]] Real distance_from(const Polygon& area, Real x, Real y);
 
 /// The goal nearest to the end of a track, of region number `only` or of all regions of a set that
 /// is not empty: distances [m], angles [rad] and, where wheels may not turn at standstill,

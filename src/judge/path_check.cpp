@@ -153,13 +153,23 @@ std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
   return std::nullopt;
 }
 
-/// A body that begins in none of the areas that it may not leave. Later it would meet a fence.
-std::optional<Fault> begins_outside(const Position& axle, const std::vector<Polygon>& inside,
-                                    const char* what) {
-  const auto holds_it = [&](const Polygon& area) { return is_in(area, axle.x, axle.y); };
-  if (inside.empty() || std::ranges::any_of(inside, holds_it)) return std::nullopt;
-  return Fault{text("the %s begins outside of what the vehicle stays inside of", what), Place{0, 0},
-               Hit{HitKind::inside}};
+/// A vehicle that begins in none of the areas that it may not leave, or its trailer not in the same
+/// one. Later they would meet a fence.
+std::optional<Fault> begins_outside(const Track& track, const Trailing* trailing,
+                                    const std::vector<Polygon>& inside) {
+  if (inside.empty()) return std::nullopt;
+  const auto is_in = [](const Polygon& area, const Position& axle) {
+    return distance_from(area, axle.x, axle.y) <= static_cast<Real>(position_tolerance);
+  };
+  bool is_begun = false;
+  for (const Polygon& area : inside) {
+    if (!is_in(area, track.stretches[0].start)) continue;
+    is_begun = true;
+    if (trailing == nullptr || is_in(area, trailing->position({0, 0}))) return std::nullopt;
+  }
+  return Fault{text("the %s begins outside of what the vehicle stays inside of",
+                    is_begun ? "axle of the trailer" : "rear axle"),
+               Place{0, 0}, Hit{HitKind::inside}};
 }
 
 /// The wheels are many, the footprint is one.
@@ -310,12 +320,7 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
   if (auto f = false_steering(track, task, claims.steering)) return Fault{f->reason, f->place};
   if (auto f = wrong_gear(track, claims.gears)) return f;
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
-  const std::vector<Polygon>& inside = task.world->local().inside;
-  if (auto f = begins_outside(track.stretches[0].start, inside, "rear axle")) return f;
-  if (trailing != nullptr) {
-    if (auto f = begins_outside(trailing->position({0, 0}), inside, "axle of the trailer"))
-      return f;
-  }
+  if (auto f = begins_outside(track, trailing, task.world->local().inside)) return f;
   const std::shared_ptr<const Ground> ground = ground_of(*task.world);
   Bodies bodies{{track, *ground, outlines_of(task.vehicle)}};
   if (trailing != nullptr) {

@@ -220,8 +220,8 @@ std::array<Part, 2> halves(const Task& task, const Part& part) {
 }  // namespace
 
 // The part that may be nearest is halved until that hardly tells more.
-double least_length_to(const Task& task, std::size_t region) {
-  constexpr int most_halvings = 2000;
+double least_length_to(const Task& task, std::size_t region, std::size_t halvings) {
+  constexpr std::size_t most_halvings = 2000;
   constexpr double fine = 1e-4;  // of the length, relative
   std::priority_queue<Part> parts;
   const bool either_way = task.goal_set[region].either_way;
@@ -230,7 +230,7 @@ double least_length_to(const Task& task, std::size_t region) {
     all.least = least_length(task, all);
     parts.push(all);
   }
-  for (int i = 0; i < most_halvings; ++i) {
+  for (std::size_t i = 0; i < std::min(halvings, most_halvings); ++i) {
     const Part part = parts.top();
     const Spread spread = spread_of(task, part);
     if (spread.place + spread.turn <= fine * part.least) break;

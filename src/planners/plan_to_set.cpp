@@ -28,7 +28,9 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 // Goals of a region that are searched for: of one interval, or of several.
 constexpr std::size_t most_of_line = 16;
 constexpr std::size_t most_of_region = 64;
-constexpr std::size_t most_open_ways = 2;  // that are looked at before the first search
+constexpr std::size_t most_of_set = 2048;        // of all regions, but for two of each
+constexpr std::size_t halvings_of_set = 20'000;  // of parts of its regions, to bound the cost
+constexpr std::size_t most_open_ways = 2;        // that are looked at before the first search
 /// Work on the most promising goal after which twice as many goals are looked at [iterations].
 constexpr double work_of_doubling = 64.0;
 /// The less work is done on a goal the more its path costs: by the ratio to a power that grows, as
@@ -99,9 +101,12 @@ class SetRun {
   /// [1] [2]
   void add_goals() {
     std::vector<Candidate> goals;
-    for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
+    const std::size_t regions = task_.goal_set.size();
+    const std::size_t share = std::max<std::size_t>(most_of_set / regions, 2);
+    for (std::size_t region = 0; region < regions; ++region) {
+      if (!goals.empty() && budget_.is_interrupted()) break;
       const bool is_line = number_of_intervals(task_, region) == 1;
-      const std::size_t most = is_line ? most_of_line : most_of_region;
+      const std::size_t most = std::min(is_line ? most_of_line : most_of_region, share);
       spread(task_, region, most, [&](const GoalPoint& point) {
         ++looked_at_;
         std::optional<Candidate> goal = candidate_at(point);
@@ -161,7 +166,7 @@ class SetRun {
     double least = endless;
     for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
       if (!is_continuous(task_.goal_set[region])) continue;
-      const double length = least_length_to(task_, region);
+      const double length = least_length_to(task_, region, halvings_of_set / task_.goal_set.size());
       const anytime::OpenGround ground{length, length, length, 0.0};
       const double priced = anytime::least_cost(ground, pricing_.rule(), 0.0);
       const double cost = pricing_.counts_time() ? pricing_.least_cost(length, length) : priced;
@@ -276,7 +281,7 @@ class SetRun {
 
   void take_proof(Candidate& goal) {
     const PlannerAnswer answer = goal.search->answer();
-    goal.is_closed = answer.status == PlanStatus::no_path;
+    goal.is_closed = goal.is_done && answer.status == PlanStatus::no_path;
     if (goal.is_closed) goal.bound = endless;
     if (task_.moving.empty()) goal.bound = std::max(goal.bound, answer.lower_bound);
   }

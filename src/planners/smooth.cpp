@@ -294,7 +294,10 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
   // [6] Never worse than the path that was given.
   smoothed.given_fault = given.reason;
   PlanResult& result = smoothed.result;
-  if (result.path) result.goal = check_path(of_set, *result.path).goal;
+  const auto name_goal = [&] {
+    if (result.path) result.goal = check_path(of_set, *result.path).goal;
+  };
+  name_goal();
   if (!given.valid) return smoothed;
   if (result.path) {
     const double more_cost =
@@ -306,6 +309,7 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
   result.status = PlanStatus::solved;
   result.reason.clear();
   result.path = path;
+  name_goal();
   result.cost = smoothed.given_cost;
   result.check = std::move(given);
   result.anytime = {{result.time_total, result.iterations, result.cost}};

@@ -111,6 +111,8 @@ TEST(GoalFile, SaysWhatIsWrong) {
             "s.yaml:5: goal.area");
   EXPECT_EQ(error_for("{area: [[40, 15], [50, 15]], heading: 0}"),
             "s.yaml:5: goal.area: has 2 corners, expected at least 3");
+  EXPECT_EQ(error_for("{area: [], heading: any}"),
+            "s.yaml:5: goal.area: has 0 corners, expected at least 3");
   EXPECT_EQ(error_for("{any_of: []}"),
             "s.yaml:5: goal.any_of: is empty, expected at least one goal");
   EXPECT_EQ(error_for("{any_of: [{x: 1, y: 2, heading: 3}], x: 1}").substr(0, 31),

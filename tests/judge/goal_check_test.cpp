@@ -136,6 +136,17 @@ TEST(JudgeOfGoals, HoldsTrailersToTheirRegions) {
   }
 }
 
+TEST(JudgeOfGoals, AllowsATrailerToPointALittleBeside) {
+  const Vehicle rig = semitrailer();
+  const Pose axle = trailer_pose(rig, {{20, 0, 0}, 0});
+  GoalRegion bay = region_of_pose({axle.x, axle.y, 5e-7});
+  bay.is_of_trailer = true;
+  const PathCheck check = check_path(with_set({bay}, rig), metres_ahead(20));
+  EXPECT_TRUE(check.valid) << check.reason;
+  bay.heading = {2e-6, 2e-6};
+  EXPECT_FALSE(check_path(with_set({bay}, rig), metres_ahead(20)).valid);
+}
+
 TEST(JudgeOfGoals, HoldsPathsToTheSamePlacesWhereverTheOriginIs) {
   for (const double far : {0.0, 1e5, 1e8}) {
     GoalRegion region{.area = {{far + 10, -1}, {far + 12, -1}, {far + 12, 1}, {far + 10, 1}},

@@ -108,6 +108,31 @@ TEST(GoalSet, ProvesNothingThatAnyOfItsGoalsDisproves) {
   }
 }
 
+TEST(GoalSet, ASearchThatOnlyPausedProvesNothing) {
+  Scenario scenario = yard({region_of_pose({20, 5, 0})}, {box(12, -9, 13, 9)});
+  for (const std::int64_t iterations : {1, 5, 20, 60}) {
+    PlanOptions options = with_iterations(iterations);
+    options.budget.target_gap = 0.2;
+    options.steering = iterations == 20 ? Steering::continuous : Steering::reeds_shepp;
+    EXPECT_NE(plan(make_problem(scenario), options).status, PlanStatus::no_path) << iterations;
+  }
+  scenario.moving = {{.outline = box(-1, -1, 1, 1), .trajectory = {{0, {-40, 0, 0}}}}};
+  EXPECT_NE(plan(make_problem(scenario), with_iterations(3)).status, PlanStatus::no_path);
+  scenario.goal = {20, 5, 0};
+  scenario.goal_set.clear();
+  EXPECT_NE(plan(make_problem(scenario), with_iterations(3)).status, PlanStatus::no_path);
+}
+
+TEST(GoalSet, ManyRegionsKeepToTheTime) {
+  std::vector<GoalRegion> many;
+  for (int i = 0; i < 2000; ++i) {
+    many.push_back(region({10 + 0.02 * i, 11 + 0.02 * i}, {0, 5}, any_heading));
+  }
+  const PlanResult result = plan(make_problem(yard(many)), with_iterations(50));
+  EXPECT_EQ(result.status, PlanStatus::solved);
+  EXPECT_LE(result.lower_bound, result.cost);
+}
+
 TEST(GoalSet, TakesTheFreeDockWhereOthersAreTaken) {
   Scenario scenario = docks(4);
   for (const int taken : {0, 1, 3}) {
@@ -363,6 +388,9 @@ TEST(GoalSet, IsSmoothedToTheGoalThatWasReached) {
   const Smoothed smoothed =
       smooth(problem, *planned.path, SmoothMethod::optimised, with_iterations(500));
   ASSERT_TRUE(smoothed.result.path) << smoothed.result.reason;
+  const Smoothed given =
+      smooth(problem, *planned.path, SmoothMethod::clothoids, with_iterations(0));
+  EXPECT_EQ(given.result.goal.has_value(), given.result.path.has_value());
   EXPECT_EQ(smoothed.result.goal->index, planned.goal->index);
   expect_at_goal(problem, smoothed.result);
 }
@@ -414,7 +442,7 @@ TEST(GoalSet, NoPathToARegionIsShorterThanItsBound) {
     any.either_way = chance(0.3, rng);
     const Problem problem = make_problem(yard({any}));
     const Task& task = problem.task();
-    const double bound = planning::least_length_to(task, 0);
+    const double bound = planning::least_length_to(task, 0, 2000);
     double least = endless_cost;
     for (std::size_t i = 0; i < 500; ++i) {
       const planning::GoalPoint point = planning::point_of_sequence(task, 0, i);

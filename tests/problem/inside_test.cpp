@@ -161,6 +161,29 @@ TEST(Inside, TheTrailerStaysInsideToo) {
   EXPECT_FALSE(check_path(make_problem(scenario), {{0, 0, 0}, {{0, 20}}}).valid);
 }
 
+TEST(Inside, ARigIsInOneArea) {
+  Scenario scenario =
+      in_area({0, 0, 0}, {10, 0, 0}, {box(-2, -30, 40, 30), box(-30, -30, -2.5, 30)});
+  scenario.vehicle = Vehicle{};
+  scenario.vehicle.hitch = -1.6;
+  scenario.vehicle.trailer = Trailer{.wheelbase = 8, .front_overhang = -4};
+  EXPECT_EQ(plan(make_problem(scenario), of_iterations(100)).status,
+            PlanStatus::start_in_collision);
+  EXPECT_EQ(check_path(make_problem(scenario), {{0, 0, 0}, {{0, 10}}}).reason,
+            "the axle of the trailer begins outside of what the vehicle stays inside of");
+}
+
+TEST(Inside, AnAxleMayStandOnTheEdge) {
+  Scenario scenario = in_area({}, {}, {box(-20, -20, 20, 20)});
+  scenario.vehicle.rear_overhang = 0;
+  for (const Pose& pose :
+       {Pose{-20, 0, 0}, Pose{20, 0, pi}, Pose{0, 20, -pi / 2}, Pose{0, -20, pi / 2}}) {
+    scenario.start = scenario.goal = pose;
+    const PathCheck check = check_path(make_problem(scenario), {pose, {}});
+    EXPECT_TRUE(check.valid) << check.reason;
+  }
+}
+
 TEST(Inside, ItHoldsWhilePlanningAnew) {
   Scenario scenario = in_area({40, 0, pi}, {0, 40, pi / 2}, {corner_of_two});
   scenario.obstacles = {box(70, 70, 71, 71)};

@@ -49,6 +49,7 @@ GoalRegion made_region(const py::object& x, const py::object& y, const py::objec
   }
   if (has_area) {
     region.area = polygon_from(area, "area");
+    if (region.area.empty()) throw InputError("area", "has 0 corners, expected at least 3");
   } else {
     region.x = interval_from(x, "x");
     region.y = interval_from(y, "y");

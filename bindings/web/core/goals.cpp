@@ -47,6 +47,7 @@ void read_axle(const val& given, const std::string& where, GoalRegion& region) {
   if (!has(given, "heading")) throw InputError(where + ".heading", "is missing");
   if (has_area) {
     region.area = polygon_from(given["area"], where + ".area");
+    if (region.area.empty()) throw InputError(where + ".area", "has 0 corners");
   } else {
     region.x = interval_from(given["x"], where + ".x");
     region.y = interval_from(given["y"], where + ".y");

@@ -263,9 +263,12 @@ PlannerAnswer Run::answer() {
     answer.status = PlanStatus::solved;
     return answer;
   }
-  answer.status = end_.value_or(PlanStatus::no_path);
-  if (!end_)
+  if (proven().is_walled_in) {
+    answer.status = PlanStatus::no_path;
     answer.reason = "proven: nothing as wide as the vehicle gets from the start to the goal";
+    return answer;
+  }
+  answer.status = end_.value_or(PlanStatus::iteration_limit);  // it has only paused
   return answer;
 }
 
