@@ -104,7 +104,10 @@ class SetRun {
     const std::size_t regions = task_.goal_set.size();
     const std::size_t share = std::max<std::size_t>(most_of_set / regions, 2);
     for (std::size_t region = 0; region < regions; ++region) {
-      if (!goals.empty() && budget_.is_interrupted()) break;
+      if (!goals.empty() && budget_.is_interrupted()) {
+        saw_all_ = false;
+        break;
+      }
       const bool is_line = number_of_intervals(task_, region) == 1;
       const std::size_t most = std::min(is_line ? most_of_line : most_of_region, share);
       spread(task_, region, most, [&](const GoalPoint& point) {
@@ -351,6 +354,7 @@ class SetRun {
 
   /// No path to any goal of the set costs less.
   [[nodiscard]] double lower_bound() {
+    if (!saw_all_) return 0.0;
     double least = bound_of_regions();
     for (const Candidate& goal : candidates_) {
       if (is_single(goal)) least = std::min(least, goal.bound);
@@ -388,7 +392,7 @@ class SetRun {
     answer.iterations = budget_.iterations();
     const bool all_closed =
         std::ranges::all_of(candidates_, [](const Candidate& goal) { return goal.is_closed; });
-    if (!all_closed || bound_of_regions() < endless) return;
+    if (!all_closed || !saw_all_ || bound_of_regions() < endless) return;
     answer.status = PlanStatus::no_path;
     const std::size_t closed = candidates_.size();
     const std::string reason = candidates_.front().search->answer().reason;
@@ -408,6 +412,7 @@ class SetRun {
   search::Budget budget_;
   std::deque<Candidate> candidates_;
   std::size_t looked_at_ = 0;  // poses
+  bool saw_all_ = true;        // regions, before the time was over
   std::optional<double> bound_of_regions_;
   Candidate* best_ = nullptr;
   std::int64_t work_beside_ = 0;  // on goals beside the best one [iterations]
