@@ -181,7 +181,7 @@ export interface Prices {
   clearance_distance: number;
 }
 
-/** What is hit: an obstacle or a kerb by its number, a cell of the map by its middle, or the edge of the bounds. */
+/** What is hit: an obstacle, a kerb or an area of `inside` by its number, a cell of the map by its middle, or the edge of the bounds. */
 export type Hit =
   | {what: 'obstacles' | 'kerbs' | 'inside'; index: number}
   | {what: 'map'; cell?: {x: number; y: number}}
@@ -214,7 +214,7 @@ export interface Result {
   /** What is in the way of a start or goal in collision. */
   hit: Hit | null;
   path: Path | null;
-  /** Of a set of goals the one that the path ends at, by its number in `any_of`. */
+  /** The goal that the path ends at, by its number in `any_of`; null without a set of goals. */
   goal: ({index: number} & Pose) | null;
   cost: number | null;
   /** No path costs less; 0 where nothing is proven. */

@@ -56,8 +56,8 @@ struct Margin {
 /// Answers collision queries for one footprint in one set of obstacles. Immutable after
 /// construction and safe to share between threads. A trailer is looked at by `rig_...` alone. Local
 /// poses and points are in the frame of the world that the checker is from (`to_local`), or of the
-/// surroundings that it was made of. Around what the body stays inside of the surroundings of a
-/// world have fences; those that a checker is made of have none.
+/// surroundings that it was made of. A world puts thin obstacles, fences, around the areas of
+/// `inside`; a checker that is made of surroundings adds none.
 ///
 /// Promise: whatever is accepted keeps the closed footprint clear of every closed obstacle, by more
 /// than the margin, and the rear axle inside the bounds; whatever has a clearance above the margin

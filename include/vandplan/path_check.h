@@ -81,7 +81,8 @@ struct PathCheck {
   std::string reason = {};           ///< the first thing found wrong, one line; empty when valid
   std::optional<PathPoint> at = {};  ///< where it is wrong, if at a place; in the scenario's frame
   std::optional<Hit> hit = {};       ///< what is hit, or left, if that is what is wrong
-  /// Of a set of goals the one that the path ends at, in the scenario's frame, if it ends at one.
+  /// The goal that the path ends at, in the scenario's frame. None if the problem has one goal pose
+  /// only, or if the path ends at no goal.
   std::optional<ReachedGoal> goal = {};
   double length = 0.0;          ///< [m]
   double reverse_length = 0.0;  ///< of it in reverse [m]
@@ -96,12 +97,12 @@ struct PathCheck {
 
 /// Judges a path in the scenario's frame, in this order: every number is finite, it
 /// begins at the start, every curvature is drivable, the wheels turn and the gears are as is
-/// claimed, the rear axle stays in the bounds, the body begins and stays in what it may not leave,
-/// the footprint touches no obstacle and no blocked cell and the wheels no kerb, both of the
-/// vehicle and of its trailer, whose hitch angle stays within its limit (looked at every millimetre
-/// that a point of the vehicle moves, skipping only what is proven to be free), they keep the
-/// margin that is claimed, it ends at the goal, or at one of a set, within 1e-6 m and 1e-6 rad, and
-/// what is claimed is true.
+/// claimed, the rear axle stays in the bounds, the whole body stays in the area of `inside` in
+/// which it begins, the footprint touches no obstacle and no blocked cell and the wheels no kerb,
+/// both of the vehicle and of its trailer, whose hitch angle stays within its limit (looked at
+/// every millimetre that a point of the vehicle moves, skipping only what is proven to be free),
+/// they keep the margin that is claimed, it ends at the goal, or at one of a set, within 1e-6 m and
+/// 1e-6 rad, and what is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});
 

@@ -71,7 +71,7 @@ struct PlanResult {
   std::string reason = {};        ///< why there is no path, or no valid one; or empty
   std::optional<Hit> hit = {};    ///< what is in the way of a start or goal in collision
   std::optional<Path> path = {};  ///< from the start as it was given to the goal
-  /// Of a set of goals the one that the path ends at.
+  /// The goal that the path ends at. None if the problem has one goal pose only, or without a path.
   std::optional<ReachedGoal> goal = {};
   double cost = 0.0;         ///< of the path [m], or [s] where the cost is the time
   CostOptions rule = {};     ///< what was minimised, every price set

@@ -91,7 +91,7 @@ class World {
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
 
   /// The cleaned surroundings in the world's frame, which planners and the judge work in. The first
-  /// obstacles are fences around what the body stays inside of: `fences()` of them.
+  /// obstacles are the fences around the areas of `inside`; there are `fences()` of them.
   [[nodiscard]] const Surroundings& local() const noexcept { return local_; }
 
   /// Number of sides of all areas that the body stays in; each has a fence outside of it, a

@@ -23,10 +23,10 @@ struct Goal {
 /// How far a place is from a closed polygon [m]; 0 in it.
 [[nodiscard]] Real distance_from(const Polygon& area, Real x, Real y);
 
-/// The goal nearest to the end of a track, of region number `only` or of all regions of a set that
-/// is not empty: distances [m], angles [rad] and, where wheels may not turn at standstill,
-/// curvatures [1/m] that are off by more than the judge's tolerance count alike. Of equal ones that
-/// of the first region. `trailing` is null without a trailer.
+/// The goal nearest to the end of a track: in region number `only`, or else in any region. The set
+/// must have a region. A goal is off by the sum of what exceeds the judge's tolerance in distance
+/// [m], in angles [rad] and, where wheels may not turn at standstill, in curvature [1/m]. Of goals
+/// equally far off the first region's is returned. `trailing` is null without a trailer.
 [[nodiscard]] Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing,
                                 bool wheels_count, std::optional<std::size_t> only);
 

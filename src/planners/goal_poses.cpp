@@ -102,8 +102,8 @@ bool is_in_region(const Task& task, const GoalPoint& point) {
 }
 
 // The additive recurrence with the inverse powers of the root of z^(d+1) = z + 1 (Roberts 2018).
-// Its first point is the middle. Intervals are gone over a little too far and cut off, as the best
-// goal is often at an end.
+// Point 0 of the sequence is the middle of the region. The sequence covers each interval and a
+// tenth more at both ends, and is cut off to the interval: the best goal is often at an end.
 GoalPoint point_of_sequence(const Task& task, std::size_t region, std::size_t i) {
   const GoalRegion& of = task.goal_set[region];
   const std::array<double, 4> widths = widths_of(of);

@@ -283,7 +283,7 @@ class LiveDrive {
     return std::move(result_);
   }
 
-  /// Of a set of goals the one that it drives to.
+  /// The goal pose, in the local frame: the end of the planned path where the goal is a set.
   [[nodiscard]] Pose goal() const {
     if (truth_.goal_set().empty() || !drive_) return truth_.task().goal;
     return to_local(*truth_.world(), end_pose(drive_->path));

@@ -27,7 +27,7 @@ struct Trial {
 /// The same as `try_world` with a trailer behind the vehicle, by planners that plan for rigs.
 [[nodiscard]] Trial try_world_of_a_rig(std::uint64_t seed);
 
-/// The same of a world whose goal is a set.
+/// The same as `try_world` where the goal is a set of poses.
 [[nodiscard]] Trial try_world_of_goals(std::uint64_t seed);
 
 /// The scenario of that world as a file (its map, if it has one, as MAP.yaml and MAP.pgm beside

@@ -106,10 +106,10 @@ void bind_path_check(py::module_& module) {
       .field("hit", &Verdict::hit,
              R"(What is hit or left, if that is what is wrong: a dict; or None.
 
-"what" is the key of the scenario: "obstacles", "kerbs" (then "index" is its number), "map" or
-"bounds".)")
+"what" is the key of the scenario: "obstacles", "kerbs", "inside" (then "index" is its number), "map"
+or "bounds".)")
       .field("goal", &Verdict::goal,
-             "Of a set of goals the one that the path ends at, a `ReachedGoal`; or None.")
+             "The goal that the path ends at, a `ReachedGoal`; None without a set of goals.")
       .field("length", &Verdict::length, "Driven distance [m].")
       .field("reverse_length", &Verdict::reverse_length, "Distance driven in reverse [m].")
       .field("gear_changes", &Verdict::gear_changes, "How often the direction changes.")

@@ -119,13 +119,13 @@ void bind_result_class(py::module_& module) {
       "hit", [](const PlanResult& r) { return r.hit; },
       R"(What is in the way of a start or goal in collision: a dict; or None.
 
-"what" is the key of the scenario: "obstacles", "kerbs" (then "index" is its number), "map" (then
-"cell" is the middle of the cell [m]) or "bounds".)");
+"what" is the key of the scenario: "obstacles", "kerbs", "inside" (then "index" is its number), "map"
+(then "cell" is the middle of the cell [m]) or "bounds".)");
   property(
       "path", [](const PlanResult& r) { return r.path; }, "The path, or None.");
   property(
       "goal", [](const PlanResult& r) { return r.goal; },
-      "Of a set of goals the one that the path ends at, a `ReachedGoal`; or None.");
+      "The goal that the path ends at, a `ReachedGoal`; None without a set of goals.");
   property(
       "bound", [](const PlanResult& r) { return r.lower_bound; },
       "No path costs less, proven; in the unit of `cost`. 0: nothing is proven.");
