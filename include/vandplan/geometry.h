@@ -83,4 +83,8 @@ struct Bounds {
 /// Whether a simple polygon is convex; corners on the line between their neighbours do no harm.
 [[nodiscard]] bool is_convex(std::span<const Point> polygon);
 
+/// Whether a point lies inside a simple polygon, decided exactly; for a point on a side either
+/// answer is possible.
+[[nodiscard]] bool contains(std::span<const Point> polygon, const Point& point);
+
 }  // namespace vandplan

@@ -32,15 +32,6 @@ struct Side {
   [[nodiscard]] const Point& last() const { return comes_before(from, to) ? to : from; }
 };
 
-/// Whether two closed segments have a point in common.
-bool meet(const Side& a, const Side& b) {
-  const bool are_in_line =
-      orientation(a.from, a.to, b.from) == 0 && orientation(a.from, a.to, b.to) == 0;
-  if (are_in_line) return !comes_before(a.last(), b.first()) && !comes_before(b.last(), a.first());
-  return orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) <= 0 &&
-         orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) <= 0;
-}
-
 /// Whether the second of two sides that follow each other runs back along the first.
 bool folds_back(const Side& first, const Side& second) {
   return orientation(first.from, first.to, second.to) == 0 &&
@@ -50,7 +41,7 @@ bool folds_back(const Side& first, const Side& second) {
 bool clash(const Side& a, const Side& b, std::size_t count) {
   if ((a.index + 1) % count == b.index) return folds_back(a, b);
   if ((b.index + 1) % count == a.index) return folds_back(b, a);
-  return meet(a, b);
+  return meet(a.from, a.to, b.from, b.to);
 }
 
 /// 1 where a side lies above another one that does not begin after it, -1 below, 0 on its line.
@@ -147,6 +138,16 @@ std::string corner_text(const Point& corner, const Point& origin) {
 
 }  // namespace
 
+bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (orientation(a, b, c) == 0 && orientation(a, b, d) == 0) {
+    const auto [first, last] = std::minmax(a, b, comes_before);
+    const auto [other_first, other_last] = std::minmax(c, d, comes_before);
+    return !comes_before(last, other_first) && !comes_before(other_last, first);
+  }
+  return orientation(a, b, c) * orientation(a, b, d) <= 0 &&
+         orientation(c, d, a) * orientation(c, d, b) <= 0;
+}
+
 Polygon cleaned(const Polygon& polygon) {
   Polygon result;
   result.reserve(polygon.size());
@@ -185,6 +186,20 @@ bool is_convex(std::span<const Point> polygon) {
     right = right || turn < 0;
   }
   return left != right;
+}
+
+// A ray to the right crosses an odd number of sides.
+bool contains(std::span<const Point> polygon, const Point& point) {
+  bool is_inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[(i + 1) % polygon.size()];
+    if ((a.y > point.y) == (b.y > point.y)) continue;
+    const bool goes_up = b.y > a.y;
+    const int side = geometry::orientation(a, b, point);
+    if (side != 0 && (side > 0) == goes_up) is_inside = !is_inside;
+  }
+  return is_inside;
 }
 
 }  // namespace vandplan

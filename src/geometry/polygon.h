@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Is it a simple polygon?
+// Is a polygon simple, and do line segments meet?
 
 #include <string>
 
@@ -18,5 +18,8 @@ namespace vandplan::geometry {
 /// nothing does. Simple: an area, and no two sides that share more than the corner between them.
 /// `origin` is that of the polygon's frame in the frame of whoever reads the sentence.
 [[nodiscard]] std::string flaw_of(const Polygon& polygon, const Point& origin);
+
+/// Whether two closed line segments have a point in common, decided exactly.
+[[nodiscard]] bool meet(const Point& a, const Point& b, const Point& c, const Point& d);
 
 }  // namespace vandplan::geometry

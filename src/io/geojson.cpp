@@ -137,8 +137,8 @@ void add(Shapes& shapes, const Node& source, std::vector<Polygon> polygons) {
 
 /// Adds a warning if start or goal lies in an area that becomes an obstacle.
 void warn_of_ends_within(Draft& draft, const Node& source, const Polygon& ring) {
-  const bool has_start = lies_within(ring, {draft.start.x, draft.start.y});
-  const bool has_goal = lies_within(ring, {draft.goal.x, draft.goal.y});
+  const bool has_start = contains(ring, {draft.start.x, draft.start.y});
+  const bool has_goal = contains(ring, {draft.goal.x, draft.goal.y});
   if (!has_start && !has_goal) return;
   const char* const ends = !has_goal ? "the start" : !has_start ? "the goal" : "start and goal";
   draft.warnings.push_back(
@@ -172,8 +172,8 @@ void add_area(Draft& draft, Shapes& shapes, const Node& source, const Node& node
   }
   if (rings.empty()) draft.file.fail(node, "is empty, expected a ring");
   const bool keeps_holes = std::any_of(rings.begin() + 1, rings.end(), [&](const Polygon& hole) {
-    return lies_within(hole, {draft.start.x, draft.start.y}) ||
-           lies_within(hole, {draft.goal.x, draft.goal.y});
+    return contains(hole, {draft.start.x, draft.start.y}) ||
+           contains(hole, {draft.goal.x, draft.goal.y});
   });
   if (!keeps_holes) {
     warn_of_ends_within(draft, source, rings.front());

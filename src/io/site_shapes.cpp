@@ -50,15 +50,4 @@ Polygon square_around(const Point& center, double side) {
           {center.x - half, center.y + half}};
 }
 
-bool lies_within(const Polygon& ring, const Point& point) noexcept {
-  bool is_within = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point& a = ring[i];
-    const Point& b = ring[(i + 1) % ring.size()];
-    if ((a.y > point.y) == (b.y > point.y)) continue;
-    if (point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y))) is_within = !is_within;
-  }
-  return is_within;
-}
-
 }  // namespace vandplan::io

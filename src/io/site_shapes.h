@@ -19,7 +19,4 @@ namespace vandplan::io {
 /// The square with that centre and sides along the axes [m].
 [[nodiscard]] Polygon square_around(const Point& center, double side);
 
-/// Whether a point lies within the ring; on its border either way.
-[[nodiscard]] bool lies_within(const Polygon& ring, const Point& point) noexcept;
-
 }  // namespace vandplan::io

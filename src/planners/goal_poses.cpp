@@ -41,20 +41,9 @@ Point nearest_on_side(const Point& p, const Point& a, const Point& b) {
   return {a.x + inside * dx, a.y + inside * dy};
 }
 
-bool is_inside(const Polygon& area, const Point& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = area.size() - 1; i < area.size(); j = i++) {
-    const Point& a = area[i];
-    const Point& b = area[j];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
-  }
-  return inside;
-}
-
 /// The place itself, or the nearest one of the area's edge.
 Point moved_into(const Polygon& area, const Point& p) {
-  if (is_inside(area, p)) return p;
+  if (contains(area, p)) return p;
   Point nearest = area.front();
   for (std::size_t i = 0; i < area.size(); ++i) {
     const Point there = nearest_on_side(p, area[i], area[(i + 1) % area.size()]);
@@ -98,7 +87,7 @@ std::size_t number_of_intervals(const Task& task, std::size_t region) {
 
 bool is_in_region(const Task& task, const GoalPoint& point) {
   const GoalRegion& region = task.goal_set[point.region];
-  return region.area.empty() || is_inside(region.area, place_in_box(region, point));
+  return region.area.empty() || contains(region.area, place_in_box(region, point));
 }
 
 // The additive recurrence with the inverse powers of the root of z^(d+1) = z + 1 (Roberts 2018).

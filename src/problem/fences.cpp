@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/convex.h"
-#include "geometry/orientation.h"
+#include "geometry/polygon.h"
 #include "problem/checks.h"
 #include "vandplan/input_error.h"
 
@@ -20,39 +20,13 @@ constexpr double fence_end = 1e-6;
 
 const Point& corner(const Polygon& polygon, std::size_t i) { return polygon[i % polygon.size()]; }
 
-/// Whether two closed sides have a point in common.
-bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
-  using geometry::orientation;
-  const Bounds one = bounding_box(std::initializer_list<Point>{a, b});
-  const Bounds other = bounding_box(std::initializer_list<Point>{c, d});
-  if (one.x_max < other.x_min || other.x_max < one.x_min || one.y_max < other.y_min ||
-      other.y_max < one.y_min) {
-    return false;
-  }
-  return orientation(a, b, c) * orientation(a, b, d) <= 0 &&
-         orientation(c, d, a) * orientation(c, d, b) <= 0;
-}
-
-bool holds(const Polygon& area, const Point& p) {
-  bool is_inside = false;
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    const Point& a = area[i];
-    const Point& b = corner(area, i + 1);
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    const bool goes_up = b.y > a.y;
-    const int side = geometry::orientation(a, b, p);
-    if (side != 0 && (side > 0) == goes_up) is_inside = !is_inside;
-  }
-  return is_inside;
-}
-
 bool have_common_points(const Polygon& one, const Polygon& other) {
   for (std::size_t i = 0; i < one.size(); ++i) {
     for (std::size_t k = 0; k < other.size(); ++k) {
-      if (meet(one[i], corner(one, i + 1), other[k], corner(other, k + 1))) return true;
+      if (geometry::meet(one[i], corner(one, i + 1), other[k], corner(other, k + 1))) return true;
     }
   }
-  return holds(one, other.front()) || holds(other, one.front());
+  return contains(one, other.front()) || contains(other, one.front());
 }
 
 }  // namespace
@@ -87,12 +61,6 @@ std::vector<Polygon> fences_around(std::span<const Polygon> areas) {
     }
   }
   return fences;
-}
-
-std::size_t area_of_fence(std::span<const Polygon> areas, std::size_t fence) {
-  std::size_t area = 0;
-  while (fence >= areas[area].size()) fence -= areas[area++].size();
-  return area;
 }
 
 }  // namespace vandplan::problem

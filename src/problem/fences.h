@@ -20,7 +20,4 @@ namespace vandplan::problem {
 /// A thin fence outside of each side, in the order of the areas and of their sides.
 [[nodiscard]] std::vector<Polygon> fences_around(std::span<const Polygon> areas);
 
-/// The area that fence number `fence` is around.
-[[nodiscard]] std::size_t area_of_fence(std::span<const Polygon> areas, std::size_t fence);
-
 }  // namespace vandplan::problem

@@ -17,6 +17,23 @@ namespace {
 
 std::string flaw(const Polygon& polygon) { return geometry::flaw_of(polygon, {}); }
 
+TEST(Polygon, ContainsWhatLiesInside) {
+  const Polygon hook = {{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {0, 1}};
+  const Polygon turned = {hook.rbegin(), hook.rend()};
+  for (const Polygon& polygon : {hook, turned}) {
+    EXPECT_TRUE(contains(polygon, {0.5, 0.5}));
+    EXPECT_TRUE(contains(polygon, {3.5, 3.9}));
+    EXPECT_FALSE(contains(polygon, {1, 2}));   // in its bay
+    EXPECT_FALSE(contains(polygon, {-1, 1}));  // level with corners
+    EXPECT_FALSE(contains(polygon, {-1, 4}));
+    EXPECT_FALSE(contains(polygon, {5, 0.5}));
+  }
+  // A millionth of the last digit decides beside a side that leans.
+  const Polygon leaning = {{0, 0}, {3, 1}, {0, 1}};
+  EXPECT_TRUE(contains(leaning, {std::nextafter(1.5, 0), 0.5}));
+  EXPECT_FALSE(contains(leaning, {std::nextafter(1.5, 2), 0.5}));
+}
+
 TEST(Polygon, RepeatedCornersAreDropped) {
   const Polygon square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   EXPECT_EQ(geometry::cleaned({{0, 0}, {0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}), square);

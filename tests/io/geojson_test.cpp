@@ -212,8 +212,8 @@ TEST_F(GeoJson, WallsLeaveNoGapAtBends) {
       const double reach = number(0, 0.499 * width);
       const Point point = {line[corner].x + reach * std::cos(angle),
                            line[corner].y + reach * std::sin(angle)};
-      EXPECT_TRUE(std::ranges::any_of(
-          walls, [&](const Polygon& wall) { return io::lies_within(wall, point); }));
+      EXPECT_TRUE(
+          std::ranges::any_of(walls, [&](const Polygon& wall) { return contains(wall, point); }));
     }
   });
 }

@@ -135,7 +135,6 @@ TEST(Inside, FencesStandOutsideOfTheirSides) {
     const std::vector<Polygon> fences = problem::fences_around(local);
     ASSERT_EQ(fences.size(), 10U);
     for (std::size_t i = 0; i < 6; ++i) {
-      EXPECT_EQ(problem::area_of_fence(local, i), 0U);
       Point middle{};
       for (const Point& corner : fences[i]) {
         middle = {middle.x + corner.x / 4, middle.y + corner.y / 4};
@@ -146,8 +145,6 @@ TEST(Inside, FencesStandOutsideOfTheirSides) {
       EXPECT_GT(out, 1e-7);
       EXPECT_LT(out, 1e-6);
     }
-    EXPECT_EQ(problem::area_of_fence(local, 6), 1U);
-    EXPECT_EQ(problem::area_of_fence(local, 9), 1U);
   }
 }
 
