@@ -66,6 +66,12 @@ enum class HitKind : std::uint8_t { obstacle, kerb, map, bounds, inside };
 /// The key of a scenario file: "obstacles", "kerbs", "map", "bounds", "inside".
 [[nodiscard]] std::string_view name_of(HitKind kind) noexcept;
 
+/// The kind with that name; none if there is no such kind.
+[[nodiscard]] std::optional<HitKind> hit_kind_named(std::string_view name) noexcept;
+
+/// Whether a scenario has a list of such things, so that `Hit::index` says which one is hit.
+[[nodiscard]] bool has_index(HitKind kind) noexcept;
+
 /// What a vehicle touches, comes too near to, or leaves.
 struct Hit {
   HitKind kind = HitKind::obstacle;

@@ -172,7 +172,7 @@ RigState end_of(const Scene& scene) {
 
 /// The corners of what is hit; none of what the scenario has not.
 std::vector<Polygon> outline_of(const Scenario& scenario, const Hit& hit) {
-  if (hit.kind != HitKind::map && hit.kind != HitKind::bounds) {
+  if (has_index(hit.kind)) {
     const std::vector<Polygon>& all = hit.kind == HitKind::kerb     ? scenario.kerbs
                                       : hit.kind == HitKind::inside ? scenario.inside
                                                                     : scenario.obstacles;

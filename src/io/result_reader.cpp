@@ -255,10 +255,8 @@ Hit hit_from(const Document& file, const Node& node) {
   Hit hit;
   const Node& what = file.at(node, "what");
   const std::string name = file.text(what);
-  constexpr std::array kinds = {HitKind::obstacle, HitKind::kerb, HitKind::map, HitKind::bounds,
-                                HitKind::inside};
-  const auto* const kind = std::ranges::find(kinds, name, [](HitKind one) { return name_of(one); });
-  if (kind == kinds.end()) {
+  const std::optional<HitKind> kind = hit_kind_named(name);
+  if (!kind) {
     file.fail(what,
               fmt::format("is \"{}\", expected obstacles, kerbs, map, bounds or inside", name));
   }

@@ -227,7 +227,7 @@ Json build_of(const BuildInfo& build) {
 
 Json json_of(const Hit& hit) {
   Json json = {{"what", name_of(hit.kind)}};
-  if (hit.kind != HitKind::map && hit.kind != HitKind::bounds) json["index"] = hit.index;
+  if (has_index(hit.kind)) json["index"] = hit.index;
   if (hit.cell) json["cell"] = {{"x", hit.cell->x}, {"y", hit.cell->y}};
   return json;
 }

@@ -352,6 +352,10 @@ Path local_path(const World& world, const Path& path) {
   return {to_local(world, path.start), path.segments};
 }
 
+/// In the order of `HitKind`.
+constexpr std::array<std::string_view, 5> names_of_kinds = {"obstacles", "kerbs", "map", "bounds",
+                                                            "inside"};
+
 PathClaims local_claims(const World& world, const PathClaims& claims) {
   PathClaims local = claims;
   if (local.goal) local.goal->pose = to_local(world, local.goal->pose);
@@ -362,10 +366,16 @@ PathClaims local_claims(const World& world, const PathClaims& claims) {
 }  // namespace
 
 std::string_view name_of(HitKind kind) noexcept {
-  constexpr std::array<std::string_view, 5> names = {"obstacles", "kerbs", "map", "bounds",
-                                                     "inside"};
-  return names[static_cast<std::size_t>(kind)];
+  return names_of_kinds[static_cast<std::size_t>(kind)];
 }
+
+std::optional<HitKind> hit_kind_named(std::string_view name) noexcept {
+  const auto* const found = std::ranges::find(names_of_kinds, name);
+  if (found == names_of_kinds.end()) return std::nullopt;
+  return static_cast<HitKind>(found - names_of_kinds.begin());
+}
+
+bool has_index(HitKind kind) noexcept { return kind != HitKind::map && kind != HitKind::bounds; }
 
 PathCheck check_path(const Problem& problem, const Path& path, const PathClaims& claims) {
   PathCheck check;

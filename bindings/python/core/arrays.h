@@ -140,12 +140,10 @@ template <>
 struct type_caster<vandplan::Hit> {
   PYBIND11_TYPE_CASTER(vandplan::Hit, const_name("hit"));
   bool load(handle given, bool) {
-    using vandplan::HitKind;
     const auto values = reinterpret_borrow<dict>(given);
-    for (const HitKind kind :
-         {HitKind::obstacle, HitKind::kerb, HitKind::map, HitKind::bounds, HitKind::inside}) {
-      if (values["what"].cast<std::string>() == name_of(kind)) value.kind = kind;
-    }
+    const auto kind = vandplan::hit_kind_named(values["what"].cast<std::string>());
+    if (!kind) return false;
+    value.kind = *kind;
     if (values.contains("index")) value.index = values["index"].cast<std::size_t>();
     if (values.contains("cell")) {
       const auto [x, y] = values["cell"].cast<std::pair<double, double>>();
@@ -154,10 +152,9 @@ struct type_caster<vandplan::Hit> {
     return true;
   }
   static handle cast(const vandplan::Hit& hit, return_value_policy, handle) {
-    using vandplan::HitKind;
     dict values;
     values["what"] = std::string(name_of(hit.kind));
-    if (hit.kind != HitKind::map && hit.kind != HitKind::bounds) values["index"] = hit.index;
+    if (has_index(hit.kind)) values["index"] = hit.index;
     if (hit.cell) values["cell"] = make_tuple(hit.cell->x, hit.cell->y);
     return values.release();
   }

@@ -29,7 +29,7 @@ val object_of(const std::optional<Hit>& hit) {
   if (!hit) return val::null();
   val object = val::object();
   object.set("what", std::string(name_of(hit->kind)));
-  if (hit->kind != HitKind::map && hit->kind != HitKind::bounds) {
+  if (has_index(hit->kind)) {
     object.set("index", static_cast<double>(hit->index));
   }
   if (!hit->cell) return object;
