@@ -12,7 +12,7 @@ copyright = "2026, the Vändplan authors"  # noqa: A001
 release = os.environ["VANDPLAN_VERSION"]
 version = release
 
-extensions = ["myst_parser", "sphinx_copybutton"]
+extensions = ["myst_parser", "sphinx_copybutton", "sphinx_inline_tabs"]
 if os.environ.get("VANDPLAN_PYTHON"):
     extensions.append("sphinx.ext.autodoc")
     autodoc_docstring_signature = False  # signature_of reads those of several lines, too

@@ -216,6 +216,16 @@ def for_site(text):
     return re.sub(r"^% python\n.*?^% end\n", "", text, flags=re.M | re.S)
 
 
+def with_tabs(text):
+    """The text of a page, with the sections between comments "tabs" and "end of tabs" as tabs."""
+
+    def tabs(match):
+        parts = re.split(r"^#### (.*)\n", match[1], flags=re.M)[1:]
+        return "\n".join(f"````{{tab}} {label}\n{body.strip()}\n````\n" for label, body in zip(parts[::2], parts[1::2]))
+
+    return re.sub(r"^<!-- tabs -->\n(.*?)^<!-- end of tabs -->\n", tabs, text, flags=re.M | re.S)
+
+
 def contents(site):
     """The table of contents: the order of docs/README.md."""
     text = (REPOSITORY / "docs/README.md").read_text()
@@ -263,7 +273,7 @@ def main():
             if place == "index.md":
                 check_quotes(text)
                 text = for_site(text) + contents(site)
-            site.write(place, site.linked(text, name, place))
+            site.write(place, site.linked(with_tabs(text), name, place))
     write_examples(site, build)
     work = folder.parent / "doxygen"
     shutil.rmtree(work, ignore_errors=True)

@@ -368,7 +368,7 @@ Exact exact_distance(const judge::Outline& body, const judge::Position& p, const
   return least;
 }
 
-// docs/algorithms/path_check.md derives 1e-8 m for corners 3*10^6 m from the start.
+// docs/proofs/judge.md derives 1e-8 m for corners 3*10^6 m from the start.
 TEST(JudgeCrowdLaw, SidesWithFarEndsAreAsFarAwayAsTheyAre) {
   int far = 0;
   for_each_case(3, 300000, [&](Rng& rng) {

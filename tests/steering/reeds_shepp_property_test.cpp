@@ -130,7 +130,7 @@ TEST(ReedsSheppLaw, IsTheLeastOfAllWordsToTheLastBitsForTinyAndForRandomOffsets)
 }
 
 /// The ends of a word in the range in which no turn of the other way and no gear change pays, and
-/// how long they may be there (docs/algorithms/steering.md).
+/// how long they may be there (docs/proofs/steering.md).
 struct Range {
   double least, most, limit;
 };

@@ -207,7 +207,7 @@ TEST(BoundTable, LooksUpWithinItsMargin) {
   }
 }
 
-// What docs/algorithms/bound_table.md, "Rounding", argues with: how much the length can change.
+// What docs/proofs/bound_table.md argues with: how much the length can change.
 TEST(BoundTable, LengthsChangeNoFasterThanRoundingIsArguedWith) {
   Rng rng(13);
   for (int i = 0; i < cases(300'000); ++i) {

@@ -133,7 +133,7 @@ TEST(WordsInBox, SlopesLeadFromTheCentreToEveryPair) {
   EXPECT_GT(bounded, cases(1000));  // or the test says nothing
 }
 
-// Extended precision, by the table of docs/algorithms/steering.md: coordinates as the box has them.
+// Extended precision, by section 1 of docs/algorithms/steering.md: coordinates as the box has them.
 struct Precise {
   long double distance, tangent, tilt;
 
