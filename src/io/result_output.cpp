@@ -8,6 +8,7 @@
 
 #include "io/result_bytes.h"
 #include "vandplan/files.h"
+#include "vandplan/goal_set.h"
 #include "vandplan/result_file.h"
 
 namespace vandplan {
@@ -15,13 +16,21 @@ namespace {
 
 using namespace io;
 
+/// The goal that the path ends at; some goal of the scenario if there is no path.
+Pose goal_of(const Scenario& scenario, const PlanResult& result) {
+  if (scenario.goal_set.empty()) return scenario.goal;
+  const bool is_known = result.check && result.check->goal;
+  return is_known ? result.check->goal->pose : some_pose(scenario.goal_set.front());
+}
+
 void write_bytes(const ScenarioFile& file, const std::vector<ResultRecord>& records,
                  const TextSink& sink) {
   ResultBytesWriter writer({ResultsOf::goals, head_text(records.front())}, sink);
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Scenario scenario = scenario_at(file, i);
-    writer.add(i + 1, {scenario.start, scenario.goal}, scenario.hitch_angles.start,
-               records[i].result);
+    const PlanResult& result = records[i].result;
+    writer.add(i + 1, {scenario.start, goal_of(scenario, result)}, scenario.hitch_angles.start,
+               result);
   }
   writer.end();
 }

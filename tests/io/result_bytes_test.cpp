@@ -176,6 +176,20 @@ TEST_F(BinaryResult, SaysOfGoalsWhatJsonSays) {
   EXPECT_THROW((void)read_results(written({planned_record(quay())}, "r.vpr"), file_), InputError);
 }
 
+// A set of goals has no pose of its own: without one the goal would be at the origin.
+TEST_F(BinaryResult, OfASetOfGoalsFarFromTheOriginIsRead) {
+  Scenario scenario = quay();
+  scenario.start = {5e5, 6.6e6, 0};
+  scenario.goal_set = {{.x = {5e5 + 20, 5e5 + 20}, .y = {6.6e6, 6.6e6}}};
+  const ScenarioFile file{scenario};
+  for (const ResultRecord& record : {planned_record(scenario), without_path(scenario)}) {
+    write_results(folder_ / "r.vpr", file, {record});
+    const ResultRecord read_back = read_results(folder_ / "r.vpr", file).front();
+    EXPECT_EQ(read_back.result.status, record.result.status);
+    EXPECT_EQ(read_back.result.path, record.result.path);
+  }
+}
+
 TEST_F(BinaryResult, CarriesTheTimesOfADrive) {
   ResultRecord record = planned_record(quay());
   record.result.speeds = SpeedProfile{
