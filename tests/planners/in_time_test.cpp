@@ -340,6 +340,26 @@ TEST(PlanInTime, CountsTheSecondsOfTheWholeDrive) {
             0.97 * (by_prices.cost + 2 * fastest));
 }
 
+TEST(PlanInTime, DrivesNoCrumbs) {
+  for (const double x : {28.0, 38.0}) {  // somebody stops there, and somebody else comes along
+    Scenario scenario;
+    scenario.bounds = {-20, 90, -8, 8};
+    scenario.goal = {70, -2, 0};
+    scenario.vehicle.limits.max_acceleration = 1;
+    scenario.vehicle.limits.max_speed = {3, 1.5};
+    const Polygon truck = box(-1.6, -1.27, 5.9, 1.27);
+    scenario.moving = {{truck, {{0, {x - 15, -1, 0}}, {5, {x, -1, 0}}}},
+                       {truck, {{0, {85, 3, pi}}, {20, {-10, 3, pi}}}, Afterwards::leaves}};
+    PlanOptions options;
+    options.budget.max_iterations = 3000;
+    const PlanResult result = plan(scenario, options);
+    ASSERT_TRUE(result.path);
+    for (const Segment& segment : result.path->segments) {
+      EXPECT_GT(std::abs(segment.length), 0.1);
+    }
+  }
+}
+
 TEST(PlanInTime, SpendsTheWholeBudgetBeforeItGivesUp) {
   // A slot 1.2 m longer than the vehicle: a tenth of the budget finds no way into it.
   const Vehicle vehicle{

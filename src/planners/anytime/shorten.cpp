@@ -5,20 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planners/commands/wheels.h"
+
 namespace vandplan::anytime {
 namespace {
 
-constexpr double progress = 5e-4;  // share of the cost that counts as progress
-constexpr double least_gain = 1e-9;
-constexpr double guide_leeway = 1.3;  // what costs so much more may be better by another measure
-constexpr int patience = 200;         // trials without progress after which a route is stalled,
-constexpr int patience_for_each_leg = 60;  // and more for each leg
+constexpr double progress = 5e-4;    // relative gain that counts as progress
+constexpr double least_gain = 1e-9;  // smallest gain of a trial [m]
+// Surcharge for each crumb when whole drives are compared [m or s].
+constexpr double price_of_crumb = 0.4;
+constexpr double guide_leeway = 1.3;  // with a measure a trial may have so many times the price
+constexpr int patience = 200;         // trials without progress that stall a route
+constexpr int patience_for_each_leg = 60;  // more such trials for each leg
 
-constexpr std::size_t legs_of_window = 16;
-constexpr int trials_of_window = 320;
-constexpr int idle_trials_of_window = 48;
-constexpr double progress_of_window = 1e-2;  // that counts [turning radii]
+constexpr std::size_t legs_of_window = 16;   // legs in a window
+constexpr int trials_of_window = 320;        // most trials in a window
+constexpr int idle_trials_of_window = 48;    // trials without a gain after which the window moves
+constexpr double progress_of_window = 1e-2;  // gain that counts in a window [turning radii]
 
+/// Gear and curvature at the end of `legs`; `before` if no leg drives anything.
 Driven driven_last(std::span<const Leg> legs, const Driven& before) {
   for (std::size_t i = legs.size(); i > 0; --i) {
     const Driven driven = last_driven(legs[i - 1].piece);
@@ -27,13 +32,21 @@ Driven driven_last(std::span<const Leg> legs, const Driven& before) {
   return before;
 }
 
-/// `legs` have the first one last.
+/// Gear and curvature at the begin of `legs`, which are in reverse order.
 Driven driven_first(std::span<const Leg> legs) {
   for (std::size_t i = legs.size(); i > 0; --i) {
     const Driven driven = first_driven(legs[i - 1].piece);
     if (driven.gear != 0) return driven;
   }
   return {};
+}
+
+/// Number of segments that are too short for a driver.
+double crumbs_of(const Route& route, double radius) {
+  const double crumb = commands::crumb_length(radius);
+  const std::vector<Segment> segments = path_of(route).segments;
+  return static_cast<double>(std::ranges::count_if(
+      segments, [&](const Segment& segment) { return std::abs(segment.length) < crumb; }));
 }
 
 }  // namespace
@@ -50,7 +63,8 @@ Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scop
       rng_(seed),
       progress_cost_(route_.cost) {
   if (scope == Scope::all || route_.legs.size() <= 2 * legs_of_window) return;
-  // Anywhere: one that takes over a route would begin with the same legs ever again.
+  // The first window is anywhere. Otherwise each shortener that takes a route over would begin with
+  // the same legs.
   const std::size_t begin = rng_() % route_.legs.size();
   const auto first = route_.legs.begin() + static_cast<std::ptrdiff_t>(begin);
   passed_.assign(route_.legs.begin(), first);
@@ -77,8 +91,8 @@ double Shortener::trials_for_one() const {
   return static_cast<double>(count_of_legs()) / static_cast<double>(legs_of_window);
 }
 
-// Half of the window stays, so that what lies across its end comes into the middle of the next one.
-// At an end of the route the windows turn back.
+// Half of the window stays, so that legs across its end come into the middle of the next window. At
+// an end of the route, windows turn back.
 void Shortener::move_window() {
   const std::size_t half = route_.legs.size() / 2;
   if (goes_back_ ? passed_.empty() : ahead_.empty()) goes_back_ = !goes_back_;
@@ -95,7 +109,7 @@ void Shortener::move_window() {
   next_window();
 }
 
-// Fills the window from the side that it goes to.
+// Fills the window on the side to which windows move.
 void Shortener::next_window() {
   std::vector<Leg>& legs = route_.legs;
   while (!goes_back_ && legs.size() < legs_of_window && !ahead_.empty()) {
@@ -113,7 +127,7 @@ void Shortener::next_window() {
   if (is_whole()) route_.cost = cost_ = cost_of(connector_.rule(), route_);
 }
 
-// Of legs of the window, as the whole route is driven.
+// Gears and curvatures before and after the legs [first, last) of the window.
 Gears Shortener::gears_beside(std::size_t first, std::size_t last) const {
   const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
   if (!needs_gears) return {};
@@ -143,7 +157,8 @@ LocalPose Shortener::pose_at(const Place& place) const {
   return end_of(route_.begin_of(place.leg), prefix(leg.piece, place.s));
 }
 
-// In the vehicle's own frame, at a random scale: what is left to gain shrinks as the route settles.
+// Moves a pose in its own frame at a random scale, because possible gains shrink as the route
+// settles.
 LocalPose Shortener::perturbed(const LocalPose& pose) {
   const double scale = std::exp2(uniform(-10.0, -0.5, rng_));
   const double reach = scale * connector_.radius();
@@ -163,14 +178,14 @@ double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) co
   return rule.is_length() ? sum : sum + change_cost(rule, driven, gears.after);
 }
 
-// The legs that a trial would replace, and what it has to undercut.
+// The legs that a trial would replace, and the cost that it must undercut.
 Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const {
   const Gears gears = gears_beside(first, last);
   const double cost = cost_of_legs(std::span(route_.legs).subspan(first, last - first), gears);
   return {first, last, gears, measure_ ? guide_leeway * cost : cost};
 }
 
-// Finds what being near things adds to the cost of the trial. False if that takes up the gain.
+// Adds the clearance cost of the trial. False if it uses up the gain.
 bool Shortener::stays_cheaper(LocalPose from, double gain) {
   if (connector_.rule().clearance_weight == 0.0) return true;
   for (Leg& leg : trial_) {
@@ -182,8 +197,8 @@ bool Shortener::stays_cheaper(LocalPose from, double gain) {
   return true;
 }
 
-// Puts the trial in the place of the stretch if that is cheaper and free. `fresh` are the legs of
-// the trial that have to be checked; the others were cut from the route.
+// Puts the trial in the place of the stretch if that is cheaper and free. `fresh`: legs of the
+// trial that must be checked; the other legs were cut from the route.
 bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
   const double gain = old.cost - cost_of_legs(trial_, old.gears);
   if (gain < least_gain) return false;
@@ -197,7 +212,9 @@ bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
     Route changed = route_;
     exchange(changed, old);
     changed.cost = measure_(changed);
-    if (route_.cost - changed.cost < least_gain) return false;
+    const double fewer_crumbs =
+        crumbs_of(route_, connector_.radius()) - crumbs_of(changed, connector_.radius());
+    if (route_.cost - changed.cost + price_of_crumb * fewer_crumbs < least_gain) return false;
     route_ = std::move(changed);
     return true;
   }
@@ -216,7 +233,7 @@ void Shortener::exchange(Route& route, const Stretch& old) const {
   route.legs.insert(next, trial_.begin(), trial_.end());
 }
 
-// Exact steering between two places of the route.
+// Steers exactly between two random places of the route.
 bool Shortener::shortcut() {
   Place a = random_place();
   Place b = random_place();
@@ -253,8 +270,8 @@ bool Shortener::drop_via() {
   return replace(old, trial_);
 }
 
-// Drives the stretch by way of another pose. Where the curvature is continuous, the gear changes
-// there if `cusp` is the gear driven then.
+// Drives the stretch by way of another pose. With continuous curvature the gear changes to `cusp`
+// there, unless that is 0.
 bool Shortener::replace_by_way_of(const LocalPose& via, const Stretch& old, GearSign cusp) {
   const LocalPose& from = route_.begin_of(old.first);
   const LocalPose& to = route_.legs[old.last - 1].end;
@@ -277,7 +294,7 @@ bool Shortener::replace_by_way_of(const LocalPose& via, const Stretch& old, Gear
   return replace(old, trial_);
 }
 
-// Moves a via pose and steers anew from the one before and to the one after it.
+// Moves a via pose, and steers to it from the pose before and from it to the pose after.
 bool Shortener::move_via() {
   const std::size_t legs = route_.legs.size();
   if (legs < 2) return move_place();
